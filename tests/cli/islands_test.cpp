@@ -29,9 +29,9 @@ TEST_CASE("What islands cannot take ends with exit codes 3 and 2") {
     test::check_refused("islands - --neighbours 6", 2, {"--neighbours"}, text);
     test::check_refused("islands - --detrend line", 2, {"--detrend", "line"}, text);
     test::check_refused("islands nowhere.csv", 3, {"nowhere.csv", "no such file"});
-    CHECK(test::run_fstiff("islands - --neighbours 4 --border drop --least-points 3 --island-height twice-mean --levels 50",
-                           text)
-              .status %
+    CHECK(test::run_fstiff(
+              "islands - --neighbours 4 --border drop --least-points 3 --island-height twice-mean --levels 50", text)
+                  .status %
               4 ==
           0);
 }

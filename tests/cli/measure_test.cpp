@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff measure as a process: pipes, exit codes and forms of output. tests/scene/measure_test.cpp has its numbers and sentences.
+// fstiff measure as a process: pipes, exit codes and forms of output. tests/scene/measure_test.cpp has its numbers and
+// sentences.
 #include "json.hpp"
 
 #include <algorithm>
@@ -10,18 +11,20 @@ namespace measure_test {
 
 namespace {
 
-const std::string rest = "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
-                         "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\"]\n";
+const std::string rest =
+    "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+    "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\"]\n";
 
 }  // namespace
 
 TEST_CASE("The JSON of measure goes through a pipe into run, and from a file into a scene") {
     const test::Folder folder;
     folder.write("from_json.toml", "[surface]\nfrom = \"measured.json\"\n" + rest);
-    const auto outcome = test::shell(
-        "cd '" + (folder / "") + "' && fstiff generate map --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um' > map.txt"
-        " && fstiff measure map.txt -o measured.json && fstiff run from_json.toml --format csv -o file.csv"
-        " && fstiff measure - < map.txt | fstiff run from_json.toml --surface - --format csv");
+    const auto outcome =
+        test::shell("cd '" + (folder / "") +
+                    "' && fstiff generate map --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um' > map.txt"
+                    " && fstiff measure map.txt -o measured.json && fstiff run from_json.toml --format csv -o file.csv"
+                    " && fstiff measure - < map.txt | fstiff run from_json.toml --surface - --format csv");
     INFO(outcome.err);
     CHECK(outcome.status % 4 == 0);
     CHECK(test::Csv(outcome.out).size() == 2);
@@ -42,8 +45,8 @@ TEST_CASE("A fault of the call ends measure, truth and run with exit code 2, one
     test::check_refused("measure - --filter spline", 2, {"--filter", "spline"}, made);
     test::check_refused("measure - --window '10 um'", 2, {"--window = \"10 um\": must be two lengths"}, made);
     test::check_refused("measure - --spacing '-1 um'", 3, {"--spacing = \"-1 um\": must be greater than 0"}, made);
-    test::check_refused("measure - --scales --pressure '-1 MPa'", 3, {"--pressure = \"-1 MPa\": must be greater than 0"},
-                        made);
+    test::check_refused("measure - --scales --pressure '-1 MPa'", 3,
+                        {"--pressure = \"-1 MPa\": must be greater than 0"}, made);
     test::check_refused("truth - --pressures='-5 MPa'", 3, {"--pressures = \"-5 MPa\": must be greater than 0"}, made);
     test::check_refused("truth - --pressures '1,5 MPa'", 3,
                         {"--pressures = \"1,5 MPa\": every pressure needs its unit, and the point"}, made);
@@ -55,7 +58,8 @@ TEST_CASE("A fault of the call ends measure, truth and run with exit code 2, one
 }
 
 // Two round hills: two islands from the highest level down to the saddle, and never more.
-TEST_CASE("That R and D_p of islands represent nothing ends measure, islands, run, report and identify with exit code 4") {
+TEST_CASE(
+    "That R and D_p of islands represent nothing ends measure, islands, run, report and identify with exit code 4") {
     const test::Folder folder;
     std::string text;
     for (int j = 0; j < 32; ++j)
@@ -88,8 +92,9 @@ TEST_CASE("That R and D_p of islands represent nothing ends measure, islands, ru
     repeats("islands '" + map + "'" + options);
     repeats("run --surface '" + file + "'");
     repeats("report --surface '" + file + "' -o '" + folder / "report'");
-    const std::string scene = folder.write("from.toml", "[surface]\nfrom = \"hills.json\"\n" +
-                                                            test::replaced(rest, "\"10 MPa\"", "\"3 MPa\", \"10 MPa\""));
+    const std::string scene =
+        folder.write("from.toml", "[surface]\nfrom = \"hills.json\"\n" +
+                                      test::replaced(rest, "\"10 MPa\"", "\"3 MPa\", \"10 MPa\""));
     REQUIRE(test::run_fstiff("run '" + scene + "' --format csv -o '" + folder / "k.csv" + "'").status == 4);
     repeats("identify '" + scene + "' --measured '" + folder / "k.csv" + "' --fit sigma");
 }

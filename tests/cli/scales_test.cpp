@@ -8,7 +8,7 @@ TEST_CASE("the table of --scales, its CSV and its picture are of one file") {
     const test::Folder folder;
     const auto map =
         folder.write("map.txt", test::run_fstiff("generate map --points 128 --spacing '1 um' --hurst 0.8 --rms '1 um' "
-                                             "--shortest '6 um' --longest '60 um'")
+                                                 "--shortest '6 um' --longest '60 um'")
                                     .out);
     const auto csv = test::run_fstiff("measure " + map + " --scales --format csv --plot " + folder / "map.svg");
     CHECK(csv.status % 4 == 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every sentence that advises something is tested by doing what it says, over the scenes of data/ and docs/ and the files of
-// tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
+// Every sentence that advises something is tested by doing what it says, over the scenes of data/ and docs/ and the
+// files of tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
@@ -30,15 +30,18 @@ const test::Folder& folder() {
     return of_all;
 }
 
-/// \p text with \p line below the header of \p section, in place of a line of the same key; the section is made where it is not.
+/// \p text with \p line below the header of \p section, in place of a line of the same key; the section is made where
+/// it is not.
 std::string with_line(const std::string& text, const std::string& section, const std::string& line) {
     const std::string key = line.substr(0, line.find(' '));
     std::smatch header;
-    if (!std::regex_search(text, header, std::regex("\n" + std::regex_replace(section, std::regex("[\\[\\].]"), "\\$&") + "[^\n]*\n")))
+    if (!std::regex_search(
+            text, header, std::regex("\n" + std::regex_replace(section, std::regex("[\\[\\].]"), "\\$&") + "[^\n]*\n")))
         return text + "\n" + section + "\n" + line + "\n";
     const auto begin = static_cast<std::size_t>(header.position() + header.length());
     const std::size_t end = std::min(text.find("\n[", begin - 1), text.size());
-    const std::string body = std::regex_replace("\n" + text.substr(begin, end - begin), std::regex("\n" + key + " *=[^\n]*"), "");
+    const std::string body =
+        std::regex_replace("\n" + text.substr(begin, end - begin), std::regex("\n" + key + " *=[^\n]*"), "");
     return text.substr(0, begin) + line + body + text.substr(end);
 }
 std::string with_law(const std::string& text, const std::string& law) {
@@ -54,8 +57,8 @@ std::string of_map(const std::string& text) {
     const std::size_t begin = text.find("\n[surface") + 1;
     std::size_t end = text.find("\n[", begin);
     while (text.compare(end + 1, 8, "[surface") == 0) end = text.find("\n[", end + 1);
-    return text.substr(0, begin) + "[surface]\nfrom = '" + folder() / "map.txt" + "'\nlambda_s = \"none\"\nfractal_dimension = 1.4\n" +
-           text.substr(end + 1);
+    return text.substr(0, begin) + "[surface]\nfrom = '" + folder() / "map.txt" +
+           "'\nlambda_s = \"none\"\nfractal_dimension = 1.4\n" + text.substr(end + 1);
 }
 
 struct Advice {
@@ -81,14 +84,17 @@ const std::vector<Advice>& table() {
          [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
         {R"(must be told surface\.rms_gradient and surface\.alpha)",
          [](const std::string& text, const std::smatch&) {
-             return with_law(with_line(with_line(text, "[surface]", "rms_gradient = 0.1"), "[surface]", "alpha = 8"), "hybrid");
+             return with_law(with_line(with_line(text, "[surface]", "rms_gradient = 0.1"), "[surface]", "alpha = 8"),
+                             "hybrid");
          }},
         {R"(must be told surface\.alpha)",
          [](const std::string& text, const std::smatch&) {
              return with_law(with_line(text, "[surface]", "alpha = 8"), "hybrid");
          }},
         {R"(needs material\.upper\.hardness or material\.upper\.yield_strength)",
-         [](const std::string& text, const std::smatch&) { return with_line(text, "[material.upper]", "hardness = \"3 GPa\""); }},
+         [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[material.upper]", "hardness = \"3 GPa\"");
+         }},
         {R"(needs material\.upper\.yield_strength)",
          [](const std::string& text, const std::smatch&) {
              return with_line(text, "[material.upper]", "yield_strength = \"1 GPa\"");
@@ -98,23 +104,27 @@ const std::vector<Advice>& table() {
         {R"((?:--)?spikes (= )?20 takes such points out)",
          [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "spikes = 20"); }},
         {R"(lambda_c none keeps the long ones)",
-         [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "lambda_c = \"none\""); }},
-        {R"(surface\.fractal_dimension: is missing)",
          [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[surface]", "lambda_c = \"none\"");
+         }},
+        {R"(surface\.fractal_dimension: is missing)", [](const std::string& text, const std::smatch&) {
              return with_line(text, "[surface]", "fractal_dimension = 1.5");
          }}};
     return rows;
 }
 
 /// Words that advise: who reads them has something to do.
-const std::regex advises(R"re(\b(add "|use |must be told|measure a|fills them|takes such points out|keeps the|believe |Recommended|set |state )|[;(] ?give |needs a map|needs material)re");
+const std::regex advises(
+    R"re(\b(add "|use |must be told|measure a|fills them|takes such points out|keeps the|believe |Recommended|set |state ))re"
+    R"re(|[;(] ?give |needs a map|needs material)re");
 
-/// All scenes of data/, docs/ and of the pages, at one pressure and without a band, and three of them with a map in place of their
-/// surface.
+/// All scenes of data/, docs/ and of the pages, at one pressure and without a band, and three of them with a map in
+/// place of their surface.
 std::vector<Text> scenes() {
     std::vector<Text> all;
     const auto add = [&](std::string text, const std::string& file) {
-        text = std::regex_replace("\n" + text, std::regex("\n(pressures|separations) *=[^\n]*"), "\npressures = [\"10 MPa\"]");
+        text = std::regex_replace("\n" + text, std::regex("\n(pressures|separations) *=[^\n]*"),
+                                  "\npressures = [\"10 MPa\"]");
         text = with_line(with_line(text, "[uncertainty]", "samples = 0"), "[boundary_elements]", "points = 32");
         if (test::refusal([&] { (void)test::scene_of(text, file); }).empty()) all.push_back({text, file});
     };
@@ -125,7 +135,8 @@ std::vector<Text> scenes() {
             if (!file.ends_with(".md")) continue;
             const std::string page = test::read(file), fence = "```toml\n";
             for (std::size_t at = 0; (at = page.find(fence, at)) != std::string::npos; ++at) {
-                const std::string block = page.substr(at + fence.size(), page.find("```\n", at + 1) - at - fence.size());
+                const std::string block =
+                    page.substr(at + fence.size(), page.find("```\n", at + 1) - at - fence.size());
                 if (test::contains(block, "[contact]") && test::contains(block, "[surface")) add(block, file);
             }
         }
@@ -154,8 +165,8 @@ std::string refusal_in_the_end(Text of, int* refused = nullptr) {
     return sentence;
 }
 
-/// Does what \p sentence says to \p of, by every row of the table that it is in; how many these are. What comes of it is computed,
-/// or its refusal says what else it needs.
+/// Does what \p sentence says to \p of, by every row of the table that it is in; how many these are. What comes of it
+/// is computed, or its refusal says what else it needs.
 int follow(const Text& of, const std::string& sentence) {
     int followed = 0;
     INFO("of " << of.file << ": " << sentence);
@@ -173,7 +184,8 @@ int follow(const Text& of, const std::string& sentence) {
 
 std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Results& results) {
     std::vector<std::string> all = results.verdict;
-    for (const auto* more : {&results.short_verdict, &results.warnings}) all.insert(all.end(), more->begin(), more->end());
+    for (const auto* more : {&results.short_verdict, &results.warnings})
+        all.insert(all.end(), more->begin(), more->end());
     if (read.measured) all.insert(all.end(), read.measured->warnings.begin(), read.measured->warnings.end());
     return all;
 }
@@ -203,12 +215,14 @@ TEST_CASE("Every law is computed in every scene of data and docs, or its refusal
 }
 
 TEST_CASE("What is advised about heights that are not Gaussian, holes, spikes, a lay and waviness can be done") {
-    const std::string rest = "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
-                             "pressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 0\n[boundary_elements]\npoints = 32\n";
+    const std::string rest =
+        "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
+        "pressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 0\n[boundary_elements]\npoints = 32\n";
     const auto surface = [&](const std::string& name, const std::string& keys) {
         return Text{"\n[surface]\nfrom = '" + folder() / name + "'\n" + keys + rest, "s.toml"};
     };
-    fstiff::HeightMap<double> map = fstiff::self_affine_map<double>({.hurst = 0.8, .rms = 0.3e-6, .shortest_wavelength = 8e-6}, 64, 64, 1e-6, 1e-6);
+    fstiff::HeightMap<double> map =
+        fstiff::self_affine_map<double>({.hurst = 0.8, .rms = 0.3e-6, .shortest_wavelength = 8e-6}, 64, 64, 1e-6, 1e-6);
     const auto write = [&](const std::string& name, const auto& heights) {
         std::ofstream file(folder() / name);
         fstiff::io::write_csv(file, heights);
@@ -229,8 +243,10 @@ TEST_CASE("What is advised about heights that are not Gaussian, holes, spikes, a
         turned.heights[i] += x * x / 1600 * 1e-6;
     }
     all.push_back(surface(write("turned.csv", turned), ""));
-    fstiff::Profile<double> wavy = fstiff::self_affine_profile<double>({.hurst = 0.8, .rms = 2e-9, .longest_wavelength = 40e-6}, 16384, 0.25e-6);
-    for (std::size_t i = 0; i < wavy.size(); ++i) wavy.heights[i] += 0.02e-6 * std::sin(2 * 3.14159265 * double(i) / 9000);
+    fstiff::Profile<double> wavy =
+        fstiff::self_affine_profile<double>({.hurst = 0.8, .rms = 2e-9, .longest_wavelength = 40e-6}, 16384, 0.25e-6);
+    for (std::size_t i = 0; i < wavy.size(); ++i)
+        wavy.heights[i] += 0.02e-6 * std::sin(2 * 3.14159265 * double(i) / 9000);
     all.push_back(surface(write("wavy.csv", wavy), "lambda_s = \"1.25 um\"\n"));
     std::string said;
     for (const Text& of : all) {
@@ -241,8 +257,8 @@ TEST_CASE("What is advised about heights that are not Gaussian, holes, spikes, a
         }
         for (const scene::Law& law : scene::laws())
             if (const std::string why = refusal_of(law, read); !why.empty())
-                (void)follow({with_line(with_line(of.text, "[material.upper]", "yield_strength = \"1 GPa\""), "[surface]",
-                                        "fractal_dimension = 1.5"),
+                (void)follow({with_line(with_line(of.text, "[material.upper]", "yield_strength = \"1 GPa\""),
+                                        "[surface]", "fractal_dimension = 1.5"),
                               of.file},
                              why);
     }

@@ -38,7 +38,9 @@ TEST_CASE("The band holds K behind half and twice the root of two of lambda_s, a
     for (std::size_t c = 0; c < whole.curves.size(); ++c)
         for (std::size_t i = 0; i < 2; ++i) {
             INFO(title(whole.curves[c]) << ", point " << i);
-            const auto stiffness = [&](const fstiff::scene::Results& one) { return one.curves[c].states[i].stiffness.value; };
+            const auto stiffness = [&](const fstiff::scene::Results& one) {
+                return one.curves[c].states[i].stiffness.value;
+            };
             const double K = stiffness(whole), a = stiffness(less), b = stiffness(more);
             const auto &band = whole.curves[c].band[i], &errors = sampled.curves[c].band[i];
             CHECK(band.low < std::min(a, b));
@@ -59,12 +61,15 @@ TEST_CASE("The band holds K behind half and twice the root of two of lambda_s, a
 
 TEST_CASE("What a scene writes by hand holds behind every lambda_s") {
     const test::Folder folder;
-    folder.write("trace.csv", test::profile_text(2048, 1e-6, {.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 200e-6,
-                                                              .shortest_wavelength = 2e-6}));
-    const auto held = test::results_of("[surface]\nfrom = \"trace.csv\"\nlambda_s = \"12 um\"\nrms_height = \"1 um\"\n"
-                                       "peak_radius = \"50 um\"\npeak_density = \"900 /mm^2\"\n" +
-                                           rest,
-                                       folder / "scene.toml");
+    folder.write(
+        "trace.csv",
+        test::profile_text(2048, 1e-6,
+                           {.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 200e-6, .shortest_wavelength = 2e-6}));
+    const auto held = test::results_of(
+        "[surface]\nfrom = \"trace.csv\"\nlambda_s = \"12 um\"\nrms_height = \"1 um\"\n"
+        "peak_radius = \"50 um\"\npeak_density = \"900 /mm^2\"\n" +
+            rest,
+        folder / "scene.toml");
     const auto& curve = held.curves.back();  // it takes these three alone, and they have no errors
     REQUIRE(curve.law->name == "greenwood_williamson");
     for (std::size_t i = 0; i < 2; ++i) {

@@ -19,8 +19,8 @@ namespace cut_offs_test {
 namespace {
 
 std::string map_text() {
-    return test::map_text(
-        160, 1e-6, {.hurst = 0.7, .rms = 1e-6, .longest_wavelength = 48e-6, .shortest_wavelength = 4e-6});
+    return test::map_text(160, 1e-6,
+                          {.hurst = 0.7, .rms = 1e-6, .longest_wavelength = 48e-6, .shortest_wavelength = 4e-6});
 }
 
 /// But for the order of sums, which the compiler chooses.
@@ -111,8 +111,8 @@ TEST_CASE("Without the options the table chooses lambda_s by the step, and the o
     CHECK(plain["lambda_s_m"] == 5e-6);
     CHECK(plain["lambda_c_m"].is_null());
     CHECK(test::decided(plain,
-                  "lambda_s 5 µm (by the table, the index of five steps of 1 µm; Gaussian, after the form was "
-                  "removed), lambda_c none (an S-F surface of ISO 25178-2"));
+                        "lambda_s 5 µm (by the table, the index of five steps of 1 µm; Gaussian, after the form was "
+                        "removed), lambda_c none (an S-F surface of ISO 25178-2"));
     CHECK(test::measured("--lambda-s auto --lambda-c auto", text)["surface"] == plain["surface"]);
     const auto blurred = test::measured("--resolution '7 um'", text);
     CHECK(blurred["lambda_s_m"] == 8e-6);
@@ -131,8 +131,7 @@ TEST_CASE("The table chooses lambda_c of a profile by its Ra, and its D is that 
     const auto whole = test::measured("--lambda-c none", made);
     CHECK(whole["lambda_c_m"].is_null());
     CHECK(measured["surface"]["rms_height"]["value"] < whole["surface"]["rms_height"]["value"]);
-    const auto fit = test::fitted("", made),
-               open = test::fitted("--lambda-c none", made);
+    const auto fit = test::fitted("", made), open = test::fitted("--lambda-c none", made);
     CHECK(fit["structure_function"]["value_m2"] == open["structure_function"]["value_m2"]);
     CHECK(fit["window_m"][0] >= 2.5e-6 * (1 - 1e-12));
     CHECK(fit["window_m"][1] <= 0.25e-3 * (1 + 1e-9));
@@ -165,8 +164,9 @@ TEST_CASE("A scene takes lambda_s and lambda_c next to from, and measures what i
     const test::Folder folder;
     const std::string text = map_text();
     folder.write("map.txt", text);
-    const std::string rest = "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
-                             "[contact]\npressures = [\"10 MPa\"]\n";
+    const std::string rest =
+        "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+        "[contact]\npressures = [\"10 MPa\"]\n";
     const auto scene_with = [&](const std::string& keys) {
         return test::scene_of("[surface]\nfrom = \"map.txt\"\n" + keys + rest, folder / "scene.toml");
     };
@@ -213,8 +213,7 @@ TEST_CASE("The robust filter of lambda_c is that of the library, and says what i
     CHECK(same(document["surface"]["rms_height"]["value"], fstiff::rms_height(fstiff::robust_high_pass(map, 40e-6))));
     CHECK(test::decided(document, "lambda_c 40 µm (robust Gaussian, after the form was removed, "));
     CHECK(test::decided(document, " of 25600 points without weight, "));
-    const std::string made =
-        test::profile_text(4096, 1e-6, {.hurst = 0.5, .rms = 1e-6});
+    const std::string made = test::profile_text(4096, 1e-6, {.hurst = 0.5, .rms = 1e-6});
     const auto flat = fstiff::level(fstiff::io::read_surface(made, "profile").profile(), fstiff::Form::line);
     const auto profile = test::measured("--lambda-s none --lambda-c '80 um' --filter robust", made);
     CHECK(same(profile["surface"]["rms_height"]["value"],

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is decided between a scene and its numbers, each against the closed form of its decision: a wrong share, default or
-// threshold shows here.
-#include "support/library.hpp"
+// What is decided between a scene and its numbers, each against the closed form of its decision: a wrong share, default
+// or threshold shows here.
 #include "support/half_space_maps.hpp"
+#include "support/library.hpp"
 
 #include "scene/overclosure.hpp"
-
 
 #include <cmath>
 #include <numbers>
@@ -17,8 +16,9 @@ using test::contains;
 
 namespace {
 
-const std::string rest = "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n[contact]\n"
-                         "pressures = [\"2 MPa\", \"50 MPa\"]\npeaks = [{ theta = 1.0, r = 0.5 }]\n";
+const std::string rest =
+    "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n[contact]\n"
+    "pressures = [\"2 MPa\", \"50 MPa\"]\npeaks = [{ theta = 1.0, r = 0.5 }]\n";
 const std::string islands = "rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\n";
 const std::string modulus_and_law = "laws = [\"hybrid\"]\n";
 
@@ -47,9 +47,8 @@ TEST_CASE("alpha and R give the mean square slope, and so the rms gradient and p
     REQUIRE(results.curves.front().rms_gradient);
     CHECK(test::relative_error(*results.curves.front().rms_gradient, gradient) < 1e-13);
     // and K is that of the moments that these are
-    const auto written = test::results_of(surface("rms_height = \"1 um\"\nalpha = 8\nrms_gradient = " +
-                                                  scene::exact(gradient) + "\n") +
-                                          modulus_and_law);
+    const auto written = test::results_of(
+        surface("rms_height = \"1 um\"\nalpha = 8\nrms_gradient = " + scene::exact(gradient) + "\n") + modulus_and_law);
     CHECK(test::relative_error(stiffness(results), stiffness(written)) < 1e-12);
 }
 
@@ -73,17 +72,19 @@ TEST_CASE("Two maps of one face share its spectrum by their areas, two faces add
     const std::string large = map_file(folder, "large.csv", 192), small = map_file(folder, "small.csv", 96, 1.5);
     const auto of = [&](const std::string& text) { return test::scene_of(text + rest + modulus_and_law); };
     const std::string rule = "\nlambda_s = \"none\"\n";
-    const scene::Scene one = of("[surface]\nfrom = \"" + large + "\"" + rule), other = of("[surface]\nfrom = \"" + small + "\"" + rule),
+    const scene::Scene one = of("[surface]\nfrom = \"" + large + "\"" + rule),
+                       other = of("[surface]\nfrom = \"" + small + "\"" + rule),
                        both = of("[surface]\nfrom = [\"" + large + "\", \"" + small + "\"]" + rule),
-                       sum = of("[surface.upper]\nfrom = \"" + large + "\"" + rule + "[surface.lower]\nfrom = \"" + large + "\"" + rule);
+                       sum = of("[surface.upper]\nfrom = \"" + large + "\"" + rule + "[surface.lower]\nfrom = \"" +
+                                large + "\"" + rule);
     const auto square = [](const scene::Scene& of_map) {
         const double rms = of_map.map->spectrum().rms_height;
         return rms * rms;
     };
     const double share = 192.0 * 192 / (192 * 192 + 96 * 96);
     CHECK(test::relative_error(square(both), share * square(one) + (1 - share) * square(other)) < 1e-12);
-    CHECK(test::relative_error(both.map->mean_square_height,
-                               share * one.map->mean_square_height + (1 - share) * other.map->mean_square_height) < 1e-12);
+    CHECK(test::relative_error(both.map->mean_square_height, share * one.map->mean_square_height +
+                                                                 (1 - share) * other.map->mean_square_height) < 1e-12);
     CHECK(test::relative_error(square(sum), 2 * square(one)) < 1e-12);
     CHECK(test::relative_error(sum.map->mean_square_height, 2 * one.map->mean_square_height) < 1e-12);
 }
@@ -113,8 +114,8 @@ TEST_CASE("The error of K of two maps holds the scatter of one shift, by n - 1")
         const double first = stiffness(one, i), second = stiffness(other, i);
         CHECK(test::relative_error(stiffness(mean, i), (first + second) / 2) < 1e-12);
         // of two numbers the standard deviation by n - 1 is their distance over sqrt(2)
-        CHECK(test::relative_error(mean.curves[0].states[i].stiffness.error, std::abs(first - second) / std::sqrt(2.0)) <
-              1e-6);
+        CHECK(test::relative_error(mean.curves[0].states[i].stiffness.error,
+                                   std::abs(first - second) / std::sqrt(2.0)) < 1e-6);
     }
 }
 
@@ -161,7 +162,8 @@ TEST_CASE("The band of one error in a scene has the 5 % and the 95 % of K") {
         return stiffness(test::results_of(surface(test::replaced(islands, "1 um", scene::exact(factor) + " um")) +
                                           "laws = [\"hertz\"]\n"));
     };
-    const double s = std::sqrt(std::log1p(0.02 * 0.02)), low = at(std::exp(1.6448536 * s)), high = at(std::exp(-1.6448536 * s));
+    const double s = std::sqrt(std::log1p(0.02 * 0.02)), low = at(std::exp(1.6448536 * s)),
+                 high = at(std::exp(-1.6448536 * s));
     const auto& band = banded.curves[0].band.at(0);
     // 2000 draws tell a quantile to 0.047 standard deviations, 3 % of 1.645; three of those
     CHECK(std::abs(std::log(band.low / low)) < 0.1 * std::log(high / low) / 2);
@@ -171,7 +173,8 @@ TEST_CASE("The band of one error in a scene has the 5 % and the 95 % of K") {
 TEST_CASE("The recommended law changes where its accuracy changes: p* of 0.001, 0.002, 0.01 and 0.25, either side") {
     // E = 100 GPa and g = 0.1: p* is p over 10 GPa
     const auto verdict = [](double p) {
-        std::string text = surface("rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\nhurst = 0.7\n") + modulus_and_law;
+        std::string text =
+            surface("rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\nhurst = 0.7\n") + modulus_and_law;
         text = test::replaced(text, "\"2 MPa\", \"50 MPa\"", "\"" + scene::exact(p * 1e10) + " Pa\"");
         return test::joined(test::results_of(text).verdict);
     };
@@ -186,19 +189,27 @@ TEST_CASE("The recommended law changes where its accuracy changes: p* of 0.001, 
 }
 
 TEST_CASE("The scatter of one surface about a law is told below 200 contacts, in four steps") {
-    const std::string text = surface("rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\nhurst = 0.7\n") + "laws = [\"hertz\"]\n";
+    const std::string text =
+        surface("rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\nhurst = 0.7\n") + "laws = [\"hertz\"]\n";
     const auto density = test::results_of(text).curves.front().states.front().contact_density.value;
     const auto verdict = [&](double contacts) {
-        return test::joined(
-            test::results_of(test::replaced(text, "[contact]\n", "[contact]\nnominal_area = \"" + scene::exact(contacts / density) +
-                                                                     " m^2\"\n"))
-                .verdict);
+        return test::joined(test::results_of(test::replaced(text, "[contact]\n",
+                                                            "[contact]\nnominal_area = \"" +
+                                                                scene::exact(contacts / density) + " m^2\"\n"))
+                                .verdict);
     };
     CHECK_FALSE(contains(verdict(201), "contacts are expected"));
-    for (const auto& [contacts, words] : {std::pair{199.0, "7 %"}, {101.0, "7 %"}, {99.0, "11 %"}, {41.0, "11 %"},
-                                         {39.0, "16 %"}, {16.0, "16 %"}, {14.0, "34 % or more"}, {2.0, "34 % or more"}}) {
+    for (const auto& [contacts, words] : {std::pair{199.0, "7 %"},
+                                          {101.0, "7 %"},
+                                          {99.0, "11 %"},
+                                          {41.0, "11 %"},
+                                          {39.0, "16 %"},
+                                          {16.0, "16 %"},
+                                          {14.0, "34 % or more"},
+                                          {2.0, "34 % or more"}}) {
         INFO(contacts);
-        CHECK(contains(verdict(contacts), "one surface departs from a law by about " + std::string(words) + " there (rms)"));
+        CHECK(contains(verdict(contacts),
+                       "one surface departs from a law by about " + std::string(words) + " there (rms)"));
     }
     CHECK(contains(verdict(1.4), "as few as one contact is expected on the nominal area"));
     CHECK(contains(verdict(0.9), "fewer than one contact is expected on the nominal area (0.9)"));
@@ -206,8 +217,9 @@ TEST_CASE("The scatter of one surface about a law is told below 200 contacts, in
 
 TEST_CASE("The plastic law is advised above a plasticity index of 1, by the softer body alone") {
     const auto results = [](const std::string& yield, const std::string& lower) {
-        return test::results_of("[surface]\n" + islands + "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" +
-                                yield + "[material.lower]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + lower +
+        return test::results_of("[surface]\n" + islands +
+                                "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + yield +
+                                "[material.lower]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + lower +
                                 "[contact]\npressures = [\"2 MPa\"]\nlaws = [\"hertz\"]\n");
     };
     const auto soft = results("yield_strength = \"300 MPa\"\n", "yield_strength = \"900 MPa\"\n"),
@@ -225,8 +237,9 @@ TEST_CASE("The plastic law is advised above a plasticity index of 1, by the soft
 TEST_CASE("Boundary elements take a map of 16 points a side and none of 15") {
     const test::Folder folder;
     const auto refused = [&](Eigen::Index points) {
-        return test::refused_scene("[surface]\nfrom = \"" + map_file(folder, "m.csv", points) + "\"\nlambda_s = \"none\"\n" +
-                                   rest + "laws = [\"boundary_elements\"]\n[boundary_elements]\npoints = 16\n[uncertainty]\nsamples = 0\n");
+        return test::refused_scene(
+            "[surface]\nfrom = \"" + map_file(folder, "m.csv", points) + "\"\nlambda_s = \"none\"\n" + rest +
+            "laws = [\"boundary_elements\"]\n[boundary_elements]\npoints = 16\n[uncertainty]\nsamples = 0\n");
     };
     CHECK(contains(refused(15), "needs a map of at least 16 points a side"));
     CHECK_FALSE(contains(refused(16), "at least 16 points a side"));

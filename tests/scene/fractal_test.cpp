@@ -106,7 +106,8 @@ TEST_CASE("Window, convention and form are those asked for") {
     CHECK(given["window_m"][1].get<double>() <= 40e-6 * (1 + 1e-12));
     // G^(2D-2) times the constant of the convention is the same C
     const auto paper = json("--window '2 um,40 um'", {.surface = {}, .convention = fstiff::StructureConvention::paper});
-    const auto tien = json("--window '2 um,40 um'", {.surface = {}, .convention = fstiff::StructureConvention::majumdar_tien});
+    const auto tien =
+        json("--window '2 um,40 um'", {.surface = {}, .convention = fstiff::StructureConvention::majumdar_tien});
     const double d = given["fractal_dimension"];
     CHECK(paper["fractal_dimension"].get<double>() == d);
     // majumdar_tien is (2.4)/(2 ln gamma), gamma = 1.5; pow costs some ulp
@@ -177,10 +178,12 @@ TEST_CASE("Measured profiles give D and G with their units, or say why not") {
     const auto fit = [&](const std::string& file, const std::string& options) {
         return test::fitted(options, test::read(folder + "/" + file));
     };
-    const auto refused = [&](const std::string& file, const std::string& options, const std::vector<std::string>& parts) {
+    const auto refused = [&](const std::string& file, const std::string& options,
+                             const std::vector<std::string>& parts) {
         test::check_sentence(test::refusal([&] { (void)fit(file, options); }), parts);
     };
-    // smooth by its tip, flat behind it, then waves: no half decade of a power law (a D of 1.85 was once read off there)
+    // smooth by its tip, flat behind it, then waves: no half decade of a power law (a D of 1.85 was once read off
+    // there)
     refused("dektak-1.csv", "--lambda-s none --lambda-c none", {"fractal dimension of the window", "a plateau"});
     const auto document = fit("opdx-3.txt", "--units m,m --lambda-s none");
     CHECK(document["points"] == 3001);
@@ -242,7 +245,8 @@ TEST_CASE("Tip, resolution, seed and filter do to a file what they do in the hea
     same(json("--resolution '4 um'"), fstiff::fit_fractal(flat, {.resolution = 4e-6}));
     CHECK(json("--resolution '4 um'")["window_m"][0].get<double>() >= 4e-6 * (1 - 1e-12));
     same(json("--tip-radius '5 um'"), fstiff::fit_fractal(flat, {.tip_radius = 5e-6}));
-    same(json("", {.surface = {}, .seed = 5, .resamples = 50}), fstiff::fit_fractal(flat, {.seed = 5, .resamples = 50}));
+    same(json("", {.surface = {}, .seed = 5, .resamples = 50}),
+         fstiff::fit_fractal(flat, {.seed = 5, .resamples = 50}));
     const auto filtered = fstiff::gaussian_roughness(flat.profile, 200e-6);
     const auto document = json("--detrend gaussian --cutoff '200 um'");
     same(document, fstiff::fit_fractal(filtered));

@@ -44,8 +44,14 @@ TEST_CASE("The islands of a file are swept as the headers do, to the last digit"
     other.height = fstiff::IslandHeight::twice_mean;
     other.quantiles = 50;
     check("--detrend quadratic",
-          {.surface = {}, .neighbours = 4, .border = other.border, .height = other.height, .min_points = 3, .levels = 50,
-           .spread = {}, .progress = {}},
+          {.surface = {},
+           .neighbours = 4,
+           .border = other.border,
+           .height = other.height,
+           .min_points = 3,
+           .levels = 50,
+           .spread = {},
+           .progress = {}},
           other, fstiff::MapForm::quadratic);
 }
 
@@ -72,9 +78,9 @@ TEST_CASE("What holds no islands is refused, and a pair of few is doubted") {
     test::check_sentence(refused("", text, tiles), {"99"});
     test::check_sentence(refused("", test::profile_text(64, 1e-6, {.hurst = 0.5, .rms = 1e-6})),
                          {"standard input", "profile"});
-    test::check_sentence(refused("--input-format matrix --units um --dx '1 um' --dy '1 um'",
-                                 "1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n"),
-                         {"standard input"});
+    test::check_sentence(
+        refused("--input-format matrix --units um --dx '1 um' --dy '1 um'", "1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n"),
+        {"standard input"});
 }
 
 }  // namespace islands_test

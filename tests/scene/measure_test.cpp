@@ -22,15 +22,16 @@ const std::string rest = material + contact;
 /// Of numbers alone: hybrid, the first law of a measured surface, takes the summits of a map where there is one.
 const std::string laws = "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n";
 const std::string numbers =
-    "[surface]\nrms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = 1.5\n";
+    "[surface]\nrms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = "
+    "1.5\n";
 
 std::string map_text() {
-    return test::map_text(
-        128, 1e-6, {.hurst = 0.7, .rms = 1e-6, .longest_wavelength = 64e-6, .shortest_wavelength = 8e-6});
+    return test::map_text(128, 1e-6,
+                          {.hurst = 0.7, .rms = 1e-6, .longest_wavelength = 64e-6, .shortest_wavelength = 8e-6});
 }
 std::string profile_text() {
-    return test::profile_text(
-        4096, 1e-6, {.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 400e-6, .shortest_wavelength = 16e-6});
+    return test::profile_text(4096, 1e-6,
+                              {.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 400e-6, .shortest_wavelength = 16e-6});
 }
 
 void check_measured(const nlohmann::json& surface, const fstiff::SurfaceParameters<double>& expected) {
@@ -86,13 +87,14 @@ TEST_CASE("What is measured of a file is what the headers measure, to the last d
         fstiff::SurfaceParameterOptions<double> how;
         how.seed = how.fit.seed = 7;
         how.resamples = 100;
-        check_measured(
-            test::measured("--lambda-s none --lambda-c none", text, {.input = {}, .resamples = 100, .seed = 7})["surface"],
-            fstiff::surface_parameters(profile, how));
+        check_measured(test::measured("--lambda-s none --lambda-c none", text,
+                                      {.input = {}, .resamples = 100, .seed = 7})["surface"],
+                       fstiff::surface_parameters(profile, how));
     }
 }
 
-TEST_CASE("A measured quantity is written so that a scene takes it, and as a document gives the same K to the last digit") {
+TEST_CASE(
+    "A measured quantity is written so that a scene takes it, and as a document gives the same K to the last digit") {
     const test::Folder folder;
     const auto document = test::measured("", map_text());
     std::string text = "[surface]\n";
@@ -102,8 +104,7 @@ TEST_CASE("A measured quantity is written so that a scene takes it, and as a doc
         text += std::string(name) + " = " + document["surface"][name]["value"].dump() + "\n";
     const test::Csv written = test::rows_of_scene(text + rest + laws);
     folder.write("m.json", document.dump());
-    const test::Csv read =
-        test::rows_of_scene("[surface]\nfrom = \"m.json\"\n" + rest + laws, folder / "scene.toml");
+    const test::Csv read = test::rows_of_scene("[surface]\nfrom = \"m.json\"\n" + rest + laws, folder / "scene.toml");
     REQUIRE(written.size() == 6);
     REQUIRE(read.size() == 6);
     for (std::size_t i = 0; i < 6; ++i)
@@ -139,9 +140,11 @@ TEST_CASE("A key next to surface.from replaces what was measured") {
     const auto of = [&](const std::string& more) {
         return test::scene_of("[surface]\nfrom = \"map.txt\"\n" + more + rest, folder / "s.toml");
     };
-    const scene::Scene measured = of(""), replaced = of("rms_height = \"2 um\"\n"), summits = of("peaks = \"summits\"\n");
+    const scene::Scene measured = of(""), replaced = of("rms_height = \"2 um\"\n"),
+                       summits = of("peaks = \"summits\"\n");
     CHECK(replaced.surface.rms_height == 2e-6);
-    CHECK(compute(replaced).curves[0].states[0].stiffness.value != compute(measured).curves[0].states[0].stiffness.value);
+    CHECK(compute(replaced).curves[0].states[0].stiffness.value !=
+          compute(measured).curves[0].states[0].stiffness.value);
     CHECK(summits.surface.peak_radius != measured.surface.peak_radius);
 }
 
@@ -176,8 +179,9 @@ TEST_CASE("A plane and a line are refused, their rounding is not measured") {
 
 TEST_CASE("A surface as short as its longest waves says that sigma is that of its length") {
     const auto measured = [](double longest) {
-        return test::measured("--lambda-c none",
-                              test::profile_text(4096, 1e-6, {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = longest, .seed = 3}));
+        return test::measured(
+            "--lambda-c none",
+            test::profile_text(4096, 1e-6, {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = longest, .seed = 3}));
     };
     const auto short_one = measured(0), long_one = measured(128e-6);
     const std::string sentence =
@@ -203,18 +207,20 @@ TEST_CASE("The number for missing points is an option, a key of a scene, and in 
     const test::Folder folder;
     folder.write("map.csv", map);
     for (const char* missing : {"-9999", "\"-9999\""})
-        CHECK(test::refused_scene("[surface]\nfrom = \"map.csv\"\nunits = \"um\"\ndx = \"1 um\"\ndy = \"1 um\"\nmissing = " +
-                                      std::string(missing) + "\nfractal_dimension = 1.5\n" + rest,
-                                  folder / "scene.toml")
+        CHECK(test::refused_scene(
+                  "[surface]\nfrom = \"map.csv\"\nunits = \"um\"\ndx = \"1 um\"\ndy = \"1 um\"\nmissing = " +
+                      std::string(missing) + "\nfractal_dimension = 1.5\n" + rest,
+                  folder / "scene.toml")
                   .empty());
 }
 
 TEST_CASE("The band of one uncertain parameter lies at its own quantiles") {
-    // K falls as sigma grows: the 5 % of K is K at the 95 % of sigma, which is median exp(1.6449 s), s^2 = ln(1 + 0.2^2)
+    // K falls as sigma grows: the 5 % of K is K at the 95 % of sigma, which is median exp(1.6449 s), s^2 = ln(1 +
+    // 0.2^2)
     const auto text = [](double sigma, const std::string& errors) {
         return "[surface]\nrms_height = \"" + std::to_string(sigma) +
-               " um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = 1.5\n" + errors + rest +
-               "laws = [\"fractal\", \"greenwood_williamson\"]\n[uncertainty]\nsamples = 4000\nseed = 3\n";
+               " um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = 1.5\n" + errors +
+               rest + "laws = [\"fractal\", \"greenwood_williamson\"]\n[uncertainty]\nsamples = 4000\nseed = 3\n";
     };
     const double s = std::sqrt(std::log(1.04)), z = 1.6448536269514722;
     const auto band = rows_of(text(1, "errors = { rms_height = \"0.2 um\" }\n"));
@@ -224,8 +230,8 @@ TEST_CASE("The band of one uncertain parameter lies at its own quantiles") {
     for (std::size_t i = 0; i < band.size(); ++i) {
         CAPTURE(i);
         const double least = low.number(i, "stiffness_Pa_per_m"), most = high.number(i, "stiffness_Pa_per_m");
-        // the 5 % point of 4000 samples scatters by sqrt(0.05 0.95/4000)/0.103 = 0.033 standard deviations, 2 % of 1.645;
-        // four of those
+        // the 5 % point of 4000 samples scatters by sqrt(0.05 0.95/4000)/0.103 = 0.033 standard deviations, 2 % of
+        // 1.645; four of those
         const double half = std::log(band[i].high / band[i].low) / 2, expected = std::log(most / least) / 2;
         CHECK(expected > 0.1);
         CHECK(std::abs(half - expected) < 0.08 * expected);
@@ -258,11 +264,12 @@ TEST_CASE("What is no surface is refused, alone, by surface.from and from outsid
                          {"map.txt", "map", "resolution"});
     const auto outside = [&](const std::string& bytes) {
         const std::string file = bytes.empty() ? "nowhere.sdf" : folder.write("surface.txt", bytes);
-        return test::refusal([&] { (void)scene::read_scene("[surface]\n" + rest, {.name = "s.toml", .surface = file}); });
+        return test::refusal(
+            [&] { (void)scene::read_scene("[surface]\n" + rest, {.name = "s.toml", .surface = file}); });
     };
     test::check_sentence(outside(""), {"--surface", "nowhere.sdf", "no such file"});
     test::check_sentence(outside("1\n2\n3\n1\n2\n"), {"surface.txt", "given as fstiff measure --units",
-                                                     "; --surface reads the JSON that fstiff measure prints"});
+                                                      "; --surface reads the JSON that fstiff measure prints"});
     test::check_sentence(outside("{\"command\": \"fit\"}"), {"surface.txt", "not the JSON of fstiff measure"});
     test::check_sentence(outside("{\"command\": \"mea"), {"surface.txt", "not the JSON"});
     const auto in_scene = [&](const std::string& lines, const std::vector<std::string>& parts) {
@@ -312,7 +319,8 @@ TEST_CASE("An option of a surface that makes no sense is refused in the words it
 TEST_CASE("A changed document of a measurement is refused where it was changed") {
     const auto document = test::measured("", map_text());
     const auto check = [](const nlohmann::json& changed, const std::vector<std::string>& parts) {
-        test::check_sentence(test::refusal([&] { (void)scene::read_measured_document(changed.dump(), "m.json"); }), parts);
+        test::check_sentence(test::refusal([&] { (void)scene::read_measured_document(changed.dump(), "m.json"); }),
+                             parts);
     };
     auto changed = document;
     changed["surface"]["rms_height"].erase("value");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One file has one R, one sigma and one K: what the command writes, the headers and the C interface agree to the last digit.
-// tests/python/test_surfaces.py holds the Python package to the command.
+// One file has one R, one sigma and one K: what the command writes, the headers and the C interface agree to the last
+// digit. tests/python/test_surfaces.py holds the Python package to the command.
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
@@ -188,10 +188,11 @@ TEST_CASE("The command and the headers find the same K and the same band of it")
          {test::profile_text(4096, 0.5e-6, {.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6, .seed = 3}),
           test::map_text(192, 0.5e-6, {.hurst = 0.5, .rms = 0.2e-6, .longest_wavelength = 90e-6, .seed = 3})}) {
         const auto options = test::surface_options("", folder.write("made.txt", text));
-        const auto results = test::results_of("[surface]\nfrom = \"made.txt\"\n[material.upper]\n"
-                                              "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
-                                              "pressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\", \"fractal\"]\n",
-                                              folder / "scene.toml");
+        const auto results = test::results_of(
+            "[surface]\nfrom = \"made.txt\"\n[material.upper]\n"
+            "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
+            "pressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\", \"fractal\"]\n",
+            folder / "scene.toml");
         REQUIRE(results.curves.size() == 2);
         const auto measured = [](const auto& heights) { return measure(heights); };
         const Surface<double> found = std::visit(measured, scene::read_surface_input(options).surface.data);

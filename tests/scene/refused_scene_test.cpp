@@ -150,8 +150,8 @@ TEST_CASE("Characters beyond ASCII are welcome in quotation marks and comments")
 TEST_CASE("A scene that is empty, binary or of another encoding is refused") {
     const test::Folder folder;
     for (const char* text : {"", "  \n\n"})
-        test::check_sentence(
-            test::refusal([&] { (void)fstiff::scene::read_all(folder.write("scene.toml", text)); }), {"scene.toml", "empty"});
+        test::check_sentence(test::refusal([&] { (void)fstiff::scene::read_all(folder.write("scene.toml", text)); }),
+                             {"scene.toml", "empty"});
     check_scene_refused("name = \"only a name\"\n", {"scene.toml", "surface", "missing"});
     check_scene_refused(std::string("\x7f"
                                     "ELF\0\1\2\xff\xfe\n",
@@ -168,7 +168,8 @@ TEST_CASE("What a scene leaves out takes the documented default, and the inputs 
         "interaction = \"none\"\n", "");
     const auto scene = test::scene_of(shortest);
     const auto results = compute(scene);
-    CHECK(test::Csv(test::csv_of(results)).size() == 2 + 2 + 1);  // fractal, hertz on two peak densities, Greenwood-Williamson
+    CHECK(test::Csv(test::csv_of(results)).size() ==
+          2 + 2 + 1);  // fractal, hertz on two peak densities, Greenwood-Williamson
     for (const char* key :
          {"material.lower", "contact.laws", "contact.peaks", "contact.interaction", "output.quantities"}) {
         INFO(key);

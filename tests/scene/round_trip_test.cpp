@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written is read back as it was: the inputs of a scene as a scene, a measured document as a surface, the options of a
-// document as options.
+// What is written is read back as it was: the inputs of a scene as a scene, a measured document as a surface, the
+// options of a document as options.
 #include "support/library.hpp"
 
 #include <fstiff/core/text.hpp>
@@ -14,10 +14,12 @@ namespace scene = fstiff::scene;
 
 namespace {
 
-const std::string rest = "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
-                         "pressures = [\"1 MPa\", \"20 MPa\"]\n";
+const std::string rest =
+    "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
+    "pressures = [\"1 MPa\", \"20 MPa\"]\n";
 
-/// A scene of \p inputs: each that was written is a line "key = value" of TOML, a path of dots; items of lists are gathered.
+/// A scene of \p inputs: each that was written is a line "key = value" of TOML, a path of dots; items of lists are
+/// gathered.
 std::string text_of(const std::vector<scene::Input>& inputs) {
     std::string text;
     std::vector<std::pair<std::string, std::string>> lists;
@@ -52,13 +54,15 @@ TEST_CASE("The inputs that a scene records make the same scene again, for random
         const auto quantity = [&](double metres) {
             return fine ? fstiff::shortest_text(metres * 1e9) + " nm" : fstiff::shortest_text(metres * 1e3) + " mm";
         };
-        std::string text = "name = \"random " + std::to_string(k) + "\"\n[surface]\nrms_height = \"" + quantity(random(1e-7, 3e-6)) +
-                           "\"\npeak_radius = \"" + quantity(random(1e-5, 1e-4)) + "\"\npeak_density = \"" +
-                           fstiff::shortest_text(random(100, 1000)) + " /mm^2\"\nfractal_dimension = " +
-                           fstiff::shortest_text(random(1.1, 1.8)) + "\nerrors = { rms_height = \"" + quantity(1e-8) +
-                           "\" }\n" + rest + "laws = [\"fractal\", \"greenwood_williamson\"]\nnominal_area = \"" +
-                           fstiff::shortest_text(random(1, 100)) + " mm^2\"\n[uncertainty]\nsamples = 20\nseed = " +
-                           std::to_string(k) + "\n[output]\nquantities = [\"stiffness\", \"contacts\"]\n";
+        std::string text = "name = \"random " + std::to_string(k) + "\"\n[surface]\nrms_height = \"" +
+                           quantity(random(1e-7, 3e-6)) + "\"\npeak_radius = \"" + quantity(random(1e-5, 1e-4)) +
+                           "\"\npeak_density = \"" + fstiff::shortest_text(random(100, 1000)) +
+                           " /mm^2\"\nfractal_dimension = " + fstiff::shortest_text(random(1.1, 1.8)) +
+                           "\nerrors = { rms_height = \"" + quantity(1e-8) + "\" }\n" + rest +
+                           "laws = [\"fractal\", \"greenwood_williamson\"]\nnominal_area = \"" +
+                           fstiff::shortest_text(random(1, 100)) +
+                           " mm^2\"\n[uncertainty]\nsamples = 20\nseed = " + std::to_string(k) +
+                           "\n[output]\nquantities = [\"stiffness\", \"contacts\"]\n";
         INFO(text);
         const scene::Scene first = test::scene_of(text);
         const std::string again = text_of(first.inputs);
@@ -70,7 +74,9 @@ TEST_CASE("The inputs that a scene records make the same scene again, for random
     }
 }
 
-TEST_CASE("The document of a surface, read by a scene, gives the numbers of the surface itself, with its neighbours and its band") {
+TEST_CASE(
+    "The document of a surface, read by a scene, gives the numbers of the surface itself, with its neighbours and its "
+    "band") {
     const test::Folder folder;
     const fstiff::SelfAffineOptions<double> how{
         .hurst = 0.6, .rms = 0.5e-6, .longest_wavelength = 60e-6, .shortest_wavelength = 3e-6};
@@ -88,17 +94,19 @@ TEST_CASE("The document of a surface, read by a scene, gives the numbers of the 
                 keys += key + " = \"" + words[i + 1] + "\"\n";
             }
             const auto results = [&](const std::string& surface) {
-                return test::results_of("[surface]\nfrom = " + surface + rest +
-                                            "laws = [\"hertz\", \"greenwood_williamson\"]\n[uncertainty]\nsamples = 40\n",
-                                        folder / "scene.toml");
+                return test::results_of(
+                    "[surface]\nfrom = " + surface + rest +
+                        "laws = [\"hertz\", \"greenwood_williamson\"]\n[uncertainty]\nsamples = 40\n",
+                    folder / "scene.toml");
             };
             const auto direct = results("\"surface.txt\"\n" + keys), read = results("\"surface.json\"\n");
             check_same_rows(direct, read);
             CHECK(direct.about_band == read.about_band);
             // and the document of what was read is the document
-            const auto second = test::parsed(
-                measured_document(scene::read_measured_document(document.dump(), "surface.json")));
-            for (const char* part : {"surface", "neighbours", "correlation_of_errors", "concerns", "moments", "lambda_s_m"}) {
+            const auto second =
+                test::parsed(measured_document(scene::read_measured_document(document.dump(), "surface.json")));
+            for (const char* part :
+                 {"surface", "neighbours", "correlation_of_errors", "concerns", "moments", "lambda_s_m"}) {
                 CAPTURE(part);
                 CHECK(second.value(part, nlohmann::json()) == document.value(part, nlohmann::json()));
             }
@@ -106,10 +114,12 @@ TEST_CASE("The document of a surface, read by a scene, gives the numbers of the 
 }
 
 TEST_CASE("The inputs of a document, given as options again, give the document again") {
-    const std::string text = test::profile_text(2048, 0.5e-6, {.hurst = 0.6, .rms = 0.5e-6, .longest_wavelength = 60e-6});
+    const std::string text =
+        test::profile_text(2048, 0.5e-6, {.hurst = 0.6, .rms = 0.5e-6, .longest_wavelength = 60e-6});
     for (const std::string options :
          {"", "--lambda-s '4 um' --lambda-c none", "--detrend gaussian --cutoff '80 um' --tip-radius '2 um'",
-          "--crop '100 um,800 um' --spikes 5.5 --fill --window '3 um,40 um'", "--filter robust --lambda-c '50 um' --resolution '3 um'"}) {
+          "--crop '100 um,800 um' --spikes 5.5 --fill --window '3 um,40 um'",
+          "--filter robust --lambda-c '50 um' --resolution '3 um'"}) {
         INFO(options);
         const auto document = test::measured(options, text);
         std::string again;

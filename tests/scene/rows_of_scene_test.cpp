@@ -39,9 +39,9 @@ TEST_CASE("The three surfaces of Table 1 give the curves of the reference table"
     std::size_t compared = 0;
     for (const auto& entry : files) {
         const std::string surface = entry.first, file = entry.second;  // clang 14 captures no structured bindings
-        const test::Csv rows = test::rows_of_scene(scene(file, {{"pressures", seven_pressures},
-                                                                {"peaks", four_peaks},
-                                                                {"laws", "laws = [\"fractal\", \"hertz\"]"}}));
+        const test::Csv rows = test::rows_of_scene(scene(
+            file,
+            {{"pressures", seven_pressures}, {"peaks", four_peaks}, {"laws", "laws = [\"fractal\", \"hertz\"]"}}));
         REQUIRE(rows.size() == 2 * 4 * 7);
         for (std::size_t i = 0; i < table.size(); ++i) {
             if (table.text(i, "surface") != surface) continue;
@@ -127,9 +127,8 @@ TEST_CASE("The separations of a scene give the pressures they came from") {
 TEST_CASE("The law fractal_consistent is fractal at a pressure higher by the factor f") {
     // f = (2/3)(3-D)/(2-D); at equal separation K is the same and p is f times that of fractal
     const std::string separations = "separations = [\"1 um\", \"2 um\"]";
-    const test::Csv rows = test::rows_of_scene(
-        scene("sand_blasted_fine",
-              {{"pressures", separations}, {"laws", "laws = [\"fractal\", \"fractal_consistent\"]"}}));
+    const test::Csv rows = test::rows_of_scene(scene(
+        "sand_blasted_fine", {{"pressures", separations}, {"laws", "laws = [\"fractal\", \"fractal_consistent\"]"}}));
     REQUIRE(rows.size() == 8);
     const double f = 2 * (3 - 1.62) / (3 * (2 - 1.62));
     for (std::size_t i = 0; i < 4; ++i) {
@@ -157,10 +156,10 @@ TEST_CASE("The length of the interaction may be named or given") {
                                nominal) < 1e-13);
     CHECK(test::relative_error(stiffness("{ reading = \"effective_separation\", length = \"44.72135954999579 um\" }"),
                                spacing) < 1e-13);
-    test::check_sentence(
-        test::refused_scene(scene("sand_blasted_fine", {{"nominal_area", ""},
-                                                        {"interaction", "interaction = { reading = \"as_printed\" }"}})),
-        {"contact.nominal_area", "missing"});
+    test::check_sentence(test::refused_scene(scene(
+                             "sand_blasted_fine",
+                             {{"nominal_area", ""}, {"interaction", "interaction = { reading = \"as_printed\" }"}})),
+                         {"contact.nominal_area", "missing"});
 }
 
 TEST_CASE("A real area above the nominal one is computed, and doubted") {

@@ -35,8 +35,8 @@ TEST_CASE("Each row of the scales is the measurement and the K with its cut-offs
             REQUIRE(row.surface);
             const auto surface = test::parsed(measured_document(*row.surface))["surface"];
             for (const char* key : {"rms_height", "peak_radius", "peak_density", "rms_gradient"})
-                CHECK(std::abs(surface[key]["value"].get<double>() / measured["surface"][key]["value"].get<double>() - 1) <
-                      1e-12);
+                CHECK(std::abs(surface[key]["value"].get<double>() / measured["surface"][key]["value"].get<double>() -
+                               1) < 1e-12);
             folder.write("surface.json", measured.dump());
             const auto results = test::results_of(
                 "[surface]\nfrom = \"surface.json\"\n[material.upper]\nyoungs_modulus = \"200 GPa\"\n"

@@ -57,8 +57,9 @@ TEST_CASE("With a section ultrasound run gives the reflections of every row's st
 }
 
 TEST_CASE("The reflection of a scene between unlike media is that of the library") {
-    const test::Csv rows = run(without + "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\" }\n"
-                                         "lower = { impedance = \"17.1 MRayl\" }\n");
+    const test::Csv rows = run(without +
+                               "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\" }\n"
+                               "lower = { impedance = \"17.1 MRayl\" }\n");
     const fstiff::Impedances<double> media{46e6, 17.1e6};
     CHECK(fstiff::reflection(rows.number(1, "stiffness_Pa_per_m"), media, fstiff::angular_frequency(5e6)) ==
           rows.number(1, "reflection"));

@@ -14,8 +14,8 @@ const std::string rest =
 
 std::vector<double> trace(std::size_t points, std::uint64_t seed) {
     return fstiff::self_affine_profile<double>(
-               {.hurst = 0.7, .rms = 1e-6, .longest_wavelength = 80e-6, .shortest_wavelength = 6e-6, .seed = seed}, points,
-               1e-6)
+               {.hurst = 0.7, .rms = 1e-6, .longest_wavelength = 80e-6, .shortest_wavelength = 6e-6, .seed = seed},
+               points, 1e-6)
         .heights;
 }
 
@@ -71,8 +71,7 @@ TEST_CASE("Unlike files have the error of their scatter") {
     std::vector<double> smooth = trace(4096, 1);
     const std::string same = folder.write("a", text_of(smooth, 0, 4096));
     for (double& height : smooth) height *= 3;
-    const auto document =
-        test::measured_files(metres, {same, folder.write("b", text_of(smooth, 0, 4096))});
+    const auto document = test::measured_files(metres, {same, folder.write("b", text_of(smooth, 0, 4096))});
     const auto& sigma = document["surface"]["rms_height"];
     CHECK(sigma["error"] > 0.5 * sigma["value"].get<double>());  // a factor of 3 between two: nothing is known
     CHECK(std::abs(sigma["value"].get<double>() /
@@ -91,7 +90,8 @@ TEST_CASE("A folder, a list of files and the JSON of both are one surface to a s
     const auto csv = [&](const std::string& surface) {
         return test::csv_of(test::results_of("[surface]\nfrom = " + surface + rest, folder / "scene.toml"));
     };
-    const std::string keys = "units = \"m\"\nspacing = \"1 um\"\n", first = csv("[\"traces/a\", \"traces/b\"]\n" + keys);
+    const std::string keys = "units = \"m\"\nspacing = \"1 um\"\n",
+                      first = csv("[\"traces/a\", \"traces/b\"]\n" + keys);
     CHECK(csv("\"traces\"\n" + keys) == first);
     CHECK(csv("\"traces.json\"\n") == first);
     // a file that is there twice counts once
@@ -109,7 +109,8 @@ TEST_CASE("Files that are not of one surface are refused in one sentence") {
     const auto refused = [&](const std::string& options, const std::vector<std::string>& files) {
         return test::refusal([&] { (void)test::measured_files(options, files); });
     };
-    CHECK(test::contains(refused("--units m --lambda-s none", {folder.write("c", positions(all, 1)), folder.write("d", positions(all, 2))}),
+    CHECK(test::contains(refused("--units m --lambda-s none",
+                                 {folder.write("c", positions(all, 1)), folder.write("d", positions(all, 2))}),
                          "files of unlike steps must have one --lambda-s"));
     CHECK(refused("--units m --lambda-s '12 um'", {folder / "c", folder / "d"}).empty());
     CHECK(test::contains(refused("--units m", {folder / "c", map}), "files of one surface must be of one kind"));
@@ -122,8 +123,8 @@ TEST_CASE("Maps are pooled with their neighbours, each by its area") {
     std::vector<std::string> files;
     std::vector<double> squares;
     for (const std::uint64_t seed : {1u, 2u}) {
-        const std::string text = test::map_text(
-            96, 0.5e-6, {.hurst = 0.7, .rms = 0.3e-6, .longest_wavelength = 20e-6, .seed = seed});
+        const std::string text =
+            test::map_text(96, 0.5e-6, {.hurst = 0.7, .rms = 0.3e-6, .longest_wavelength = 20e-6, .seed = seed});
         files.push_back(folder.write("map" + std::to_string(seed) + ".txt", text));
         const auto one = test::measured("", text);
         squares.push_back(std::pow(one["neighbours"][0]["surface"]["rms_height"]["value"].get<double>(), 2));

@@ -22,14 +22,15 @@ const std::string numbers =
     "0.5\ntheta = 0.6\n";
 
 std::string map_text(std::uint64_t seed, double rms) {
-    return test::map_text(192, 1e-6, {.hurst = 0.8, .rms = rms, .longest_wavelength = 60e-6, .shortest_wavelength = 8e-6,
-                                      .seed = seed});
+    return test::map_text(
+        192, 1e-6, {.hurst = 0.8, .rms = rms, .longest_wavelength = 60e-6, .shortest_wavelength = 8e-6, .seed = seed});
 }
 
 }  // namespace
 
 TEST_CASE("A face next to a smooth one is [surface], and the inputs say so") {
-    const auto one = test::scene_of("[surface]\n" + numbers + rest), same = test::scene_of("[surface.upper]\n" + numbers + rest);
+    const auto one = test::scene_of("[surface]\n" + numbers + rest),
+               same = test::scene_of("[surface.upper]\n" + numbers + rest);
     CHECK(test::csv_of(compute(one)) == test::csv_of(compute(same)));
     const auto lower = std::find_if(one.inputs.begin(), one.inputs.end(),
                                     [](const auto& input) { return input.key == "surface.lower"; });
@@ -67,10 +68,11 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
     folder.write("sum.txt", text.str());
     const auto measured = test::measured("--units m --peaks summits", text.str())["surface"];
     const std::string file = folder / "scene.toml";
-    const auto added = test::scene_of("[surface.upper]\nfrom = \"upper.txt\"\npeaks = \"summits\"\n"
-                                      "[surface.lower]\nfrom = \"lower.txt\"\npeaks = \"summits\"\n" +
-                                          rest + "laws = [\"hertz\", \"persson\", \"hybrid\", \"summits\", \"boundary_elements\"]\n",
-                                      file);
+    const auto added = test::scene_of(
+        "[surface.upper]\nfrom = \"upper.txt\"\npeaks = \"summits\"\n"
+        "[surface.lower]\nfrom = \"lower.txt\"\npeaks = \"summits\"\n" +
+            rest + "laws = [\"hertz\", \"persson\", \"hybrid\", \"summits\", \"boundary_elements\"]\n",
+        file);
     const auto check_added = [&](const char* key, double sum_of_both) {
         const double found = measured[key]["value"], error = measured[key]["error"];
         INFO(key << ": added " << sum_of_both << ", of the sum " << found << " +- " << error);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the command does with a file or a scene, done by the library in this process: options as they are written on a command
-// line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by CMake.
+// What the command does with a file or a scene, done by the library in this process: options as they are written on a
+// command line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by
+// CMake.
 #include "scene/result_rows.hpp"
 #include "scene/results.hpp"
 #include "surface/documents.hpp"
@@ -81,8 +82,8 @@ inline fstiff::scene::SurfaceOptions surface_options(const std::string& line, co
     const std::vector<std::string> words = words_of(line);
     for (std::size_t i = 0; i < words.size(); ++i) {
         const auto rows = fstiff::scene::surface_option_table();
-        const auto row = std::find_if(rows.begin(), rows.end(),
-                                      [&](const auto& one) { return one.flag_name() == words[i]; });
+        const auto row =
+            std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.flag_name() == words[i]; });
         if (row == rows.end()) throw std::logic_error("no option " + words[i]);
         const std::string next = i + 1 < words.size() ? words[i + 1] : "";
         if (row->visit(options, PutWord{next})) ++i;
@@ -175,8 +176,7 @@ inline void check_sentence(const std::string& sentence, const std::vector<std::s
 }
 
 /// A self-affine profile or map of \p points (a side) every \p spacing [m], as the text of a file.
-inline std::string profile_text(std::size_t points, double spacing,
-                                const fstiff::SelfAffineOptions<double>& how) {
+inline std::string profile_text(std::size_t points, double spacing, const fstiff::SelfAffineOptions<double>& how) {
     std::ostringstream text;
     fstiff::io::write_csv(text, self_affine_profile(how, points, spacing));
     return text.str();
