@@ -186,7 +186,8 @@ std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Res
     std::vector<std::string> all = results.verdict;
     for (const auto* more : {&results.short_verdict, &results.warnings})
         all.insert(all.end(), more->begin(), more->end());
-    if (read.measured) all.insert(all.end(), read.measured->warnings.begin(), read.measured->warnings.end());
+    if (test::face(read).measured)
+        all.insert(all.end(), test::face(read).measured->warnings.begin(), test::face(read).measured->warnings.end());
     return all;
 }
 

@@ -92,8 +92,8 @@ TEST_CASE("A scene cleans as the command does") {
         "crop = \"50 um,299 um\"\nmask = \"mask.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
         "poisson_ratio = 0.3\n[contact]\npressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n",
         folder / "scene.toml");
-    REQUIRE(scene.measured);
-    const std::string decisions = test::joined(scene.measured->decisions);
+    REQUIRE(test::face(scene).measured);
+    const std::string decisions = test::joined(test::face(scene).measured->decisions);
     for (const char* words : {"crop: 250 of 400", "mask: 3 of 250", "spikes: 1 of 250", "fill: 4 of 250"})
         CHECK(test::contains(decisions, words));
 }

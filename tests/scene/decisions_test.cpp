@@ -78,15 +78,17 @@ TEST_CASE("Two maps of one face share its spectrum by their areas, two faces add
                        sum = of("[surface.upper]\nfrom = \"" + large + "\"" + rule + "[surface.lower]\nfrom = \"" +
                                 large + "\"" + rule);
     const auto square = [](const scene::Scene& of_map) {
-        const double rms = of_map.map->spectrum().rms_height;
+        const double rms = test::face(of_map).map->spectrum().rms_height;
         return rms * rms;
     };
     const double share = 192.0 * 192 / (192 * 192 + 96 * 96);
     CHECK(test::relative_error(square(both), share * square(one) + (1 - share) * square(other)) < 1e-12);
-    CHECK(test::relative_error(both.map->mean_square_height, share * one.map->mean_square_height +
-                                                                 (1 - share) * other.map->mean_square_height) < 1e-12);
+    CHECK(test::relative_error(test::face(both).map->mean_square_height,
+                               share * test::face(one).map->mean_square_height +
+                                   (1 - share) * test::face(other).map->mean_square_height) < 1e-12);
     CHECK(test::relative_error(square(sum), 2 * square(one)) < 1e-12);
-    CHECK(test::relative_error(sum.map->mean_square_height, 2 * one.map->mean_square_height) < 1e-12);
+    CHECK(test::relative_error(test::face(sum).map->mean_square_height, 2 * test::face(one).map->mean_square_height) <
+          1e-12);
 }
 
 TEST_CASE("H of two faces is the mean by their mean square slopes, the error of the gradient that of its square") {
@@ -96,9 +98,10 @@ TEST_CASE("H of two faces is the mean by their mean square slopes, the error of 
     };
     const scene::Scene sum = test::scene_of("[surface.upper]\n" + face("0.2", "0.9") + "[surface.lower]\n" +
                                             face("0.1", "0.4") + rest + modulus_and_law);
-    CHECK(test::relative_error(sum.rms_gradient.value(), std::sqrt(0.05)) < 1e-14);
-    CHECK(test::relative_error(sum.hurst.value(), 0.8 * 0.9 + 0.2 * 0.4) < 1e-14);
-    CHECK(test::relative_error(sum.gradient_error, std::hypot(0.2 * 0.01, 0.1 * 0.01) / std::sqrt(0.05)) < 1e-14);
+    CHECK(test::relative_error(test::face(sum).rms_gradient.value(), std::sqrt(0.05)) < 1e-14);
+    CHECK(test::relative_error(test::face(sum).hurst.value(), 0.8 * 0.9 + 0.2 * 0.4) < 1e-14);
+    CHECK(test::relative_error(test::face(sum).gradient_error, std::hypot(0.2 * 0.01, 0.1 * 0.01) / std::sqrt(0.05)) <
+          1e-14);
 }
 
 TEST_CASE("The error of K of two maps holds the scatter of one shift, by n - 1") {
@@ -124,12 +127,12 @@ TEST_CASE("A highest point above 1.6 times that of as many Gaussian summits make
     const scene::Scene read =
         test::scene_of("[surface]\nfrom = \"" + map_file(folder, "map.csv", 128) + "\"\nlambda_s = \"none\"\n" + rest +
                        "laws = [\"hertz\"]\n[uncertainty]\nsamples = 0\n");
-    const double summits = static_cast<double>(read.map->summits.front().summits.size());
+    const double summits = static_cast<double>(test::face(read).map->summits.front().summits.size());
     const double gaussian = std::sqrt(2 * std::log(summits));
     const auto verdict = [&](double highest) {
         scene::Scene higher = read;
-        higher.heights = fstiff::HeightStatistics<double>{{0, 0.1}, {3, 0.1}, {0.1, 0.01}, {}};
-        higher.surface.max_peak_height = highest * gaussian * higher.surface.rms_height;
+        test::face(higher).heights = fstiff::HeightStatistics<double>{{0, 0.1}, {3, 0.1}, {0.1, 0.01}, {}};
+        test::face(higher).surface.max_peak_height = highest * gaussian * test::face(higher).surface.rms_height;
         return test::joined(compute(higher).verdict);
     };
     CHECK_FALSE(contains(verdict(1.59), "far from Gaussian"));

@@ -123,11 +123,11 @@ TEST_CASE("A scene takes its surface from a file next to it, from the document o
     const std::string rows = test::csv_of(compute(direct));
     CHECK(rows == test::csv_of(compute(indirect)));
     CHECK(direct.samples == 400);
-    REQUIRE(direct.measured);
-    REQUIRE(indirect.measured);
-    CHECK(direct.measured->sha256 == indirect.measured->sha256);
-    CHECK(test::parsed(measured_document(*direct.measured))["surface"] ==
-          test::parsed(measured_document(*indirect.measured))["surface"]);
+    REQUIRE(test::face(direct).measured);
+    REQUIRE(test::face(indirect).measured);
+    CHECK(test::face(direct).measured->sha256 == test::face(indirect).measured->sha256);
+    CHECK(test::parsed(measured_document(*test::face(direct).measured))["surface"] ==
+          test::parsed(measured_document(*test::face(indirect).measured))["surface"]);
     // the scene's own numbers give way
     const scene::Scene replaced =
         scene::read_scene(numbers + rest + laws, {.name = file, .surface = folder / "measured.json"});
@@ -142,10 +142,10 @@ TEST_CASE("A key next to surface.from replaces what was measured") {
     };
     const scene::Scene measured = of(""), replaced = of("rms_height = \"2 um\"\n"),
                        summits = of("peaks = \"summits\"\n");
-    CHECK(replaced.surface.rms_height == 2e-6);
+    CHECK(test::face(replaced).surface.rms_height == 2e-6);
     CHECK(compute(replaced).curves[0].states[0].stiffness.value !=
           compute(measured).curves[0].states[0].stiffness.value);
-    CHECK(summits.surface.peak_radius != measured.surface.peak_radius);
+    CHECK(test::face(summits).surface.peak_radius != test::face(measured).surface.peak_radius);
 }
 
 TEST_CASE("Errors of nothing make a band of no width, and none make none") {

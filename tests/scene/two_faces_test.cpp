@@ -79,11 +79,11 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
         CHECK(std::abs(sum_of_both - found) < 3 * error);
         CHECK(std::abs(sum_of_both - found) < 0.1 * found);
     };
-    check_added("rms_height", added.surface.rms_height);
-    check_added("peak_radius", added.surface.peak_radius);
-    check_added("peak_density", added.surface.peak_density);
-    check_added("r", added.r.value());
-    check_added("theta", added.theta.value());
+    check_added("rms_height", test::face(added).surface.rms_height);
+    check_added("peak_radius", test::face(added).surface.peak_radius);
+    check_added("peak_density", test::face(added).surface.peak_density);
+    check_added("r", test::face(added).r.value());
+    check_added("theta", test::face(added).theta.value());
     // K of the added heights at random shifts against K of the one shift of 0 that was measured
     const test::Csv of_sum = test::rows_of_scene("[surface]\nfrom = \"sum.txt\"\nunits = \"m\"\n" + rest +
                                                      "laws = [\"hybrid\", \"summits\", \"boundary_elements\"]\n",

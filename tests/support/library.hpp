@@ -147,6 +147,10 @@ inline fstiff::scene::Results results_of(const std::string& text, const std::str
     return compute(scene_of(text, file));
 }
 
+/// The face of \p scene that a smooth one meets.
+inline const fstiff::scene::Face& face(const fstiff::scene::Scene& scene) { return scene; }
+inline fstiff::scene::Face& face(fstiff::scene::Scene& scene) { return scene; }
+
 /// What fstiff run prints as CSV.
 inline std::string csv_of(const fstiff::scene::Results& results) {
     std::string text;
