@@ -37,7 +37,8 @@ TEST_CASE("Files and options that fit cannot take end with exit codes 3 and 2") 
     test::check_refused("fit -", 3, {"empty"});
     test::check_refused("fit -", 3, {"empty"}, "\n \n");
     test::check_refused("fit - --convention own", 2, {"--convention", "own"}, "1\n");
-    test::check_refused("fit - --detrend cubic", 2, {"--detrend", "cubic"}, "1\n");
+    test::check_refused("fit - --units um --spacing '1 um' --detrend cubic", 2, {"--detrend", "cubic"},
+                        "1\n2\n1\n3\n1\n2\n1\n4\n1\n2\n1\n3\n1\n2\n1\n5\n2\n1\n");
     test::check_refused("fit - --column 0", 2, {"--column"}, "1\n");
     test::check_refused("fit", 2, {"profile"});
 }
