@@ -126,10 +126,9 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
             }
     }
     if (const auto neighbours = document.find("neighbours"); neighbours != document.end() && neighbours->is_array())
-        for (std::size_t k = 0; k < neighbours->size(); ++k) {
-            surface.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
-            surface.neighbours.back().kind = surface.kind;
-        }
+        for (std::size_t k = 0; k < neighbours->size(); ++k)
+            surface.neighbours.emplace_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"))
+                .kind = surface.kind;
     about_file(name,
                [&] { SurfaceSampler<double>(surface.parameters, 0); });  // refuses what no sample could be drawn of
     return surface;
