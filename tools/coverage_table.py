@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lines of include and src reached by the tests, from the profiles in the build folder of tools/check-coverage."""
+"""Lines of include and src reached by the tests, from the profiles in the build folder of tools/check-coverage; fails below LEAST."""
 import json
 import pathlib
 import re
@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+LEAST = {"include": 99, "src": 92}  # percent of lines reached
 
 
 def tool(name):
@@ -30,19 +31,21 @@ def main():
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     export = subprocess.run([tool("llvm-cov"), "export", "-summary-only", *sources], check=True, capture_output=True, text=True).stdout
     files = ((pathlib.Path(file["filename"]).resolve(), file["summary"]["lines"]) for file in json.loads(export)["data"][0]["files"])
-    lines = {path.relative_to(ROOT): of for path, of in files if of["count"] and any(path.is_relative_to(ROOT / of_us) for of_us in ("include", "src"))}
+    lines = {path.relative_to(ROOT): of for path, of in files if of["count"] and any(path.is_relative_to(ROOT / tree) for tree in LEAST)}
     folders = {}
     for name, of in lines.items():
-        reached, all_lines = folders.get(name.parent, (0, 0))
-        folders[name.parent] = reached + of["covered"], all_lines + of["count"]
-    folders = dict(sorted(folders.items())) | {"all": tuple(map(sum, zip(*folders.values())))}
-    for folder, (reached, count) in folders.items():
-        print(f"{str(folder):26} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %")
+        for folder in (str(name.parent), name.parts[0]):
+            reached, all_lines = folders.get(folder, (0, 0))
+            folders[folder] = reached + of["covered"], all_lines + of["count"]
+    for folder, (reached, count) in sorted(folders.items()):
+        print(f"{folder:26} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %" + (f", at least {LEAST[folder]} %" if folder in LEAST else ""))
     print("\nleast:")
     for name, of in sorted(lines.items(), key=lambda item: item[1]["percent"])[:10]:
         print(f"  {of['percent']:6.2f} %  {of['count'] - of['covered']:4} lines not reached  {name}")
     absent = sorted(str(name) for name in {file.relative_to(ROOT) for file in (ROOT / "include").rglob("*.hpp")} - lines.keys())
     print(f"\nwithout a line of code in any program ({len(absent)}): {', '.join(absent)}")
+    low = [tree for tree, least in LEAST.items() if 100 * folders[tree][0] < least * folders[tree][1]]
+    sys.exit(f"too few lines are reached of {', '.join(low)}" if low else 0)
 
 
 if __name__ == "__main__":

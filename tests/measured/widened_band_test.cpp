@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The band of a measured surface against its parts computed one by one; tests/cli/one_measurement_test.cpp holds the
+// The band of a measured surface against its parts computed one by one; tests/scene/one_measurement_test.cpp holds the
 // band of the command to it.
 #include <fstiff/measured/widened_band.hpp>
 #include <fstiff/synthetic/self_affine.hpp>

@@ -16,7 +16,7 @@
 /// Units       SI
 /// Valid       as prepare() and surface_parameters(); options.tip_radius is for profiles, whose lags can be freed of
 ///             the tip, and PeakSource::summits for maps
-/// Accuracy    that of the steps; the numbers of the command to the last digit (tests/cli/one_measurement_test.cpp)
+/// Accuracy    that of the steps; the numbers of the command to the last digit (tests/scene/one_measurement_test.cpp)
 
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/measured_concerns.hpp>

@@ -20,7 +20,7 @@
 /// Units       SI
 /// Valid       one measurement at least, of one kind and with the same cut-offs; sizes > 0
 /// Accuracy    1e-13 of the formulae (tests/measured/pooled_surface_test.cpp); the numbers of the command to the last
-///             digit (tests/cli/one_measurement_test.cpp)
+///             digit (tests/scene/one_measurement_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/measure.hpp>

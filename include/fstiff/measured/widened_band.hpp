@@ -14,7 +14,7 @@
 /// Reference   measured/stiffness_band.hpp, measured/band_parts.hpp, measured/measure.hpp
 /// Units       K [Pa/m], pressures [Pa]
 /// Valid       as stiffness_band() of an uncertain surface; r and theta known, for the form with an asperity law
-/// Accuracy    the band of `fstiff run` to the last digit (tests/cli/one_measurement_test.cpp)
+/// Accuracy    the band of `fstiff run` to the last digit (tests/scene/one_measurement_test.cpp)
 
 #include <fstiff/measured/band_parts.hpp>
 #include <fstiff/measured/measure.hpp>

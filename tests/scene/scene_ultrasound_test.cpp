@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "command.hpp"
+#include "support/library.hpp"
 
-#include "support/accuracy.hpp"
+#include <fstiff/ultrasound/spring_interface.hpp>
 
-#include <nlohmann/json.hpp>
-
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,12 +29,7 @@ const std::string section = "[ultrasound]\nfrequency = \"7 MHz\"\n" + steel;
 
 std::string quantities(const std::string& names) { return "[output]\nquantities = [" + names + "]\n"; }
 
-test::Csv run(const std::string& scene) {
-    const auto outcome = test::run_fstiff("run - --format csv", scene);
-    INFO(scene << outcome.err);
-    REQUIRE(outcome.status == 0);
-    return test::Csv(outcome.out);
-}
+test::Csv run(const std::string& scene) { return test::rows_of_scene(scene); }
 
 bool has(const test::Csv& rows, const std::string& column) {
     return std::count(rows.header().begin(), rows.header().end(), column) > 0;
@@ -62,16 +56,13 @@ TEST_CASE("With a section ultrasound run gives the reflections of every row's st
     }
 }
 
-TEST_CASE("The reflection of a scene is what fstiff ultrasound says of its stiffness") {
-    const std::string lower = "lower = { impedance = \"17.1 MRayl\" }\n";
-    const test::Csv rows =
-        run(without + "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\" }\n" + lower);
-    const auto other = test::run_fstiff(
-        "ultrasound --format json --frequency '5 MHz' --impedance '46 MRayl' --impedance2 "
-        "'17.1 MRayl' --stiffness '" +
-        rows.text(1, "stiffness_Pa_per_m") + " Pa/m'");
-    const auto document = nlohmann::json::parse(other.out);
-    CHECK(document["reflection"].get<double>() == rows.number(1, "reflection"));
+TEST_CASE("The reflection of a scene between unlike media is that of the library") {
+    const test::Csv rows = run(without +
+                               "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\" }\n"
+                               "lower = { impedance = \"17.1 MRayl\" }\n");
+    const fstiff::Impedances<double> media{46e6, 17.1e6};
+    CHECK(fstiff::reflection(rows.number(1, "stiffness_Pa_per_m"), media, fstiff::angular_frequency(5e6)) ==
+          rows.number(1, "reflection"));
     CHECK(!has(rows, "shear_reflection"));
 }
 
@@ -119,32 +110,31 @@ TEST_CASE("The band of R is that of K") {
     CHECK(alone.number(0, "reflection_p05") == rows.number(0, "reflection_p05"));
 }
 
-TEST_CASE("The table and the JSON of run name the waves") {
-    const auto table = test::run_fstiff("run -", without + section);
-    for (const char* part : {"7 MHz", "46.315 and 46.315 MRayl", "25.12 and 25.12 MRayl", "Kt/A0 [GPa/µm]", "|R|",
-                             "shear |R|", "0.82353 K/A0"}) {
-        INFO(part);
-        CHECK(test::contains(table.out, part));
-    }
-    const auto document = nlohmann::json::parse(test::run_fstiff("run - --format json", without + section).out);
-    CHECK(document["ultrasound"]["frequency_Hz"] == 7e6);
-    CHECK(document["ultrasound"]["shear_impedance_Rayl"] == 7850 * 3200.0);
-    CHECK(document["inputs"]["ultrasound.upper.velocity"]["value"] == 5900);
-    CHECK(document["inputs"].contains("ultrasound.lower"));
-    CHECK(document["rows"][0].contains("shear_reflection"));
+TEST_CASE("A scene holds the waves of its section, and what was written of them") {
+    const auto scene = test::scene_of(without + section);
+    REQUIRE(scene.ultrasound);
+    CHECK(scene.ultrasound->frequency == 7e6);
+    REQUIRE(scene.ultrasound->shear);
+    CHECK(scene.ultrasound->shear->incident == 7850 * 3200.0);
+    const auto input = [&](const std::string& key) {
+        return std::find_if(scene.inputs.begin(), scene.inputs.end(), [&](const auto& one) { return one.key == key; });
+    };
+    REQUIRE(input("ultrasound.upper.velocity") != scene.inputs.end());
+    CHECK(input("ultrasound.upper.velocity")->value == 5900);
+    CHECK(input("ultrasound.lower") != scene.inputs.end());
 }
 
 TEST_CASE("The reflection of a K with interaction is doubted") {
     const std::string scene = test::replaced(
         without, "peaks =", "interaction = { reading = \"effective_separation\", length = \"peak_spacing\" }\npeaks =");
-    CHECK(test::contains(test::run_fstiff("run -", scene + section).out, "not that of the interface alone"));
-    CHECK(!test::contains(test::run_fstiff("run -", scene).out, "not that of the interface alone"));
+    const std::string doubt = "not that of the interface alone";
+    CHECK(test::contains(test::joined(test::results_of(scene + section).warnings), doubt));
+    CHECK(!test::contains(test::joined(test::results_of(scene).warnings), doubt));
 }
 
 TEST_CASE("A section ultrasound that is not whole is refused by file, line and key") {
     const auto refused = [](const std::string& text, const std::vector<std::string>& parts) {
-        const test::Folder folder;
-        test::check_refused("run '" + folder.write("scene.toml", text) + "'", 3, parts);
+        test::check_sentence(test::refused_scene(text), parts);
     };
     const std::string all = without + section;
     refused(test::replaced(all, "\"7 MHz\"", "7"), {"scene.toml:13", "ultrasound.frequency = 7", "7 MHz"});

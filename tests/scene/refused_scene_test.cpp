@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/command.hpp"
-#include "support/skip.hpp"
+// What is no scene is refused by file, line, key, value and what is allowed; what a scene leaves out takes its default.
+#include "support/library.hpp"
 
-#include "scene/scene.hpp"
-
-#include <nlohmann/json.hpp>
-
-namespace scene_test {
+namespace refused_scene_test {
 
 namespace {
 
@@ -30,33 +26,22 @@ quantities = ["stiffness"]
 )";
 
 void check_scene_refused(const std::string& scene, const std::vector<std::string>& parts) {
-    const test::Folder folder;
-    test::check_refused("run '" + folder.write("scene.toml", scene) + "'", 3, parts);
+    test::check_sentence(test::refused_scene(scene), parts);
+}
+
+/// The input of \p key that \p scene records.
+const fstiff::scene::Input& input_of(const fstiff::scene::Scene& scene, const std::string& key) {
+    for (const auto& one : scene.inputs)
+        if (one.key == key) return one;
+    throw std::runtime_error("no input " + key);
 }
 
 }  // namespace
 
-TEST_CASE("The built-in scene is the text of data/sand_blasted_fine.toml") {
-    CHECK(test::read(FSTIFF_SCENES "/sand_blasted_fine.toml") == fstiff::scene::builtin_scene);
-    const auto built_in = test::run_fstiff("run --format csv");
-    const auto from_file = test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --format csv");
-    CHECK(built_in.status == 0);
-    CHECK(built_in.out == from_file.out);
-}
-
-TEST_CASE("The example of docs/scene.md runs") {
+TEST_CASE("The example of docs/scene.md is computed") {
     const std::string text = test::read(FSTIFF_SCENES "/../docs/scene.md");
     const auto start = text.find("```toml\n") + 8;
-    const auto outcome = test::run_fstiff("run - --format csv", text.substr(start, text.find("```", start) - start));
-    INFO(outcome.err);
-    CHECK(outcome.status == 0);
-    CHECK(test::Csv(outcome.out).size() == (2 + 2 + 1) * 31);
-}
-
-TEST_CASE("A scene may come from standard input") {
-    const auto outcome = test::run_fstiff("run - --format csv", good);
-    CHECK(outcome.status == 0);
-    CHECK(test::Csv(outcome.out).size() == 1);
+    CHECK(test::rows_of_scene(text.substr(start, text.find("```", start) - start)).size() == (2 + 2 + 1) * 31);
 }
 
 TEST_CASE("A bad value in a scene is refused with file, line, key, value and what is allowed") {
@@ -159,19 +144,14 @@ TEST_CASE("Characters beyond ASCII are welcome in quotation marks and comments")
     std::string text = test::replaced(good, "\"0.832 um\"", "\"0.832 \xC2\xB5m\"  # Rauheit in \xC2\xB5m, \"fein\"");
     text = test::replaced(text, "\"short\"", "\"\"\"\nge\xC3\xA4tzt \\\" '#' \"\"\"");
     text = test::replaced(text, "\"40 um\"", "'40 \xCE\xBCm'");
-    const auto outcome = test::run_fstiff("run - --format csv", "\xEF\xBB\xBF" + text);
-    INFO(outcome.err);
-    CHECK(outcome.status == 0);
-    CHECK(outcome.out == test::run_fstiff("run - --format csv", good).out);
+    CHECK(test::csv_of(test::results_of("\xEF\xBB\xBF" + text)) == test::csv_of(test::results_of(good)));
 }
 
-TEST_CASE("A scene that is missing, empty, binary or a folder is refused") {
+TEST_CASE("A scene that is empty, binary or of another encoding is refused") {
     const test::Folder folder;
-    test::check_refused("run '" + folder / "none.toml" + "'", 3, {"none.toml", "no such file"});
-    test::check_refused("run '" + folder / "." + "'", 3, {"is a folder"});
-    test::check_refused("run -", 3, {"standard input", "empty"});
-    check_scene_refused("", {"scene.toml", "empty"});
-    check_scene_refused("  \n\n", {"scene.toml", "empty"});
+    for (const char* text : {"", "  \n\n"})
+        test::check_sentence(test::refusal([&] { (void)fstiff::scene::read_all(folder.write("scene.toml", text)); }),
+                             {"scene.toml", "empty"});
     check_scene_refused("name = \"only a name\"\n", {"scene.toml", "surface", "missing"});
     check_scene_refused(std::string("\x7f"
                                     "ELF\0\1\2\xff\xfe\n",
@@ -181,22 +161,22 @@ TEST_CASE("A scene that is missing, empty, binary or a folder is refused") {
     check_scene_refused("\xff\xfename", {"scene.toml:1"});
 }
 
-TEST_CASE("What a scene leaves out takes the documented default, and the document says so") {
+TEST_CASE("What a scene leaves out takes the documented default, and the inputs say so") {
     const std::string shortest = test::replaced(
         test::replaced(test::replaced(good.substr(0, good.find("[output]")), "laws = [\"fractal\"]\n", ""),
                        "peaks = [ { theta = \"pi/4\", r = \"exponential\" } ]\n", ""),
         "interaction = \"none\"\n", "");
-    const auto outcome = test::run_fstiff("run - --format json", shortest);
-    REQUIRE(outcome.status == 0);
-    const auto document = nlohmann::json::parse(outcome.out);
-    CHECK(document["rows"].size() == 2 + 2 + 1);  // fractal and hertz on two peak densities, Greenwood-Williamson
+    const auto scene = test::scene_of(shortest);
+    const auto results = compute(scene);
+    CHECK(test::Csv(test::csv_of(results)).size() ==
+          2 + 2 + 1);  // fractal, hertz on two peak densities, Greenwood-Williamson
     for (const char* key :
          {"material.lower", "contact.laws", "contact.peaks", "contact.interaction", "output.quantities"}) {
         INFO(key);
-        CHECK(test::contains(document["inputs"][key]["written"].get<std::string>(), "default"));
+        CHECK(test::contains(input_of(scene, key).written, "default"));
     }
     for (const char* column : {"stiffness_Pa_per_m", "separation_m", "real_area_fraction", "contacts_per_m2"})
-        CHECK(document["rows"][0].contains(column));
+        CHECK(test::contains(test::csv_of(results), column));
 
     // The defaults in full give the same numbers.
     std::string full = test::replaced(good, "[\"fractal\"]", "[\"fractal\", \"hertz\", \"greenwood_williamson\"]");
@@ -205,26 +185,19 @@ TEST_CASE("What a scene leaves out takes the documented default, and the documen
     full = test::replaced(full, "[\"stiffness\"]", "[\"contacts\", \"separation\", \"real_area\", \"stiffness\"]");
     full = test::replaced(full, "[contact]",
                           "[material.lower]\nyoungs_modulus = \"205000 N/mm^2\"\npoisson_ratio = 0.3\n[contact]");
-    CHECK(test::run_fstiff("run - --format csv", full).out == test::run_fstiff("run - --format csv", shortest).out);
+    CHECK(test::csv_of(test::results_of(full)) == test::csv_of(results));
 }
 
-TEST_CASE("The document echoes every input as written and in SI, and the SHA-256 of the file") {
-    const test::Folder folder;
-    const std::string file = folder.write("scene.toml", good);
-    const auto outcome = test::run_fstiff("run '" + file + "' --format json");
-    REQUIRE(outcome.status == 0);
-    const auto document = nlohmann::json::parse(outcome.out);
-    CHECK(document["schema_version"] == 1);
-    CHECK(document["scene"]["name"] == "short");
-    CHECK(document["inputs"]["surface.rms_height"]["written"] == "0.832 um");
-    CHECK(document["inputs"]["surface.rms_height"]["value"] == 0.832e-6);
-    CHECK(document["inputs"]["surface.rms_height"]["unit"] == "m");
-    CHECK(document["inputs"]["contact.pressures[0]"]["value"] == 1e6);
-    const auto sum = test::shell("sha256sum < '" + file + "'");
-    if (sum.status == 0)
-        CHECK(sum.out.substr(0, 64) == document["scene"]["sha256"].get<std::string>());
-    else
-        test::leave_out("there is no sha256sum: the digest is not compared");
+TEST_CASE("A scene records every input as written and in SI, and the SHA-256 of its text") {
+    const auto scene = test::scene_of(good);
+    CHECK(scene.name == "short");
+    CHECK(input_of(scene, "surface.rms_height").written == "0.832 um");
+    CHECK(input_of(scene, "surface.rms_height").value == 0.832e-6);
+    CHECK(input_of(scene, "surface.rms_height").unit == "m");
+    CHECK(input_of(scene, "contact.pressures[0]").value == 1e6);
+    // the digest of "abc" is that of FIPS 180-4, appendix B.1
+    CHECK(fstiff::scene::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    CHECK(scene.sha256 == fstiff::scene::sha256(good));
 }
 
-}  // namespace scene_test
+}  // namespace refused_scene_test

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One file has one R, one sigma and one K: the command, the headers and the C interface agree to the last digit.
-// tests/python/test_surfaces.py holds the Python package to the command.
-#include "json.hpp"
-
-#include "surface/surface_file.hpp"
+// One file has one R, one sigma and one K: what the command writes, the headers and the C interface agree to the last
+// digit. tests/python/test_surfaces.py holds the Python package to the command.
+#include "support/library.hpp"
 #include "support/skip.hpp"
 
 #include <fstiff/asperity/material.hpp>
@@ -14,6 +12,7 @@
 #endif
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <variant>
 
@@ -118,23 +117,18 @@ void require_same(const nlohmann::json& document, const Surface<double>& surface
     for (std::size_t k = 0; k < neighbours.size(); ++k) require_same(neighbours[k], surface.neighbours[k]);
 }
 
-/// Whether the command measures the file; then the headers and C find the same numbers, else they refuse it too.
+/// Whether the file is measured; then the headers and C find the same numbers, else they refuse it too.
 bool is_measured(const std::filesystem::path& path) {
-    scene::SurfaceOptions options;
-    options.file = path.string();
-    std::string arguments = "measure '" + options.file + "' --format json";
-    if (const auto units = units_of_files.find(path.filename().string()); units != units_of_files.end()) {
-        options.units = units->second;
-        arguments += " --units " + units->second;
-    }
-    const auto outcome = test::run_fstiff(arguments);
-    if (outcome.status % 4 != 0) {
+    const auto units = units_of_files.find(path.filename().string());
+    const std::string line = units == units_of_files.end() ? "" : "--units " + units->second;
+    const scene::SurfaceOptions options = test::surface_options(line, path.string());
+    nlohmann::json document;
+    if (!test::refusal([&] { document = test::measured_files(line, {path.string()}); }).empty()) {
         CHECK_THROWS_AS(std::visit([](const auto& heights) { return measure(heights).size; },
                                    scene::read_surface_input(options).surface.data),
                         domain_error);
         return false;
     }
-    const auto document = nlohmann::json::parse(outcome.out);
     const scene::SurfaceInput input = scene::read_surface_input(options);
     const auto measured = [](const auto& heights) { return measure(heights); };
     const Surface<double> surface = std::visit(measured, input.surface.data);
@@ -155,19 +149,14 @@ bool is_measured(const std::filesystem::path& path) {
     return true;
 }
 
-/// K of \p law and its band in the rows of \p document are those of \p found.
-void require_same_band(const nlohmann::json& document, const std::string& law,
-                       const std::vector<WidenedBand<double>>& found) {
-    std::size_t next = 0;
-    for (const auto& row : document["rows"]) {
-        if (row["law"] != law) continue;
-        REQUIRE(next < found.size());
-        CHECK(same(row["stiffness_Pa_per_m"], found[next].stiffness));
-        CHECK(same(row["stiffness_p05_Pa_per_m"], found[next].band.low));
-        CHECK(same(row["stiffness_p95_Pa_per_m"], found[next].band.high));
-        ++next;
+/// K of \p curve and its band are those of \p found.
+void require_same_band(const scene::Curve& curve, const std::vector<WidenedBand<double>>& found) {
+    REQUIRE(curve.states.size() == found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        CHECK(same(curve.states[i].stiffness.value, found[i].stiffness));
+        CHECK(same(curve.band[i].low, found[i].band.low));
+        CHECK(same(curve.band[i].high, found[i].band.high));
     }
-    CHECK(next == found.size());
 }
 
 /// How many files of \p folder are measured.
@@ -184,14 +173,12 @@ std::size_t measured_files(const std::filesystem::path& folder) {
 }  // namespace
 
 TEST_CASE("The command, the headers and C find the same numbers in every file of data") {
-    test::Folder folder;
-    for (const char* surface : {"profile --points 4096 --spacing '0.5 um' --longest '90 um' --hurst 0.4 --rms '0.3 um'",
-                                "profile --points 2048 --spacing '10 um' --hurst 0.7 --rms '3 um' --seed 2",
-                                "map --points 96 --spacing '0.5 um' --longest '12 um' --hurst 0.7 --rms '0.2 um'"}) {
-        const auto made = test::run_fstiff("generate " + std::string(surface));
-        REQUIRE(made.status == 0);
-        CHECK(is_measured(folder.write("made.txt", made.out)));
-    }
+    const test::Folder folder;
+    const SelfAffineOptions<double> fine{.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6},
+        coarse{.hurst = 0.7, .rms = 3e-6, .seed = 2}, of_map{.hurst = 0.7, .rms = 0.2e-6, .longest_wavelength = 12e-6};
+    for (const std::string& text : {test::profile_text(4096, 0.5e-6, fine), test::profile_text(2048, 10e-6, coarse),
+                                    test::map_text(96, 0.5e-6, of_map)})
+        CHECK(is_measured(folder.write("made.txt", text)));
     (void)measured_files(FSTIFF_SCENES);
     CHECK(measured_files(FSTIFF_TEST_DATA "/formats") > 0);
 }
@@ -227,26 +214,26 @@ TEST_CASE("The command and the headers pool several measurements of one surface 
 }
 
 TEST_CASE("The command and the headers find the same K and the same band of it") {
-    test::Folder folder;
-    for (const char* surface : {"profile --points 4096 --spacing '0.5 um' --longest '90 um' --hurst 0.4 --rms '0.3 um'",
-                                "map --points 192 --spacing '0.5 um' --longest '90 um' --hurst 0.5 --rms '0.2 um'"}) {
-        const auto made = test::run_fstiff("generate " + std::string(surface) + " --seed 3");
-        scene::SurfaceOptions file;
-        file.file = folder.write("made.txt", made.out);
-        const std::string scene = folder.write(
-            "scene.toml", "[surface]\nfrom = \"made.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
-                          "poisson_ratio = 0.3\n[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n"
-                          "laws = [\"hertz\", \"fractal\"]\n");
-        const auto document = test::json_of("run '" + scene + "' --format json");
+    const test::Folder folder;
+    for (const std::string& text :
+         {test::profile_text(4096, 0.5e-6, {.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6, .seed = 3}),
+          test::map_text(192, 0.5e-6, {.hurst = 0.5, .rms = 0.2e-6, .longest_wavelength = 90e-6, .seed = 3})}) {
+        const auto options = test::surface_options("", folder.write("made.txt", text));
+        const auto results = test::results_of(
+            "[surface]\nfrom = \"made.txt\"\n[material.upper]\n"
+            "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
+            "pressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\", \"fractal\"]\n",
+            folder / "scene.toml");
+        REQUIRE(results.curves.size() == 2);
         const auto measured = [](const auto& heights) { return measure(heights); };
-        const Surface<double> found = std::visit(measured, scene::read_surface_input(file).surface.data);
+        const Surface<double> found = std::visit(measured, scene::read_surface_input(options).surface.data);
         REQUIRE(found.fractal_dimension);
         const std::vector<double> pressures{1e6, 1e7};
         const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
         const auto hertz = [](double) { return HertzLaw<double>{}; };
         const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
-        require_same_band(document, "hertz", stiffness_band(found, pressures, hertz, modulus));
-        require_same_band(document, "fractal", stiffness_band(found, pressures, fractal, modulus));
+        require_same_band(results.curves[0], stiffness_band(found, pressures, hertz, modulus));
+        require_same_band(results.curves[1], stiffness_band(found, pressures, fractal, modulus));
     }
 }
 

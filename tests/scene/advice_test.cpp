@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every sentence that advises something is tested by doing what it says, over the scenes of data/ and docs/ and the
+// files of tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
+#include "support/library.hpp"
+#include "support/skip.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <regex>
+
+namespace advice_test {
+
+namespace scene = fstiff::scene;
+
+namespace {
+
+/// A scene, and the name next to which its files are.
+struct Text {
+    std::string text, file;
+};
+
+/// A map and a profile of a self-affine surface, in files, for advice that asks for one.
+const test::Folder& folder() {
+    static const test::Folder of_all;
+    static const bool written = [] {
+        of_all.write("map.txt", test::map_text(64, 1e-6, {.hurst = 0.8, .rms = 0.3e-6, .shortest_wavelength = 8e-6}));
+        return true;
+    }();
+    (void)written;
+    return of_all;
+}
+
+/// \p text with \p line below the header of \p section, in place of a line of the same key; the section is made where
+/// it is not.
+std::string with_line(const std::string& text, const std::string& section, const std::string& line) {
+    const std::string key = line.substr(0, line.find(' '));
+    std::smatch header;
+    if (!std::regex_search(
+            text, header, std::regex("\n" + std::regex_replace(section, std::regex("[\\[\\].]"), "\\$&") + "[^\n]*\n")))
+        return text + "\n" + section + "\n" + line + "\n";
+    const auto begin = static_cast<std::size_t>(header.position() + header.length());
+    const std::size_t end = std::min(text.find("\n[", begin - 1), text.size());
+    const std::string body =
+        std::regex_replace("\n" + text.substr(begin, end - begin), std::regex("\n" + key + " *=[^\n]*"), "");
+    return text.substr(0, begin) + line + body + text.substr(end);
+}
+std::string with_law(const std::string& text, const std::string& law) {
+    if (text.find('"' + law + '"') != std::string::npos) return text;
+    const std::regex laws("(\nlaws *= *\\[)");
+    if (std::regex_search(text, laws)) return std::regex_replace(text, laws, "$1\"" + law + "\", ");
+    return with_line(text, "[contact]", "laws = [\"" + law + "\"]");
+}
+std::string with_law_alone(const std::string& text, const std::string& law) {
+    return with_law(std::regex_replace(text, std::regex("\nlaws *= *\\[[^\\]]*\\]"), ""), law);
+}
+std::string of_map(const std::string& text) {
+    const std::size_t begin = text.find("\n[surface") + 1;
+    std::size_t end = text.find("\n[", begin);
+    while (text.compare(end + 1, 8, "[surface") == 0) end = text.find("\n[", end + 1);
+    return text.substr(0, begin) + "[surface]\nfrom = '" + folder() / "map.txt" +
+           "'\nlambda_s = \"none\"\nfractal_dimension = 1.4\n" + text.substr(end + 1);
+}
+
+struct Advice {
+    const char* says;
+    std::function<std::string(const std::string& text, const std::smatch& said)> follow;
+};
+
+const std::string law_of_wave = "jackson_green";
+
+const std::vector<Advice>& table() {
+    static const std::vector<Advice> rows{
+        {R"re(\(add "([a-z_]+)" to contact\.laws\))re",
+         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
+        {R"(of plastic[a-z_]* or jackson_green|stiffness of .* or jackson_green)",
+         [](const std::string& text, const std::smatch&) { return with_law(text, law_of_wave); }},
+        {R"(believe (hybrid|boundary_elements|persson)\b(?! of a map| or boundary_elements of a map| \(add))",
+         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
+        {R"(Recommended elastic law: ([a-z]+))",
+         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
+        {R"((boundary_elements) of a map|measure a map|needs a map: surface\.from, or --surface, must name the file of one)",
+         [](const std::string& text, const std::smatch&) { return with_law(of_map(text), "boundary_elements"); }},
+        {R"(Heights far from Gaussian: use (boundary_elements);)",
+         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
+        {R"(must be told surface\.rms_gradient and surface\.alpha)",
+         [](const std::string& text, const std::smatch&) {
+             return with_law(with_line(with_line(text, "[surface]", "rms_gradient = 0.1"), "[surface]", "alpha = 8"),
+                             "hybrid");
+         }},
+        {R"(must be told surface\.alpha)",
+         [](const std::string& text, const std::smatch&) {
+             return with_law(with_line(text, "[surface]", "alpha = 8"), "hybrid");
+         }},
+        {R"(needs material\.upper\.hardness or material\.upper\.yield_strength)",
+         [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[material.upper]", "hardness = \"3 GPa\"");
+         }},
+        {R"(needs material\.upper\.yield_strength)",
+         [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[material.upper]", "yield_strength = \"1 GPa\"");
+         }},
+        {R"(fill = true next to surface\.from)",
+         [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "fill = true"); }},
+        {R"((?:--)?spikes (= )?20 takes such points out)",
+         [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "spikes = 20"); }},
+        {R"(lambda_c none keeps the long ones)",
+         [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[surface]", "lambda_c = \"none\"");
+         }},
+        {R"(surface\.fractal_dimension: is missing)", [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[surface]", "fractal_dimension = 1.5");
+         }}};
+    return rows;
+}
+
+/// Words that advise: who reads them has something to do.
+const std::regex advises(
+    R"re(\b(add "|use |must be told|measure a|fills them|takes such points out|keeps the|believe |Recommended|set |state ))re"
+    R"re(|[;(] ?give |needs a map|needs material)re");
+
+/// All scenes of data/, docs/ and of the pages, at one pressure and without a band, and one of them with a map in
+/// place of its surface.
+std::vector<Text> scenes() {
+    std::vector<Text> all;
+    const auto add = [&](std::string text, const std::string& file) {
+        text = std::regex_replace("\n" + text, std::regex("\n(pressures|separations) *=[^\n]*"),
+                                  "\npressures = [\"10 MPa\"]");
+        text = with_line(with_line(text, "[uncertainty]", "samples = 0"), "[boundary_elements]", "points = 32");
+        if (test::refusal([&] { (void)test::scene_of(text, file); }).empty()) all.push_back({text, file});
+    };
+    for (const char* path : {"/.", "/../docs"})
+        for (const auto& entry : std::filesystem::directory_iterator(FSTIFF_SCENES + std::string(path))) {
+            const std::string file = entry.path().string();
+            if (file.ends_with(".toml")) add(test::read(file), file);
+            if (!file.ends_with(".md")) continue;
+            const std::string page = test::read(file), fence = "```toml\n";
+            for (std::size_t at = 0; (at = page.find(fence, at)) != std::string::npos; ++at) {
+                const std::string block =
+                    page.substr(at + fence.size(), page.find("```\n", at + 1) - at - fence.size());
+                if (test::contains(block, "[contact]") && test::contains(block, "[surface")) add(block, file);
+            }
+        }
+    for (std::size_t i = 0; i < 1; ++i) all.push_back({of_map(all[i].text), all[i].file});
+    return all;
+}
+
+/// The text that follows the first row that \p sentence is in; empty where it is in none.
+std::string followed_by_first(const std::string& text, const std::string& sentence) {
+    for (const Advice& advice : table()) {
+        std::smatch said;
+        if (std::regex_search(sentence, said, std::regex(advice.says))) return advice.follow(text, said);
+    }
+    return "";
+}
+
+/// The refusal of \p of after all that its refusals advise was done, at most three times; empty where it is computed.
+std::string refusal_in_the_end(Text of, int* refused = nullptr) {
+    std::string sentence = test::refused_scene(of.text, of.file);
+    for (int steps = 0; steps < 3 && !sentence.empty(); ++steps) {
+        if (refused) ++*refused;
+        of.text = followed_by_first(of.text, sentence);
+        if (of.text.empty()) break;
+        sentence = test::refused_scene(of.text, of.file);
+    }
+    return sentence;
+}
+
+/// Does what \p sentence says to \p of, by every row of the table that it is in; how many these are. What comes of it
+/// is computed, or its refusal says what else it needs.
+int follow(const Text& of, const std::string& sentence) {
+    int followed = 0;
+    INFO("of " << of.file << ": " << sentence);
+    for (const Advice& advice : table()) {
+        std::smatch said;
+        if (!std::regex_search(sentence, said, std::regex(advice.says))) continue;
+        const std::string text = advice.follow(of.text, said);
+        INFO("followed by the row " << advice.says << "\n" << text);
+        CHECK(refusal_in_the_end({text, of.file}) == "");
+        ++followed;
+    }
+    if (std::regex_search(sentence, advises)) CHECK(followed > 0);
+    return followed;
+}
+
+std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Results& results) {
+    std::vector<std::string> all = results.verdict;
+    for (const auto* more : {&results.short_verdict, &results.warnings})
+        all.insert(all.end(), more->begin(), more->end());
+    if (test::face(read).measured)
+        all.insert(all.end(), test::face(read).measured->warnings.begin(), test::face(read).measured->warnings.end());
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("What the verdict and the warnings of a scene advise can be done, in every scene of data and docs") {
+    int followed = 0;
+    const auto all = scenes();
+    CHECK(all.size() >= 8);
+    for (const Text& of : all) {
+        INFO(of.file);
+        const scene::Scene read = test::scene_of(of.text, of.file);
+        for (const std::string& sentence : sentences_of(read, compute(read))) followed += follow(of, sentence);
+    }
+    CHECK(followed >= 20);
+}
+
+TEST_CASE("Every law is computed in every scene of data and docs, or its refusal says how, and that is enough") {
+    int refused = 0;
+    for (const Text& of : scenes()) {
+        if (test::contains(of.text, "shared/surfaces")) continue;  // a large map: the verdict of it is followed above
+        for (const scene::Law& law : scene::laws()) {
+            INFO(of.file << ", law " << law.name);
+            CHECK(refusal_in_the_end({with_law_alone(of.text, std::string(law.name)), of.file}, &refused) == "");
+        }
+    }
+    CHECK(refused >= 20);
+}
+
+TEST_CASE("What is advised about heights that are not Gaussian, holes, spikes, a lay and waviness can be done") {
+    const std::string rest =
+        "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
+        "pressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 0\n[boundary_elements]\npoints = 32\n";
+    const auto surface = [&](const std::string& name, const std::string& keys) {
+        return Text{"\n[surface]\nfrom = '" + folder() / name + "'\n" + keys + rest, "s.toml"};
+    };
+    fstiff::HeightMap<double> map =
+        fstiff::self_affine_map<double>({.hurst = 0.8, .rms = 0.3e-6, .shortest_wavelength = 8e-6}, 64, 64, 1e-6, 1e-6);
+    const auto write = [&](const std::string& name, const auto& heights) {
+        std::ofstream file(folder() / name);
+        fstiff::io::write_csv(file, heights);
+        return name;
+    };
+    std::vector<Text> all;
+    fstiff::HeightMap<double> holes = map, spiked = map, skewed = map;
+    holes.heights(20, 30) = std::numeric_limits<double>::quiet_NaN();
+    all.push_back(surface(write("holes.csv", holes), "lambda_s = \"none\"\n"));
+    spiked.heights(20, 30) = 40e-6;
+    all.push_back(surface(write("spiked.csv", spiked), "lambda_s = \"none\"\n"));
+    skewed.heights = 1e-6 * (3e6 * map.heights).exp();
+    all.push_back(surface(write("skewed.csv", skewed), "lambda_s = \"none\"\n"));
+    fstiff::Profile<double> turned = fstiff::self_affine_profile<double>(
+        {.hurst = 0.7, .rms = 0.12e-6, .longest_wavelength = 60e-6, .shortest_wavelength = 16e-6}, 1024, 4e-6);
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+        const double x = std::remainder(double(i) * 4, 256);
+        turned.heights[i] += x * x / 1600 * 1e-6;
+    }
+    all.push_back(surface(write("turned.csv", turned), ""));
+    fstiff::Profile<double> wavy =
+        fstiff::self_affine_profile<double>({.hurst = 0.8, .rms = 2e-9, .longest_wavelength = 40e-6}, 16384, 0.25e-6);
+    for (std::size_t i = 0; i < wavy.size(); ++i)
+        wavy.heights[i] += 0.02e-6 * std::sin(2 * 3.14159265 * double(i) / 9000);
+    all.push_back(surface(write("wavy.csv", wavy), "lambda_s = \"1.25 um\"\n"));
+    std::string said;
+    for (const Text& of : all) {
+        const scene::Scene read = test::scene_of(of.text, of.file);
+        for (const std::string& sentence : sentences_of(read, compute(read))) {
+            (void)follow(of, sentence);
+            said += sentence + "\n";
+        }
+        for (const scene::Law& law : scene::laws())
+            if (const std::string why = refusal_of(law, read); !why.empty())
+                (void)follow({with_line(with_line(of.text, "[material.upper]", "yield_strength = \"1 GPa\""),
+                                        "[surface]", "fractal_dimension = 1.5"),
+                              of.file},
+                             why);
+    }
+    for (const char* words : {"fill = true next to", "takes such points out", "measure a map", "far from Gaussian",
+                              "lambda_c none keeps the long ones"}) {
+        INFO(said << "\nmissing: " << words);
+        CHECK(test::contains(said, words));
+    }
+}
+
+TEST_CASE("What is advised about the files of tests/data is a key that their scene takes") {
+    int followed = 0;
+    for (const char* path : {FSTIFF_TEST_DATA "/formats", FSTIFF_SURFACES}) {
+        if (!std::filesystem::exists(path)) continue;
+        for (const auto& entry : std::filesystem::directory_iterator(path)) {
+            if (!entry.is_regular_file() || entry.file_size() > 200000) continue;
+            const Text of{"\n[surface]\nfrom = '" + entry.path().string() +
+                              "'\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
+                              "pressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 0\n"
+                              "[boundary_elements]\npoints = 32\n",
+                          "s.toml"};
+            scene::Scene read;
+            if (!test::refusal([&] { read = test::scene_of(of.text, of.file); }).empty()) continue;
+            for (const std::string& sentence : sentences_of(read, compute(read))) followed += follow(of, sentence);
+        }
+    }
+    CHECK(followed >= 2);
+}
+
+}  // namespace advice_test

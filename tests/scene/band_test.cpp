@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The band of K of a measured surface: its errors, and the spread over lambda_s.
+#include "support/library.hpp"
+
+#include <cmath>
+
+namespace band_test {
+
+namespace {
+
+const std::string rest =
+    "[material.upper]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n"
+    "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\", \"greenwood_williamson\"]\n";
+
+}  // namespace
+
+TEST_CASE("The band holds K behind half and twice the root of two of lambda_s, and the sampled band") {
+    const test::Folder folder;
+    const fstiff::SelfAffineOptions<double> rough{
+        .hurst = 0.6, .rms = 1e-6, .longest_wavelength = 300e-6, .shortest_wavelength = 2e-6};
+    // rough down to the step: R hangs on lambda_s
+    const std::string trace = folder.write("trace.csv", test::profile_text(8192, 1e-6, rough));
+    const auto of = [&](const std::string& surface) {
+        return test::results_of("[surface]\nfrom = \"" + surface + rest, folder / "scene.toml");
+    };
+    const auto behind = [&](const std::string& lambda_s) {
+        return of("trace.csv\"\nlambda_s = \"" + lambda_s + "\"\nlambda_c = \"none\"\n");
+    };
+    const auto whole = behind("12 um"), less = behind("8.48528137423857 um"), more = behind("16.970562748477143 um");
+    // without its neighbours the document of a measurement has the sampled band alone
+    auto document = test::measured_files("--lambda-s '12 um' --lambda-c none", {trace});
+    REQUIRE(document["neighbours"].size() == 2);
+    folder.write("all.json", document.dump());
+    document.erase("neighbours");
+    folder.write("sampled.json", document.dump());
+    const auto of_document = of("all.json\"\n"), sampled = of("sampled.json\"\n");
+    REQUIRE(whole.curves.size() >= 2);
+    for (std::size_t c = 0; c < whole.curves.size(); ++c)
+        for (std::size_t i = 0; i < 2; ++i) {
+            INFO(title(whole.curves[c]) << ", point " << i);
+            const auto stiffness = [&](const fstiff::scene::Results& one) {
+                return one.curves[c].states[i].stiffness.value;
+            };
+            const double K = stiffness(whole), a = stiffness(less), b = stiffness(more);
+            const auto &band = whole.curves[c].band[i], &errors = sampled.curves[c].band[i];
+            CHECK(band.low < std::min(a, b));
+            CHECK(band.high > std::max(a, b));
+            CHECK(std::abs(of_document.curves[c].band[i].low / band.low - 1) < 1e-12);
+            const double up = std::log(std::max({a, b, K}) / K), down = std::log(std::min({a, b, K}) / K);
+            CHECK(std::abs(std::log(band.high / K) - std::hypot(up, std::log(errors.high / K))) < 1e-9);
+            CHECK(std::abs(std::log(band.low / K) + std::hypot(down, std::log(errors.low / K))) < 1e-9);
+        }
+    const std::string said = test::joined(whole.about_band);
+    CHECK(test::contains(said, "lambda_s between 8.5 µm and 17 µm"));
+    CHECK(test::contains(said, "the errors dominate"));
+    CHECK(sampled.about_band.empty());
+    // 16 times as long: the errors are a quarter, the spread over lambda_s stays
+    folder.write("trace.csv", test::profile_text(131072, 1e-6, rough));
+    CHECK(test::contains(test::joined(behind("12 um").about_band), "choice of lambda_s dominates"));
+}
+
+TEST_CASE("What a scene writes by hand holds behind every lambda_s") {
+    const test::Folder folder;
+    folder.write(
+        "trace.csv",
+        test::profile_text(2048, 1e-6,
+                           {.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 200e-6, .shortest_wavelength = 2e-6}));
+    const auto held = test::results_of(
+        "[surface]\nfrom = \"trace.csv\"\nlambda_s = \"12 um\"\nrms_height = \"1 um\"\n"
+        "peak_radius = \"50 um\"\npeak_density = \"900 /mm^2\"\n" +
+            rest,
+        folder / "scene.toml");
+    const auto& curve = held.curves.back();  // it takes these three alone, and they have no errors
+    REQUIRE(curve.law->name == "greenwood_williamson");
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(std::abs(curve.band[i].low / curve.states[i].stiffness.value - 1) < 1e-9);
+        CHECK(std::abs(curve.band[i].high / curve.states[i].stiffness.value - 1) < 1e-9);
+    }
+}
+
+}  // namespace band_test

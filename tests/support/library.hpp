@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the command does with a file or a scene, done by the library in this process: options as they are written on a
+// command line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by
+// CMake.
+#include "scene/result_rows.hpp"
+#include "scene/results.hpp"
+#include "surface/documents.hpp"
+#include "surface/fractal.hpp"
+#include "surface/islands_of_map.hpp"
+#include "surface/measured_surface.hpp"
+#include "surface/surface_option_table.hpp"
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/csv.hpp"
+#include "support/files.hpp"
+
+#include <fstiff/io/write.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace test {
+
+inline nlohmann::json parsed(const fstiff::scene::Json& document) { return nlohmann::json::parse(document.str()); }
+
+/// The words of \p line; one with blanks stands in '...'.
+inline std::vector<std::string> words_of(const std::string& line) {
+    std::vector<std::string> words;
+    std::string word;
+    bool quoted = false, begun = false;
+    for (const char c : line + " ") {
+        if (c == ' ' && !quoted) {
+            if (begun) words.push_back(word);
+            word.clear();
+            begun = false;
+        } else {
+            if (c == '\'')
+                quoted = !quoted;
+            else
+                word += c;
+            begun = true;
+        }
+    }
+    return words;
+}
+
+/// Puts a word into an option of a surface; a flag takes none.
+struct PutWord {
+    const std::string& word;
+
+    bool operator()(bool& to) const { return !(to = true); }
+    template <class To>
+    bool operator()(To& to) const {
+        if constexpr (std::is_arithmetic_v<To>)
+            to = static_cast<To>(std::stod(word));
+        else if constexpr (std::is_enum_v<To>)
+            to = fstiff::find_named<To>(word).value();
+        else if constexpr (std::is_same_v<To, std::optional<fstiff::io::X3pIncrement>>)
+            to = fstiff::find_named<fstiff::io::X3pIncrement>(word);
+        else
+            to = word;
+        return true;
+    }
+};
+
+/// The options of \p line, such as "--lambda-s '8 um' --fill", for the surface in \p file.
+inline fstiff::scene::SurfaceOptions surface_options(const std::string& line, const std::string& file = "-") {
+    fstiff::scene::SurfaceOptions options;
+    options.file = file;
+    options.prefix = "--";
+    options.format_name = "--input-format";
+    const std::vector<std::string> words = words_of(line);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto rows = fstiff::scene::surface_option_table();
+        const auto row =
+            std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.flag_name() == words[i]; });
+        if (row == rows.end()) throw std::logic_error("no option " + words[i]);
+        const std::string next = i + 1 < words.size() ? words[i + 1] : "";
+        if (row->visit(options, PutWord{next})) ++i;
+    }
+    return options;
+}
+
+/// The document of fstiff measure for the surface in \p bytes.
+inline nlohmann::json measured(const std::string& line, const std::string& bytes,
+                               fstiff::scene::MeasureOptions how = {}) {
+    how.input = surface_options(line);
+    return parsed(measure_json(how, measure_surface(how, bytes)));
+}
+
+/// The same for the surface in \p files.
+inline nlohmann::json measured_files(const std::string& line, const std::vector<std::string>& files) {
+    fstiff::scene::MeasureOptions how;
+    how.input = surface_options(line);
+    return parsed(measure_json(how, measure_files(how, files)));
+}
+
+/// The document of fstiff fit for the profile or map in \p bytes.
+inline nlohmann::json fitted(const std::string& line, const std::string& bytes,
+                             fstiff::scene::FractalOptions how = {}) {
+    how.surface = surface_options(line);
+    (void)fit_options(how);
+    auto input = fstiff::scene::read_surface_input(how.surface, bytes);
+    const auto document = [&](const auto& result) {
+        nlohmann::json all = parsed(fractal_json(how, input, result));
+        all["warnings"] = warnings_of(how, input, result);
+        return all;
+    };
+    return input.surface.is_profile() ? document(fractal_of_profile(how, input)) : document(fractal_of_map(how, input));
+}
+
+/// The document of fstiff islands for the map in \p bytes.
+inline nlohmann::json islands_of(const std::string& line, const std::string& bytes,
+                                 fstiff::scene::IslandsRequest how = {}) {
+    how.surface = surface_options(line);
+    auto input = fstiff::scene::read_surface_input(how.surface, bytes);
+    const auto result = islands_of_map(how, input);
+    nlohmann::json all = parsed(islands_json(how, input, result));
+    all["warnings"] = warnings_of(input, result);
+    all["doubtful"] = result.doubtful();
+    return all;
+}
+
+/// The decisions of \p document that hold \p words.
+inline bool decided(const nlohmann::json& document, const std::string& words) {
+    for (const std::string line : document["source"]["decisions"])
+        if (contains(line, words)) return true;
+    return false;
+}
+
+/// \p text as the scene in \p file, next to which its surfaces are.
+inline fstiff::scene::Scene scene_of(const std::string& text, const std::string& file = "scene.toml") {
+    return fstiff::scene::read_scene(text, {.name = file});
+}
+
+inline fstiff::scene::Results results_of(const std::string& text, const std::string& file = "scene.toml") {
+    return compute(scene_of(text, file));
+}
+
+/// The face of \p scene that a smooth one meets.
+inline const fstiff::scene::Face& face(const fstiff::scene::Scene& scene) { return scene; }
+inline fstiff::scene::Face& face(fstiff::scene::Scene& scene) { return scene; }
+
+/// What fstiff run prints as CSV.
+inline std::string csv_of(const fstiff::scene::Results& results) {
+    std::string text;
+    for (const auto& curve : results.curves) text += rows_of(results, curve).csv(text.empty());
+    return text;
+}
+
+/// The rows of the scene \p text.
+inline Csv rows_of_scene(const std::string& text, const std::string& file = "scene.toml") {
+    return Csv(csv_of(results_of(text, file)));
+}
+
+/// The sentence in which a scene is refused, read or computed; "" where it is not.
+inline std::string refused_scene(const std::string& text, const std::string& file = "scene.toml") {
+    return refusal([&] { (void)results_of(text, file); });
+}
+
+/// Checks that \p sentence is a refusal in one line with all \p parts.
+inline void check_sentence(const std::string& sentence, const std::vector<std::string>& parts) {
+    INFO("refusal: " << sentence);
+    CHECK_FALSE(sentence.empty());
+    CHECK(sentence.find('\n') == std::string::npos);
+    for (const std::string& part : parts) {
+        INFO("expected: " << part);
+        CHECK(contains(sentence, part));
+    }
+}
+
+/// A self-affine profile or map of \p points (a side) every \p spacing [m], as the text of a file.
+inline std::string profile_text(std::size_t points, double spacing, const fstiff::SelfAffineOptions<double>& how) {
+    std::ostringstream text;
+    fstiff::io::write_csv(text, self_affine_profile(how, points, spacing));
+    return text.str();
+}
+inline std::string map_text(std::size_t points, double spacing, const fstiff::SelfAffineOptions<double>& how) {
+    std::ostringstream text;
+    fstiff::io::write_csv(text, self_affine_map(how, points, points, spacing, spacing));
+    return text.str();
+}
+
+}  // namespace test
