@@ -11,7 +11,6 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/profile/triples.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 
