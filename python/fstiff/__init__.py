@@ -19,23 +19,8 @@ from ._core import version as __version__
 from ._errors import FileError
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
 from ._scenes import Curves, Export, Scene, export, run
-from ._surfaces import (
-    Fit,
-    Islands,
-    Measurement,
-    Peaks,
-    Spectrum,
-    Surface,
-    Truth,
-    fit,
-    generate,
-    islands,
-    measure,
-    open_surface,
-    peaks,
-    spectrum,
-    truth,
-)
+from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
+from ._surfaces import Fit, Islands, Measurement, Surface, Truth, fit, islands, measure, open_surface, truth
 
 __all__ = [
     "Contact",

@@ -206,12 +206,12 @@ def open_surface(file: str | os.PathLike[str], channel: str | int | None = None,
             raise refused from None
         surface.decisions = [f"format: {type(topography).__name__}, by SurfaceTopography, since {refused}"]
         return surface
-    surface = _surface_of(arrays, path)
+    surface = surface_of(arrays, path)
     surface.decisions, surface.warnings = decisions, warnings
     return surface
 
 
-def _surface_of(arrays: tuple[Numbers, float, float], name: str) -> Surface:
+def surface_of(arrays: tuple[Numbers, float, float], name: str) -> Surface:
     heights, dx, dy = arrays
     return Surface(heights, dx, name=name) if heights.ndim == 1 else Surface(heights, dx=dx, dy=dy, name=name)
 
@@ -424,52 +424,6 @@ class Truth(Document):
         return f"<fstiff.Truth of {self['map']}>\n{text_table(rows)}" + lines_of(self.warnings)
 
 
-class Spectrum(Document):
-    """The power spectral density or the autocorrelation: the keys of the JSON of `fstiff spectrum`."""
-
-    @property
-    def of(self) -> str:
-        """"psd" or "acf", which is the key of the columns."""
-        return str(self["inputs"]["of"])
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """The columns of the CSV; of a map all directions, the sections along x and along y. NaN fills the shorter ones."""
-        return frame(dict(self[self.of])).astype(float)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws the curve of all directions, of a profile the only one; returns the axes."""
-        ax = axes(ax)
-        (x_key, x), (y_key, y), *_ = self[self.of].items()
-        if self.of == "psd":
-            ax.loglog(x, y)
-        else:
-            ax.plot(x, [float("nan") if one is None else one for one in y])
-        ax.set_xlabel(x_key)
-        ax.set_ylabel(y_key)
-        return ax
-
-    def __repr__(self) -> str:
-        columns = self[self.of]
-        return (
-            f"<fstiff.Spectrum of {self['source']['file']}: {self.of}, {len(next(iter(columns.values())))} rows>\n"
-            f"  columns: {', '.join(columns)}" + lines_of(self.warnings)
-        )
-
-
-class Peaks(Document):
-    """The density of peak heights and curvatures: the keys of the JSON of `fstiff peaks`."""
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """The density of the height alone, where `heights` asked for it."""
-        if "heights" not in self:
-            raise ValueError('heights: must be given to peaks(), such as "-4,4,81"')
-        return frame(dict(self["heights"]))
-
-    def __repr__(self) -> str:
-        numbers = ("r", "theta", "peak_ratio", "mean_height", "height_variance")
-        return f"<fstiff.Peaks from {self['from']}: " + ", ".join(f"{key} = {shown(self[key], 5)}" for key in numbers) + ">"
-
-
 def measure(
     surface: Source,
     *,
@@ -493,7 +447,7 @@ def measure(
     return Measurement(_core.measure(made, files, heights))
 
 
-def _one(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], _core.Heights]:
+def one_source(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], _core.Heights]:
     made, files, heights = _of(source, options, own)
     if len(files) > 1:
         raise ValueError("files: must be one; measure() pools several")
@@ -516,7 +470,7 @@ def fit(
     the other arguments are those of measure().
     """
     own = {"window": window, "convention": convention, "resamples": resamples, "seed": seed, "all_lags": all_lags}
-    made, heights = _one(surface, dict(options), own)
+    made, heights = one_source(surface, dict(options), own)
     return Fit(_core.fit(made, heights))
 
 
@@ -548,7 +502,7 @@ def islands(
         "resamples": resamples,
         "seed": seed,
     }
-    made, heights = _one(surface, dict(options), own)
+    made, heights = one_source(surface, dict(options), own)
     return Islands(_core.islands(made, heights))
 
 
@@ -575,80 +529,5 @@ def truth(
 
     from ._contacts import numbers
 
-    made, heights = _one(surface, dict(options), {"points": points, "edges": edges, "hardness": hardness})
+    made, heights = one_source(surface, dict(options), {"points": points, "edges": edges, "hardness": hardness})
     return Truth(_core.truth(made, heights, np.atleast_1d(numbers(pressures, "pressures")), effective_modulus))
-
-
-def spectrum(
-    surface: Source,
-    *,
-    of: Literal["psd", "acf"] = "psd",
-    taper: Literal["hann", "none"] = "hann",
-    **options: Unpack[SurfaceOptions],
-) -> Spectrum:
-    """The power spectral density or the autocorrelation of a profile or a map, as `fstiff spectrum` computes it.
-
-    `taper` is the window of a psd, "none" for a surface that repeats itself. `surface` and `options` are those of measure().
-    """
-    made, heights = _one(surface, dict(options), {"of": of, "taper": taper})
-    return Spectrum(_core.spectrum(made, heights))
-
-
-def peaks(
-    profile: Source | None = None,
-    *,
-    r: float | None = None,
-    theta: float | str | None = None,
-    exponential: bool = False,
-    rho1: float | None = None,
-    rho2: float | None = None,
-    heights: str | tuple[float, float, int] | None = None,
-    **options: Unpack[SurfaceOptions],
-) -> Peaks:
-    """The density of peak heights and curvatures, its moments and the density of the height alone, as `fstiff peaks` gives them.
-
-    profile       as the surface of measure(), with its `options`; or one of:
-    r, theta      correlation of heights and curvatures, and the angle of the sampling [rad], or a text such as "pi/4"
-    exponential   with theta: r is that of an exponential autocorrelation
-    rho1, rho2    autocorrelation at one sampling step and at two
-    heights       (from, to, count), in rms heights: where the density of the height is wanted
-    """
-    rest = heights if heights is None or isinstance(heights, str) else ",".join(repr(one) for one in heights)
-    own = {"r": r, "theta": theta, "exponential": exponential, "rho1": rho1, "rho2": rho2, "heights": rest}
-    if profile is None:
-        return Peaks(_core.peaks(options_of({**options, **own}), None))
-    made, of = _one(profile, dict(options), own)
-    return Peaks(_core.peaks(made, of))
-
-
-def generate(
-    kind: Literal["wm", "profile", "map"],
-    spacing: Length,
-    *,
-    points: int | None = None,
-    rows: int | None = None,
-    dimension: float | None = None,
-    roughness: Length | None = None,
-    gamma: float | None = None,
-    hurst: float | None = None,
-    rms: Length | None = None,
-    longest: Length | None = None,
-    shortest: Length | None = None,
-    long_waves: Literal["plateau", "none"] | None = None,
-    seed: int | None = None,
-) -> Surface:
-    """A surface of known D or H, with the heights that `fstiff generate` writes; its decisions name all parameters.
-
-    kind                 "wm": Weierstrass-Mandelbrot profile; "profile", "map": self-affine Gaussian, periodic
-    points, rows         of a row, and how many rows of a map: 4096 of a profile, 256 x 256 of a map
-    dimension, roughness, gamma    of a wm profile: D, G and the ratio of neighbouring wavelengths, 1.5
-    hurst, rms, long_waves         of the others: H, Rq or Sq, and the waves beyond the longest one
-    longest, shortest    wavelengths: the longest side and two spacings
-    """
-    own = {"kind": kind, "spacing": spacing, "points": points, "rows": rows, "dimension": dimension, "roughness": roughness}
-    own |= {"gamma": gamma, "hurst": hurst, "rms": rms, "longest": longest, "shortest": shortest}
-    own |= {"long_waves": long_waves, "seed": seed}
-    arrays, origin = _core.generate(options_of(own))
-    surface = _surface_of(arrays, kind)
-    surface.decisions = [origin]
-    return surface
