@@ -43,13 +43,18 @@ TEST_CASE("Spikes are far from the median by its robust deviation, and nothing i
     const double nan = std::numeric_limits<double>::quiet_NaN();
     // median 3.5, deviations 2.5 1.5 0.5 0.5 1.5 96.5: their median is 1.5, a standard deviation 1.4826 times that
     const std::vector<double> some{1, 2, 3, nan, 4, 5, 100};
-    const auto far = detail::far_from_median(some, 5.);
-    CHECK(far == std::vector<bool>{false, false, false, false, false, false, true});
+    const auto spikes = [](std::vector<double> z, double limit, bool remove = false) {
+        const auto repair = detail::spikes_among(z.data(), std::vector<double>(z), limit, remove);
+        CHECK(std::isnan(z.back()) == (remove && repair.removed > 0));
+        return repair.removed;
+    };
+    CHECK(spikes(some, 5., true) == 1);
+    CHECK(spikes(some, 5.) == 1);
     const double limit = 96.5 / (1.5 * tukey_factor<double> / 3);
-    CHECK(detail::far_from_median(some, 0.999 * limit).back());
-    CHECK_FALSE(detail::far_from_median(some, 1.001 * limit).back());
-    CHECK_FALSE(detail::far_from_median(std::vector<double>{0, 0, 0, 0, 9}, 5.).back());
-    CHECK_FALSE(detail::far_from_median(std::vector<double>{nan}, 5.).front());
+    CHECK(spikes(some, 0.999 * limit) == 1);
+    CHECK(spikes(some, 1.001 * limit) == 0);
+    CHECK(spikes({0, 0, 0, 0, 9}, 5.) == 0);
+    CHECK(detail::spikes_among(std::vector<double>{nan}.data(), {nan}, 5., true).removed == 0);
 }
 
 }  // namespace tukey_test
