@@ -168,20 +168,18 @@ std::string introduction(const Scene& scene, const Results& results) {
     text += believed(results) + in_lines("surface", surface_parts(scene));
     if (!scene.faces.empty()) {
         std::vector<std::string> parts{"of the sum of two rough faces"};
-        if (scene.map)
+        if (scene.face.map)
             parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
         text += in_lines("", parts);
     }
     for (const auto& [name, face] : measured_faces(scene)) {
         std::vector<std::string> parts;
         const MeasuredSurface& measured = *face->measured;
-        const auto& u = face->uncertain;
-        for (std::size_t i = 0; i < surface_parameter_count; ++i)
-            if (u.known[i])
-                parts.push_back(std::string(parameter_table[i].symbol) + " " +
-                                shown_percent(u.error[i] / u.value[i]));
+        for (const ParameterRow& row : surface_parameter_table)
+            if (const auto* known = face->parameters.find(row.parameter))
+                parts.push_back(std::string(row.symbol) + " " + shown_percent(known->error / known->value));
         parts.front() = printable(measured.file) + " (" + measured.kind + "), errors of " + parts.front();
-        if (measured.cut_offs.any()) parts.push_back(sentence_of(measured.cut_offs));
+        if (measured.found.cut_offs.any()) parts.push_back(sentence_of(measured.found.cut_offs));
         text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
     }
     return text + bodies_text(scene, results);
