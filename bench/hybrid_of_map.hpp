@@ -11,13 +11,13 @@ namespace bench {
 
 /// Of a map that repeats itself, the effective modulus being 1.
 inline auto hybrid_of_map(const fstiff::HeightMap<double>& map) {
-    const auto order = fstiff::gaussian_order(map);
+    const auto order = fstiff::parts::gaussian_order(map);
     const fstiff::Summits<double> summits = fstiff::summits_of(map);
-    const fstiff::BearingContact<double> crowded(
+    const fstiff::parts::BearingContact<double> crowded(
         fstiff::PerssonContact<double>(fstiff::map_spectrum(order.map, fstiff::Edges::periodic), 1.0), order.curve,
         order.rms_height);
     return fstiff::HybridContact(fstiff::SummitContact<double>(summits, 1.0), crowded,
-                                 fstiff::hand_over_of(summits, crowded, fstiff::Edges::periodic));
+                                 fstiff::parts::hand_over_of(summits, crowded, fstiff::Edges::periodic));
 }
 
 }  // namespace bench

@@ -6,7 +6,7 @@
 namespace {
 
 using namespace bench;
-using fstiff::Axis;
+using fstiff::parts::Axis;
 
 /// "kernel/<law>/<tolerance>", right within \p slack tolerances.
 template <Axis axis, class Law>

@@ -38,13 +38,14 @@ struct Laws {
           rms_height(fstiff::rms_height(map)) {}
 
     static constexpr fstiff::Edges edges = fstiff::Edges::periodic;
-    using Hybrid = fstiff::HybridContact<double, fstiff::SummitContact<double>, fstiff::HandOver<double>>;
+    using Hybrid = fstiff::HybridContact<double, fstiff::SummitContact<double>, fstiff::parts::HandOver<double>>;
 
     static Hybrid of_map(const fstiff::HeightMap<double>& map, const fstiff::Summits<double>& summits) {
-        const auto order = fstiff::gaussian_order(map);
-        const fstiff::BearingContact<double> crowded(
+        const auto order = fstiff::parts::gaussian_order(map);
+        const fstiff::parts::BearingContact<double> crowded(
             fstiff::PerssonContact<double>(fstiff::map_spectrum(order.map, edges), 1.0), order.curve, order.rms_height);
-        return {fstiff::SummitContact<double>(summits, 1.0), crowded, fstiff::hand_over_of(summits, crowded, edges)};
+        return {fstiff::SummitContact<double>(summits, 1.0), crowded,
+                fstiff::parts::hand_over_of(summits, crowded, edges)};
     }
     /// m0, m2, m4 of all waves of the map.
     static fstiff::SpectralMoments<double> moments(const fstiff::HeightMap<double>& map) {
@@ -60,9 +61,9 @@ struct Laws {
 
     fstiff::Summits<double> summits;
     fstiff::PerssonContact<double> persson;
-    fstiff::MutualSummits<double> mutual;
+    fstiff::parts::MutualSummits<double> mutual;
     Hybrid hybrid;
-    fstiff::HybridContact<double, fstiff::BandHills<double>> numbers;
+    fstiff::HybridContact<double, fstiff::detail::BandHills<double>> numbers;
     double rms_height;
 };
 
@@ -74,10 +75,11 @@ public:
         const double unit = 1 / std::sqrt(m.m0);
         const std::span<const double> heights(map.heights.data(), static_cast<std::size_t>(map.size()));
         const auto of = fstiff::height_statistics(map);
-        const auto shape = fstiff::counted_shape(of.skewness.value, of.kurtosis.value, 1.0);
-        add("numbers, skewness and kurtosis", m, fstiff::bearing_of_moments(shape.skewness, shape.kurtosis));
-        add("numbers, Sk to Smr2", m, fstiff::bearing_of_core(fstiff::material_ratio(heights)).scaled(unit));
-        add("numbers, bearing curve", m, fstiff::BearingSlope<double>::of_heights(heights).scaled(unit));
+        const auto shape = fstiff::parts::counted_shape(of.skewness.value, of.kurtosis.value, 1.0);
+        add("numbers, skewness and kurtosis", m, fstiff::parts::bearing_of_moments(shape.skewness, shape.kurtosis));
+        add("numbers, Sk to Smr2", m,
+            fstiff::parts::bearing_of_core(fstiff::parts::material_ratio(heights)).scaled(unit));
+        add("numbers, bearing curve", m, fstiff::parts::BearingSlope<double>::of_heights(heights).scaled(unit));
         for (const Eigen::Index rows : {1, 4, 16}) of_rows(map, across, rows);
     }
     template <class Use>
@@ -87,20 +89,20 @@ public:
     }
 
 private:
-    using Gaussian = fstiff::HybridContact<double, fstiff::BandHills<double>>;
+    using Gaussian = fstiff::HybridContact<double, fstiff::detail::BandHills<double>>;
 
     static fstiff::BandSpectrum<double> band(fstiff::SpectralMoments<double> m) {
         m.m4 = std::max(m.m4, 1.51 * m.m2 * m.m2 / m.m0);
         return fstiff::band_of_moments(m, 0.8);
     }
     void add(const std::string& name, const fstiff::SpectralMoments<double>& m,
-             const fstiff::BearingSlope<double>& curve) {
+             const fstiff::parts::BearingSlope<double>& curve) {
         laws_.emplace(name, fstiff::hybrid_of_band(band(m), curve, 1.0));
     }
     /// \p count rows of \p map, or columns across a lay, as traces of one surface: by their moments, and by shape too.
     void of_rows(const fstiff::HeightMap<double>& map, bool across, Eigen::Index count) {
         std::vector<fstiff::HeightStatistics<double>> all;
-        fstiff::ShapeOfHeights<double> shape;
+        fstiff::parts::ShapeOfHeights<double> shape;
         for (Eigen::Index k = 0; k < count; ++k) {
             const Eigen::Index at = k * map.rows() / count;
             const Eigen::ArrayXd z = across ? Eigen::ArrayXd(map.heights.col(at)) : Eigen::ArrayXd(map.heights.row(at));
@@ -111,15 +113,15 @@ private:
         const auto of = fstiff::pooled(all, std::vector<double>(all.size(), 1.0));
         const std::string name = std::to_string(count) + (count == 1 ? " row" : " rows");
         gaussian_.emplace(name, fstiff::hybrid_of_band(band(of.moments), 1.0));
-        const auto counted = fstiff::counted_shape(of, shape.share());
+        const auto counted = fstiff::parts::counted_shape(of, shape.share());
         if (!counted.is_gaussian())
-            add(name + ", shape", of.moments, fstiff::bearing_of_moments(counted.skewness, counted.kurtosis));
+            add(name + ", shape", of.moments, fstiff::parts::bearing_of_moments(counted.skewness, counted.kurtosis));
         else
             gaussian_.emplace(name + ", shape", gaussian_.at(name));
     }
 
     std::map<std::string, Gaussian> gaussian_;
-    std::map<std::string, fstiff::ScaledContact<double, Gaussian>> laws_;
+    std::map<std::string, fstiff::parts::ScaledContact<double, Gaussian>> laws_;
 };
 
 /// K over \p truth, or none of a law that refuses the pressure.
@@ -136,7 +138,7 @@ void solve(std::uint64_t first, std::uint64_t last) {
     for (const test::MapKind& kind : test::map_kinds())
         for (std::uint64_t seed = first; seed <= last; ++seed) {
             const fstiff::HeightMap<double> map = kind.map(seed);
-            fstiff::BoundaryElementOptions<double> options;
+            fstiff::parts::BoundaryElementOptions<double> options;
             options.edges = fstiff::Edges::periodic;
             fstiff::BoundaryElements<double> solver(map, 1.0, options);
             for (const double p_star : {0.001, 0.003, 0.01, 0.03, 0.1, 0.25}) {

@@ -57,11 +57,11 @@ Values one_by_one(const Problem& p, const Which& which, const Integral& integral
 inline Values tensor(const Problem& p, const Which& which, double tolerance) {
     return one_by_one(p, which,
                       [tolerance](double a, double b, const fstiff::PeakDistribution<double>& peaks, double eta) {
-                          return fstiff::tensor_integral(a, b, peaks, eta, {tolerance});
+                          return fstiff::parts::tensor_integral(a, b, peaks, eta, {tolerance});
                       });
 }
 inline Values paper(const Problem& p, const Which& which) {
-    return one_by_one(p, which, fstiff::paper_integral<double>);
+    return one_by_one(p, which, fstiff::parts::paper_integral<double>);
 }
 
 // Laws of a user for the kernel in two dimensions; excess and t are dimensionless, V is an Eigen array or a number.
@@ -106,17 +106,17 @@ struct ElasticPlastic {
 };
 
 /// scaled_tensor_integral in the place of the load; with Axis::rough the law keeps its kink to itself.
-template <fstiff::Axis axis, class Law>
+template <fstiff::parts::Axis axis, class Law>
 Values kernel(const Problem& p, double tolerance) {
     const auto silent = [](const auto& excess, double t) { return Law{}(excess, t); };
     const auto law = [&] {
-        if constexpr (axis == fstiff::Axis::rough)
+        if constexpr (axis == fstiff::parts::Axis::rough)
             return silent;
         else
             return Law{};
     }();
-    const auto j =
-        fstiff::scaled_tensor_integral<axis>(law, fstiff::PeakDistribution<double>(p.r, p.theta), p.eta, {tolerance});
+    const auto j = fstiff::parts::scaled_tensor_integral<axis>(law, fstiff::PeakDistribution<double>(p.r, p.theta),
+                                                               p.eta, {tolerance});
     return {{0, j.value, 0, 0}, {0, j.error, 0, 0}, j.evaluations};
 }
 inline const Which load{1};
@@ -130,7 +130,7 @@ double reference(double r, double theta, double eta, const Law& law) {
     const auto row = [&](double t) {
         const double end = std::max(r * t - eta, 0.0) + 8.8 * c;
         double kink = end;
-        if constexpr (fstiff::KinkedLaw<Law, double>) kink = std::min(law.critical(t), end);
+        if constexpr (fstiff::parts::KinkedLaw<Law, double>) kink = std::min(law.critical(t), end);
         const auto at = [&](double excess) {
             const double z = (eta + excess - r * t) / c;
             return law(excess, t) * std::exp((floor * floor - t * t - z * z) / 2);

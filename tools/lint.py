@@ -5,6 +5,7 @@
     tools/lint.py layers             who includes whom, umbrella headers, tables of docs/architecture.md, names of files
     tools/lint.py layers --update    writes the umbrella headers and the tables
     tools/lint.py glossary           the names and rows of docs/glossary.md
+    tools/lint.py api                docs/api.md lists the public names; --update writes it
     tools/lint.py sizes              lines of files, of functions and of folders
     tools/lint.py snippets README.md --command build/release/bin/fstiff
                                      what documents show is what comes out
@@ -289,6 +290,60 @@ def sizes(root):
                        if size > TOTALS[name]]
 
 
+API_NAMES = 160  # of namespaces fstiff and fstiff::io, at most
+
+
+def declarations(text):
+    """Namespace, name and comment of each declaration of a header."""
+    code = NO_CODE.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+    spaces, start, depth = [], 0, 0
+    for mark in re.finditer("[{};]", code):
+        head = code[start:mark.end()]
+        if not depth and mark[0] != ";" and (edge := re.search(r"\bnamespace ([\w:]+)\s*{$|^\s*}$", head)):
+            spaces = [*spaces, edge[1]] if edge[1] else spaces[:-1]
+        else:
+            depth += {"{": 1, "}": -1, ";": 0}[mark[0]]
+            if depth or mark[0] == "}" and re.compile(r"\s*[,;{().&|]").match(code, mark.end()):
+                continue
+            comment = re.findall(r"^ *///(?!<) ?(.*)", text[start:start + len(head) - len(head.lstrip())], re.M)
+            head = re.split("[{;]", re.sub(r"\[\[.*?\]\]", "", head), 1)[0]
+            while head != (shorter := re.sub("<[^<>]*>", "", head)):
+                head = shorter
+            name = (re.search(r"\b(?:struct|class|concept|using)\s+(\w+)\s*(?:=|:|$|final)", head)
+                    or re.search(r"([\w:]+)\s*(?:[(=\[]|\s*$)", head))
+            if name and not re.search(r"\boperator\b|^\s*template <>", code[start:mark.end()].split("(")[0]) and not re.search("::|^static_assert$", name[1]):
+                yield "::".join(spaces), name[1], " ".join(comment)
+        start = mark.end()
+
+
+def api(root, update=False):
+    """docs/api.md lists what is in namespaces fstiff and fstiff::io, with the first sentence about each."""
+    found = {}
+    for path in sorted((root / "include/fstiff").rglob("*.hpp")):
+        for space, name, comment in declarations(read(path)):
+            if space in ("fstiff", "fstiff::io"):
+                key = (path.relative_to(root / "include").as_posix(), space[len("fstiff::"):] + "::" * (space != "fstiff") + name)
+                key = next((known for known in found if known[1] == key[1]), key)
+                found[key] = found.get(key) or re.sub(r"\\p ", "", re.split(r"(?<=[.])(?: |$)", comment, 1)[0]).replace("|", "\\|")
+    problems = [f"{header}: {name} is public and has no comment" for (header, name), meaning in found.items() if not meaning]
+    if len(found) > API_NAMES:
+        problems.append(f"namespaces fstiff and fstiff::io have {len(found)} names, more than {API_NAMES}: "
+                        "put what is a step into math, parts or detail")
+    headers = {}
+    for (header, name), meaning in found.items():
+        headers.setdefault(header, []).append(f"| `{name}` | {meaning} |\n")
+    table = "".join(f"\n### {header}\n\n| name | what it is |\n|---|---|\n" + "".join(rows) for header, rows in headers.items())
+    document = root / "docs/api.md"
+    old = read(document)
+    new = re.sub(r"(?s)(<!-- api -->\n).*?(?=<!-- /api -->)", lambda mark: mark[1] + table, old)
+    if update:
+        document.write_text(new, encoding="utf-8", newline="\n")
+    elif new != old:
+        problems.append("docs/api.md: does not list the public names: run tools/lint.py api --update")
+    print(f"{len(found)} public names in {len(headers)} headers, at most {API_NAMES}")
+    return problems
+
+
 def same(expected, actual):
     """Whether actual is what a document shows; a line "..." stands for any lines, " ..." for the rest of a line."""
     def lines(text):
@@ -395,6 +450,7 @@ def main():
     checks.add_parser("layers").add_argument("--update", action="store_true")
     checks.add_parser("glossary")
     checks.add_parser("sizes")
+    checks.add_parser("api").add_argument("--update", action="store_true")
     snippet = checks.add_parser("snippets")
     snippet.add_argument("documents", nargs="+", type=pathlib.Path)
     snippet.add_argument("--compiler", default="g++")
@@ -405,8 +461,8 @@ def main():
     options = parser.parse_args()
     root = options.root.resolve()
     try:
-        if options.check == "layers":
-            problems = layers(root, options.update)
+        if options.check in ("layers", "api"):
+            problems = {"layers": layers, "api": api}[options.check](root, options.update)
         elif options.check == "snippets":
             problems = [problem for document in options.documents for problem in Snippets(root, document, options).check()]
         else:

@@ -187,8 +187,8 @@ def main():
             "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n"
             f"/// \\file\n/// Coefficients of gaussian_moment.hpp and of error_function.hpp in {scalar}, made by\n"
             "/// tools/make_gaussian_moment_table.py, which names the pieces and the variables.\n\n"
-            f"{include}\nnamespace fstiff::detail {{\n\n// clang-format off\n{PRIMARY if first else ''}"
-            f"{table(scalar, suffix, digits, terms, error)}// clang-format on\n\n}}  // namespace fstiff::detail\n")
+            f"{include}\nnamespace fstiff::math {{\n\n// clang-format off\n{PRIMARY if first else ''}"
+            f"{table(scalar, suffix, digits, terms, error)}// clang-format on\n\n}}  // namespace fstiff::math\n")
         target = FOLDER / name
         if "--check" not in sys.argv:
             target.write_text(out)

@@ -19,7 +19,7 @@ struct Nodes {
     static constexpr std::size_t eights = (N + 7) / 8;
     std::array<Eight, eights> node, weight;
     Nodes() {
-        const auto& rule = fstiff::GaussLegendre<double, N>::get();
+        const auto& rule = fstiff::math::GaussLegendre<double, N>::get();
         for (std::size_t i = 0; i < 8 * eights; ++i) {
             const auto lane = static_cast<Eigen::Index>(i % 8);
             node[i / 8][lane] = i < N ? (1 + rule.node[i]) / 2 : 1;
@@ -36,7 +36,7 @@ constexpr std::size_t paper_points = 50;
 constexpr double box_t = 6.2, box_height = 4.6;
 
 Values box_scalar(const Problem& p, const Which& which) {
-    const auto& rule = fstiff::GaussLegendre<double, paper_points>::get();
+    const auto& rule = fstiff::math::GaussLegendre<double, paper_points>::get();
     const double c = std::sqrt((1 - p.r) * (1 + p.r)), k = std::tan(p.theta) / std::sqrt(2.0);
     const double height = box_height + std::max(p.eta, 0.0) - p.eta;
     std::array<double, paper_points> excess, over_c;
@@ -156,7 +156,7 @@ Values tuned(const Problem& p, double depth, double column_depth) {
         const Eight from = (-x - radius).max(0.0).sqrt();
         const Eight width = (radius - x).sqrt() - from;
         Eight erf;
-        fstiff::detail::erf_of_eight(t.data(), window.k, erf.data());
+        fstiff::math::erf_of_eight(t.data(), window.k, erf.data());
         const Eight at_half =
             nodes<NS>.weight[i] * width * erf * (0.5 * (window.floor * window.floor - t * t - ahead * ahead)).exp();
         const Eight at_0 = at_half * s, at_1 = at_half / s, shift = 0.5 * behind * behind;

@@ -61,7 +61,7 @@ constexpr std::array<Output, 7> outputs{
 std::vector<std::string> quantities_of(const OneContact& contact) {
     std::vector<std::string> names;
     for (const Output& output : outputs)
-        if (output.quantity && has(contact.law->quantities, output.needs) &&
+        if (output.quantity && parts::has(contact.law->quantities, output.needs) &&
             (names.empty() || names.back() != output.quantity))
             names.emplace_back(output.quantity);
     return names;

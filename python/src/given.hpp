@@ -29,13 +29,13 @@ public:
     void take(const char* key, T& to) const {
         if (options_.contains(key) && !nb::try_cast<T>(options_[key], to)) refuse(key);
     }
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     void take(const char* key, Enum& to) const {
         std::string text;
         take(key, text);
         if (!text.empty()) to = parse<Enum>(text, key);
     }
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     void take(const char* key, std::optional<Enum>& to) const {
         if (options_.contains(key)) take(key, to.emplace());
     }

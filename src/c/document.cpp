@@ -96,7 +96,7 @@ private:
         require(value == std::floor(value) && value >= 0 && value <= most, key, value, "a whole number, not negative");
         to = static_cast<Whole>(value);
     }
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     static void put(const std::string& text, std::string_view key, Enum& to) {
         to = parse<Enum>(text, key);
     }
@@ -260,7 +260,8 @@ int fstiff_document_numbers(const fstiff_document* document, const char* path, d
         const std::string key = &not_null(path, "path");
         const auto* found = not_null(document, "document").numbers.at(key);
         if (!found) throw argument_error(key + ": is no path of the document");
-        const auto numbers = fstiff::located(fstiff::Place{.file = key}, [&] { return found->numbers(); });
+        const auto numbers =
+            fstiff::parts::located(fstiff::parts::Place{.file = key}, [&] { return found->numbers(); });
         not_null(count, "count") = numbers.size();
         if (!values && capacity == 0) return FSTIFF_OK;
         not_null(values, "values");

@@ -48,7 +48,7 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
         from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
     if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
         refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
-    options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? PeakSource::summits : PeakSource::islands;
+    options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? parts::PeakSource::summits : parts::PeakSource::islands;
     if (from.resamples != 0) {
         require(from.resamples >= 2 && from.resamples <= 100000, "resamples", from.resamples, "2 to 100000");
         options.resamples = from.resamples;
@@ -136,7 +136,7 @@ int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* r
         fstiff::HeightStatistics<double> heights;
         heights.skewness = {from.skewness.value, from.skewness.error};
         heights.kurtosis = {from.kurtosis.known ? from.kurtosis.value : 3, from.kurtosis.error};
-        const auto shape = fstiff::counted_shape(heights, from.shape_share);
+        const auto shape = fstiff::parts::counted_shape(heights, from.shape_share);
         to = {sizeof to,
               from.rms_height.value,
               from.peak_radius.value,

@@ -40,7 +40,7 @@ public:
 /// Runs \p call; what it throws is put after the name of the file.
 template <class Call>
 auto about_file(const std::string& file, const Call& call) {
-    return located(Place{.file = display_name(file)}, call);
+    return parts::located(parts::Place{.file = display_name(file)}, call);
 }
 
 /// SHA-256 (FIPS 180-4) of a whole text in hexadecimal digits, so that a result names the very file it came from. No

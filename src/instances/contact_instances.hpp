@@ -14,9 +14,9 @@ namespace fstiff {
 FSTIFF_SCENE_INSTANCE double detail::visit_nodes(const detail::PeakProblem<double>&, double,
                                                  detail::PeakAccumulator<double>&);
 FSTIFF_SCENE_INSTANCE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
-                                                        const IntegralOptions<double>&);
-FSTIFF_SCENE_INSTANCE Estimate<double> tensor_integral(double, double, const PeakDistribution<double>&, double,
-                                                       const TensorOptions<double>&);
-FSTIFF_SCENE_INSTANCE Estimate<double> paper_integral(double, double, const PeakDistribution<double>&, double);
+                                                        const parts::IntegralOptions<double>&);
+FSTIFF_SCENE_INSTANCE Estimate<double> parts::tensor_integral(double, double, const PeakDistribution<double>&, double,
+                                                       const parts::TensorOptions<double>&);
+FSTIFF_SCENE_INSTANCE Estimate<double> parts::paper_integral(double, double, const PeakDistribution<double>&, double);
 
 }  // namespace fstiff

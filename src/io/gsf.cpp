@@ -87,7 +87,7 @@ private:
     }
     double number(const std::string& field) const {
         const std::string value = printable(stated(field), 64);
-        return located({.file = name_}, [&] { return parse_number(value, field); });
+        return parts::located({.file = name_}, [&] { return parse_number(value, field); });
     }
     std::size_t count(const std::string& field) const {
         const double value = number(field);
@@ -97,7 +97,7 @@ private:
     }
     double length(const std::string& field) const {
         const double value = number(field);
-        located({.file = name_}, [&] { require_positive(field, value); });
+        parts::located({.file = name_}, [&] { require_positive(field, value); });
         return value;
     }
     std::string unit(const std::string& field) const {

@@ -257,7 +257,7 @@ private:
         return unit;
     }
     double step(const std::string& field, double value) const {
-        located({.file = name_}, [&] { require_positive(field, value); });
+        parts::located({.file = name_}, [&] { require_positive(field, value); });
         return value;
     }
 

@@ -203,10 +203,10 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
         const std::string quantity =
             std::string(entry.value.substr(0, number.length)) + " " + (written.empty() ? unit : std::string(written));
         const double value =
-            located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
+            parts::located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
         if (!(value > 0))
-            located({.file = name, .line = entry.line}, [&] {
-                fstiff::detail::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
+            parts::located({.file = name, .line = entry.line}, [&] {
+                parts::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
             });
         const auto store = [&](std::optional<StatedGrid::Length>& slot) {
             if (slot && slot->value != value)
@@ -261,7 +261,7 @@ MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::strin
 
 std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
     for (const HeaderEntry& entry : entries)
-        if (const auto form = find_named<MapForm>(entry.value);
+        if (const auto form = parts::find_named<MapForm>(entry.value);
             entry.key == "form" && form && *form != MapForm::automatic)
             return form;
     return std::nullopt;

@@ -31,7 +31,7 @@ public:
         stated_ = stated_grid(entries_, lateral_unit_, name_);
         warn_of_lengths();
         RawMap map = triples_ ? triples() : matrix();
-        located({.file = name_}, [&] { validate_map(map, 2); });
+        parts::located({.file = name_}, [&] { validate_map(map, 2); });
         describe(map);
         return {std::move(map), std::move(record_)};
     }
@@ -258,7 +258,7 @@ private:
         if (given_step && given_whole)
             refuse_file(name_, {step, " and ", whole, " are both given; must be one of them"});
         if (given_step || given_whole) {
-            located({.file = name_},
+            parts::located({.file = name_},
                     [&] { require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole)); });
             note((given_step ? step : whole) + " of the options");
             const double value = given_step ? *given_step : *given_whole / points;

@@ -45,7 +45,7 @@ public:
         if (notes_.reversed) std::reverse(row.heights.begin(), row.heights.end());
         row.columns = row.heights.size();
         if (present(row) < 16) refuse_file(name_, {"holds ", present(row), " points; must be at least 16"});
-        located({.file = name_}, [&] { validate_map(row, 16); });
+        parts::located({.file = name_}, [&] { validate_map(row, 16); });
         describe(row);
         return {std::move(row), std::move(record_)};
     }

@@ -49,7 +49,7 @@ std::size_t present(const RawMap& map) {
 
 void validate_map(const RawMap& map, std::size_t points) {
     if (map.rows > 1)
-        fstiff::detail::validate_map(map.heights.data(), static_cast<Eigen::Index>(map.rows),
+        parts::validate_map(map.heights.data(), static_cast<Eigen::Index>(map.rows),
                                      static_cast<Eigen::Index>(map.columns), map.dx, map.dy,
                                      static_cast<Eigen::Index>(points));
     else
@@ -59,7 +59,7 @@ void validate_map(const RawMap& map, std::size_t points) {
 void set_spacings(RawMap& map, double dx, double dy, const std::string& name) {
     map.dx = dx;
     map.dy = map.rows == 1 && dy == 0 ? dx : dy;
-    located({.file = name}, [&] { validate_map(map, 2); });
+    parts::located({.file = name}, [&] { validate_map(map, 2); });
 }
 
 }  // namespace detail

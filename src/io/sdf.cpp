@@ -193,7 +193,7 @@ private:
         };
         const auto number = [&](const std::string& name) {
             const std::string value = printable(field(name), 64);
-            return located({.file = name_}, [&] { return parse_number(value, name); });
+            return parts::located({.file = name_}, [&] { return parse_number(value, name); });
         };
         const auto code = [&](const std::string& name, std::initializer_list<std::string_view> names) {
             const std::string word = lower_case(field(name));

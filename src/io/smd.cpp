@@ -83,7 +83,7 @@ public:
         map.dx = map.dy = spacing();
         map.heights = heights();
         map.columns = map.heights.size();
-        located({.file = name_}, [&] { validate_map(map, 16); });
+        parts::located({.file = name_}, [&] { validate_map(map, 16); });
         if (!header_.prf) compare_sum();
         Record record = record_of(header_, map);
         return {std::move(map), std::move(record)};

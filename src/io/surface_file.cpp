@@ -130,8 +130,8 @@ bool reads_compressed_sur() {
 }
 
 SurfaceFormat surface_format(std::string_view name) {
-    if (const auto format = find_named<SurfaceFormat>(name)) return *format;
-    fstiff::detail::refuse("format", detail::shown_cell(name), "one of " + choices_text<SurfaceFormat>());
+    if (const auto format = parts::find_named<SurfaceFormat>(name)) return *format;
+    parts::refuse("format", detail::shown_cell(name), "one of " + parts::choices_text<SurfaceFormat>());
 }
 
 std::string_view surface_format_name(SurfaceFormat format) { return name_of(format); }
@@ -207,7 +207,7 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
         default:
             check_options(record.format, options, record.name);
             found = read_binary(record.format, bytes, record.name, options);
-            if (found.map.rows == 1) located({.file = record.name}, [&] { validate_map(found.map, 16); });
+            if (found.map.rows == 1) parts::located({.file = record.name}, [&] { validate_map(found.map, 16); });
     }
     record.details = found.record.sentences();
     record.warnings = std::move(found.record.warnings);

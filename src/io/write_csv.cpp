@@ -21,7 +21,7 @@ void put_text(std::ostream& output, const std::string& text) {
 }
 
 /// A height of a map.
-std::string map_cell(double z) { return std::isnan(z) ? "nan" : shortest_text(z); }
+std::string map_cell(double z) { return std::isnan(z) ? "nan" : parts::shortest_text(z); }
 
 }  // namespace
 
@@ -30,11 +30,11 @@ std::string map_cell(double z) { return std::isnan(z) ? "nan" : shortest_text(z)
 void write_csv(std::ostream& output, const Profile<double>& profile) {
     profile.validate(16);
     require_positive("length", profile.length());
-    std::string text = "# Spacing: " + shortest_text(profile.spacing) + " m\nx [m],z [m]\n";
+    std::string text = "# Spacing: " + parts::shortest_text(profile.spacing) + " m\nx [m],z [m]\n";
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const double z = profile.heights[i];
-        text += shortest_text(static_cast<double>(i) * profile.spacing) + ',' +
-                (std::isnan(z) ? std::string() : shortest_text(z)) + '\n';
+        text += parts::shortest_text(static_cast<double>(i) * profile.spacing) + ',' +
+                (std::isnan(z) ? std::string() : parts::shortest_text(z)) + '\n';
     }
     detail::put_text(output, text);
 }
@@ -44,12 +44,13 @@ void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form)
     const double width = static_cast<double>(map.columns()) * map.dx, height = static_cast<double>(map.rows()) * map.dy;
     require_positive("width", width);
     require_positive("height", height);
-    if (form == MapForm::automatic) fstiff::detail::refuse("form", name_of(form), "matrix or triples");
-    const std::string spacings = "# dx: " + shortest_text(map.dx) + " m\n# dy: " + shortest_text(map.dy) + " m\n";
+    if (form == MapForm::automatic) parts::refuse("form", name_of(form), "matrix or triples");
+    const std::string spacings =
+        "# dx: " + parts::shortest_text(map.dx) + " m\n# dy: " + parts::shortest_text(map.dy) + " m\n";
     std::string text;
     if (form == MapForm::matrix) {
-        text = "# Form: matrix\n# Channel: height\n# Width: " + shortest_text(width) +
-               " m\n# Height: " + shortest_text(height) + " m\n# Value units: m\n" + spacings;
+        text = "# Form: matrix\n# Channel: height\n# Width: " + parts::shortest_text(width) +
+               " m\n# Height: " + parts::shortest_text(height) + " m\n# Value units: m\n" + spacings;
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 text += detail::map_cell(map.heights(j, i)) + (i + 1 < map.columns() ? '\t' : '\n');
@@ -57,9 +58,9 @@ void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form)
         text = "# Form: triples\n" + spacings + "x [m],y [m],z [m]\n";
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
-                text += shortest_text(static_cast<double>(i) * map.dx) + ',' +
-                        shortest_text(static_cast<double>(j) * map.dy) + ',' + detail::map_cell(map.heights(j, i)) +
-                        '\n';
+                text += parts::shortest_text(static_cast<double>(i) * map.dx) + ',' +
+                        parts::shortest_text(static_cast<double>(j) * map.dy) + ',' +
+                        detail::map_cell(map.heights(j, i)) + '\n';
     }
     detail::put_text(output, text);
 }

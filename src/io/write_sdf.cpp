@@ -44,13 +44,14 @@ std::string sdf_text(const RawMap& map, const SdfOptions& options) {
     const std::string end = "\r\n";
     std::string text = "aISO-1.0" + end + "ManufacID = " + options.manufacturer + end + "CreateDate = " + options.date +
                        end + "ModDate = " + options.date + end + "NumPoints = " + std::to_string(map.columns) + end +
-                       "NumProfiles = " + std::to_string(map.rows) + end + "Xscale = " + shortest_text(map.dx) + end +
-                       "Yscale = " + shortest_text(map.dy) + end + "Zscale = 1" + end + "Zresolution = -1" + end +
-                       "Compression = 0" + end + "DataType = 7" + end + "CheckType = 0" + end + "*" + end;
+                       "NumProfiles = " + std::to_string(map.rows) + end + "Xscale = " + parts::shortest_text(map.dx) +
+                       end + "Yscale = " + parts::shortest_text(map.dy) + end + "Zscale = 1" + end +
+                       "Zresolution = -1" + end + "Compression = 0" + end + "DataType = 7" + end + "CheckType = 0" +
+                       end + "*" + end;
     for (std::size_t j = 0; j < map.rows; ++j) {
         for (std::size_t i = 0; i < map.columns; ++i) {
             const double z = map.at(j, i);
-            text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : shortest_text(z));
+            text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : parts::shortest_text(z));
         }
         text += end;
     }

@@ -144,8 +144,8 @@ private:
     double number_at(const pugi::xml_node& axis, const std::string& path, double otherwise) const {
         const std::string text = text_at(local_child(axis, path.substr(path.find('/') + 1)));
         if (text.empty()) return otherwise;
-        return located({.file = name_}, [&] {
-            if (text.size() > 64) fstiff::detail::refuse(path, shown_cell(text), "a number");
+        return parts::located({.file = name_}, [&] {
+            if (text.size() > 64) parts::refuse(path, shown_cell(text), "a number");
             return parse_number(printable(text, 80), path);
         });
     }
@@ -173,7 +173,7 @@ private:
         dy_ = number_at(y, "CY/Increment", 0);
         z_increment_ = number_at(z, "CZ/Increment", 1);
         z_offset_ = number_at(z, "CZ/Offset", 0);
-        located({.file = name_}, [&] {
+        parts::located({.file = name_}, [&] {
             require_positive("CX/Increment", dx_);
             if (!profile_) require_positive("CY/Increment", dy_);
             require(dy_ >= 0, "CY/Increment", dy_, "at least 0");

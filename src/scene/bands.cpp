@@ -25,13 +25,13 @@ struct RandomStates {
 double drawn_gradient(const Scene& scene, std::uint64_t& state) {
     if (!(scene.face.gradient_error > 0)) return 1;
     const double relative = scene.face.gradient_error / *scene.face.rms_gradient;
-    return std::exp(std::sqrt(std::log1p(relative * relative)) * normal_pair<double>(state).real());
+    return std::exp(std::sqrt(std::log1p(relative * relative)) * math::normal_pair<double>(state).real());
 }
 
 /// The scene with the surface \p drawn about its own. Of a map the tiles are drawn anew.
-Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn, RandomStates& random) {
+Scene with_surface(Scene scene, const std::array<double, parts::surface_parameter_count>& drawn, RandomStates& random) {
     const double rms_height = scene.face.parameters.rms_height.value;
-    const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
+    const auto value = [&](Parameter which) { return drawn[parts::index_of(which)]; };
     scene.face.draw(drawn);
     const double taller = scene.face.parameters.rms_height.value / rms_height;
     if (scene.face.rms_gradient) {
@@ -42,9 +42,9 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
     }
     if (scene.face.map) {
         const auto& of_shifts = scene.face.map->summits;
-        const std::size_t shift = of_shifts.size() == 1 ? 0 : splitmix64(random.tiles) % of_shifts.size();
+        const std::size_t shift = of_shifts.size() == 1 ? 0 : math::splitmix64(random.tiles) % of_shifts.size();
         MapOfSurface map{{},
-                         {resampled(of_shifts[shift], 4, random.tiles)},
+                         {parts::resampled(of_shifts[shift], 4, random.tiles)},
                          scene.face.map->spectra,
                          scene.face.map->bearings,
                          scene.face.map->mean_square_height,
@@ -100,10 +100,10 @@ Scene lean_scene(const Scene& scene) {
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
 std::vector<std::vector<double>> behind_other_windows(const Scene& lean, double modulus) {
     std::vector<std::vector<double>> both;
-    const SurfaceParameters<double>& surface = lean.face.parameters;
+    const parts::SurfaceParameters<double>& surface = lean.face.parameters;
     if (!surface.fractal_dimension || !(surface.dimension_window_error > 0)) return both;
     for (const double dimension :
-         dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
+         parts::dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
         Scene other = lean;
         other.face.parameters.fractal_dimension->value = dimension;
         both.push_back(stiffnesses(other, modulus));
@@ -114,7 +114,7 @@ std::vector<std::vector<double>> behind_other_windows(const Scene& lean, double 
 /// Which part of the band of the first law is the wider one, at the middle point.
 std::string dominating(const Scene& scene, const Curve& curve) {
     const std::size_t i = curve.band_parts.size() / 2;
-    const BandParts<double>& parts = curve.band_parts[i];
+    const parts::BandParts<double>& parts = curve.band_parts[i];
     const auto percent = [](double low, double high) {
         return shown_change(std::exp(low)) + " to " + shown_change(std::exp(high));
     };
@@ -143,10 +143,11 @@ std::string dominating(const Scene& scene, const Curve& curve) {
 void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
     const Scene lean = lean_scene(scene);
     Scene to_draw_about = lean;
-    to_draw_about.similar = std::make_shared<const SimilarHybrids<double>>(lean.face.bearing.get(), lean.law_options.gamma);
+    to_draw_about.similar =
+        std::make_shared<const parts::SimilarHybrids<double>>(lean.face.bearing.get(), lean.law_options.gamma);
     RandomStates random{scene.seed, ~scene.seed};
     const auto bands =
-        sampled_band(scene.face.parameters,
+        parts::sampled_band(scene.face.parameters,
                      [&](const auto& drawn) {
                          return stiffnesses(with_surface(to_draw_about, drawn, random), results.modulus);
                      },
@@ -163,13 +164,13 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
         if (!curve.law->varies) continue;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             const std::size_t at = next + curve.places[i];
-            SampledBand<double> band = bands[at];
+            parts::SampledBand<double> band = bands[at];
             failed = std::max(failed, band.failed);
             const double value = curve.states[i].stiffness.value;
             const double factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
             if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
-            const WidenedBand<double> wide =
-                widened(value, band, of_neighbours, of_windows, at, scene.has_lay, factor);
+            const parts::WidenedBand<double> wide =
+                parts::widened(value, band, of_neighbours, of_windows, at, scene.has_lay, factor);
             if (!of_neighbours.empty()) curve.band_parts.push_back(wide.parts);
             curve.band.push_back(wide.band);
         }

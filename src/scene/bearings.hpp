@@ -26,7 +26,8 @@
 namespace fstiff::scene {
 
 /// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
-[[nodiscard]] std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
+[[nodiscard]] std::shared_ptr<const parts::BearingSlope<double>> bearing_of_shape(
+    const parts::HeightShape<double>& shape);
 
 /// The spectra that a function makes, of each way to go on beyond the edges.
 class SpectraOfMaps {
@@ -53,19 +54,20 @@ public:
         : maps_(std::move(maps)), summits_(std::move(summits)) {}
 
     /// Of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
-    [[nodiscard]] BearingContact<double> contact(std::size_t index, Edges edges, double modulus, double gamma) const;
+    [[nodiscard]] parts::BearingContact<double> contact(std::size_t index, Edges edges, double modulus,
+                                                        double gamma) const;
     /// How hybrid goes from the summits of the map number \p index to that. \throws domain_error as contact() and SummitContact.
-    [[nodiscard]] HandOver<double> hand_over(std::size_t index, Edges edges, double modulus, double gamma) const;
+    [[nodiscard]] parts::HandOver<double> hand_over(std::size_t index, Edges edges, double modulus, double gamma) const;
     /// The highest points of the map number \p index. \throws domain_error as HighestPoints.
-    [[nodiscard]] MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;
+    [[nodiscard]] parts::MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;
 
 private:
     std::vector<std::shared_ptr<const HeightMap<double>>> maps_;
     std::vector<Summits<double>> summits_;  ///< of each map
     mutable std::mutex guard_;
-    mutable std::map<std::tuple<std::size_t, Edges, double, double>, BearingContact<double>> made_;
-    mutable std::map<std::tuple<std::size_t, Edges, double, double>, HandOver<double>> hand_overs_;
-    mutable std::map<std::tuple<std::size_t, Edges, double>, MapCut<double>> cuts_;
+    mutable std::map<std::tuple<std::size_t, Edges, double, double>, parts::BearingContact<double>> made_;
+    mutable std::map<std::tuple<std::size_t, Edges, double, double>, parts::HandOver<double>> hand_overs_;
+    mutable std::map<std::tuple<std::size_t, Edges, double>, parts::MapCut<double>> cuts_;
 };
 
 }  // namespace fstiff::scene

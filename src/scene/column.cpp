@@ -71,10 +71,10 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
     const auto add = [&](const CurveQuantityRow& row, Statistic statistic) {
         Column& column = columns.emplace_back(Column{row.quantity, statistic});
         const bool of_band = statistic == Statistic::p05 || statistic == Statistic::p95;
-        const bool given = row.of_law == Quantity::none || has(curve.law->quantities, row.of_law);
+        const bool given = row.of_law == Quantity::none || parts::has(curve.law->quantities, row.of_law);
         if (!given || (of_band && curve.band.empty())) return;
         const bool falls = row.unit.empty();  // a reflection, while K rises
-        using Band = SampledBand<double>;
+        using Band = parts::SampledBand<double>;
         const auto end = (statistic == Statistic::p05) != falls ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];

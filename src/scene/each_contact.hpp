@@ -45,14 +45,15 @@ inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {
 /// where it has one; else of the last entry of contact.peaks that gives one (r = 0 gives none).
 inline std::optional<double> gradient(const Scene& scene) {
     if (scene.face.rms_gradient) return scene.face.rms_gradient;
-    const SurfaceParameters<double>& own = scene.face.parameters;
+    const parts::SurfaceParameters<double>& own = scene.face.parameters;
     if (scene.face.has_peaks())
-        if (const auto of_own = rms_gradient(scene.face.roughness(), PeakDistribution(own.r->value, own.theta->value)))
+        if (const auto of_own =
+                parts::rms_gradient(scene.face.roughness(), PeakDistribution(own.r->value, own.theta->value)))
             return of_own;
     if (no_spectrum(scene.face).empty()) return std::sqrt(2 * spectral_moments(scene.face).m2);
     std::optional<double> of_peaks;
     for (const Peaks& peaks : scene.peaks)
-        if (const auto one = rms_gradient(scene.face.roughness(), peak_density(peaks))) of_peaks = one;
+        if (const auto one = parts::rms_gradient(scene.face.roughness(), peak_density(peaks))) of_peaks = one;
     return of_peaks;
 }
 

@@ -30,9 +30,10 @@ SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const Spe
 /// Whether sigma, R and D_p of \p face are those that were measured.
 bool is_as_measured(const Face& face) {
     if (!face.measured) return false;
-    return std::all_of(parameter_table.begin(), parameter_table.begin() + 3, [&](const ParameterRow& row) {
-        return face.parameters.find(row.parameter)->value == face.measured->found.find(row.parameter)->value;
-    });
+    return std::all_of(
+        parts::parameter_table.begin(), parts::parameter_table.begin() + 3, [&](const parts::ParameterRow& row) {
+            return face.parameters.find(row.parameter)->value == face.measured->found.find(row.parameter)->value;
+        });
 }
 
 }  // namespace
@@ -48,28 +49,28 @@ std::optional<double> Face::value(Parameter which) const {
 }
 
 bool Face::has_errors() const {
-    return gradient_error > 0 ||
-           std::any_of(surface_parameter_table.begin(), surface_parameter_table.end(), [&](const ParameterRow& row) {
-               const auto* known = parameters.find(row.parameter);
-               return known && known->error > 0;
-           });
+    return gradient_error > 0 || std::any_of(parts::surface_parameter_table.begin(),
+                                             parts::surface_parameter_table.end(), [&](const parts::ParameterRow& row) {
+                                                 const auto* known = parameters.find(row.parameter);
+                                                 return known && known->error > 0;
+                                             });
 }
 
 void Face::write(Parameter which, double value) {
     write([&](Face& face) {
         face.parameters.set(which, {value, 0});
-        const std::size_t i = index_of(which);
-        for (std::size_t j = 0; j < surface_parameter_count; ++j)
+        const std::size_t i = parts::index_of(which);
+        for (std::size_t j = 0; j < parts::surface_parameter_count; ++j)
             face.parameters.correlation[i][j] = face.parameters.correlation[j][i] = i == j ? 1 : 0;
     });
 }
 
-void Face::draw(const std::array<double, surface_parameter_count>& drawn) {
-    for (const ParameterRow& row : surface_parameter_table)
-        if (auto* known = parameters.find(row.parameter)) known->value = drawn[index_of(row.parameter)];
+void Face::draw(const std::array<double, parts::surface_parameter_count>& drawn) {
+    for (const parts::ParameterRow& row : parts::surface_parameter_table)
+        if (auto* known = parameters.find(row.parameter)) known->value = drawn[parts::index_of(row.parameter)];
 }
 
-void Face::set_shape(const HeightShape<double>& of) {
+void Face::set_shape(const parts::HeightShape<double>& of) {
     shape = of;
     bearing = bearing_of_shape(of);
 }
@@ -85,18 +86,19 @@ std::string gradient_warning(const Face& face, double r) {
                           face.measured->found.rms_gradient.value == *face.rms_gradient;
     if (face.rms_gradient) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
     if (!is_as_measured(face)) {
-        const auto [of_density, of_height] = implied_gradients(face.roughness(), r);
+        const auto [of_density, of_height] = parts::implied_gradients(face.roughness(), r);
         add(of_density, "implied by peak_radius and peak_density");
         if (!face.rms_gradient) add(of_height, "implied by rms_height and peak_radius");
     }
-    const Check<double> check = check_gradients<double>(gradients);
+    const parts::Check<double> check = parts::check_gradients<double>(gradients);
     return check.holds() ? "" : gradient_warning(gradients[check.first], origins[check.first]);
 }
 
 SpectralMoments<double> spectral_moments(const Face& face) {
     const Roughness<double> of = face.roughness();
     SpectralMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
-    if (face.rms_gradient && face.alpha) return moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
+    if (face.rms_gradient && face.alpha)
+        return parts::moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
     if (face.rms_gradient) moments.m2 = *face.rms_gradient * *face.rms_gradient / 2;
     if (face.alpha) moments.m2 = of.rms_height * std::sqrt(moments.m4 / *face.alpha);
     return moments;
@@ -105,7 +107,7 @@ SpectralMoments<double> spectral_moments(const Face& face) {
 double hurst_exponent(const Face& face) {
     if (face.hurst) return *face.hurst;
     const double of_dimension = face.dimension() ? 2 - *face.dimension() : 0.8;
-    return std::max(of_dimension, least_hurst(spectral_moments(face), face.widest_band));
+    return std::max(of_dimension, parts::least_hurst(spectral_moments(face), face.widest_band));
 }
 
 bool has_isotropic_peaks(const Face& face) {
@@ -145,7 +147,7 @@ std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<c
     double area = 0;
     bool whole = true;
     for (const auto& map : of.maps) {
-        of.summits.push_back(with_hertz_factors(summits_of(*map)));
+        of.summits.push_back(parts::with_hertz_factors(summits_of(*map)));
         const double rms = of.summits.back().rms_height;
         of.mean_square_height += map->area() * rms * rms;
         area += map->area();
@@ -156,7 +158,7 @@ std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<c
         of.spectra = std::make_shared<const SpectraOfMaps>([maps = of.maps, area](Edges edges) {
             SpectrumShells<double> sum;
             for (const auto& map : maps)
-                sum = sum_of_spectra(sum, scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
+                sum = sum_of_spectra(sum, parts::scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
             return sum;
         });
     of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
@@ -167,7 +169,7 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
     for (const auto& one : upper.map->maps)
         for (const auto& other : lower.map->maps)
-            if (std::string why = no_sum_of(*one, *other); !why.empty()) return why;
+            if (std::string why = parts::no_sum_of(*one, *other); !why.empty()) return why;
     return "";
 }
 
@@ -185,7 +187,7 @@ Face face_of(const Surface<double>& found) {
     if (found.heights) {
         face.rms_gradient = found.rms_gradient.value;
         face.alpha = found.heights->moments.bandwidth();
-        face.set_shape(counted_shape(*found.heights, found.shape_share));
+        face.set_shape(parts::counted_shape(*found.heights, found.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
     if (found.map) maps.emplace_back(found.map, &found.map->map);
@@ -194,7 +196,7 @@ Face face_of(const Surface<double>& found) {
     if (!maps.empty()) face.map = map_of_surface(std::move(maps));
     for (const Surface<double>& neighbour : found.neighbours) {
         face.neighbours.push_back(face_of(neighbour));
-        SurfaceParameters<double>& other = face.neighbours.back().parameters;
+        parts::SurfaceParameters<double>& other = face.neighbours.back().parameters;
         if (!other.r) other.r = face.parameters.r, other.theta = face.parameters.theta;
     }
     return face;
@@ -211,7 +213,7 @@ Face face_of(std::shared_ptr<const MeasuredSurface> measured) {
 Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
     const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower), sum = a + b;
     Face face;
-    face.parameters = uncertain_sum(upper.parameters, a, lower.parameters, b);
+    face.parameters = parts::uncertain_sum(upper.parameters, a, lower.parameters, b);
     if (upper.rms_gradient || lower.rms_gradient) {
         face.rms_gradient = std::sqrt(2 * sum.m2);
         face.gradient_error = std::hypot(std::sqrt(2 * a.m2) * upper.gradient_error,
@@ -221,8 +223,8 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     if (upper.alpha || lower.alpha) face.alpha = sum.bandwidth();
     if (upper.hurst || lower.hurst)
         face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
-    const HeightShape<double> shape = sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
-    face.set_shape(counted_shape(shape.skewness, shape.kurtosis, 1.0));
+    const parts::HeightShape<double> shape = parts::sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
+    face.set_shape(parts::counted_shape(shape.skewness, shape.kurtosis, 1.0));
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
     for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {
@@ -235,7 +237,8 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     MapOfSurface of;
     const auto &above = upper.map->maps, &below = lower.map->maps;
     for (std::size_t k = 0; k < static_cast<std::size_t>(shifts); ++k) {  // of several maps each in turn
-        HeightMap<double> map = random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
+        HeightMap<double> map =
+            parts::random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
         of.summits.push_back(summits_of(map));
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }

@@ -24,7 +24,7 @@ inline constexpr double greatest_dimension = 1.99;
 /// One rough face, or the sum of two that a smooth face meets instead. What is written of it overrides what was
 /// measured by write() alone.
 struct Face {
-    SurfaceParameters<double> parameters;               ///< with their errors; without fits and islands
+    parts::SurfaceParameters<double> parameters;               ///< with their errors; without fits and islands
     std::optional<double> rms_gradient, alpha, hurst;   ///< written, or measured; alpha is Nayak's m0 m4/m2^2
     double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
     double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least, as measured
@@ -32,8 +32,9 @@ struct Face {
     bool spectrum_of_map = true;                        ///< [persson] spectrum = "map", where there is one
     std::shared_ptr<const MapOfSurface> map;            ///< where the surface was measured as a map
     std::optional<HeightStatistics<double>> heights;    ///< where the surface was measured
-    HeightShape<double> shape;                          ///< of the heights, given or as far as a measured one counts
-    std::shared_ptr<const BearingSlope<double>> bearing;  ///< of heights over the rms height; none of Gaussian heights
+    parts::HeightShape<double> shape;                   ///< of the heights, given or as far as a measured one counts
+    std::shared_ptr<const parts::BearingSlope<double>>
+        bearing;                                        ///< of heights over the rms height; none of Gaussian heights
     std::shared_ptr<const MeasuredSurface> measured;    ///< where surface.from says, or --surface; none of a sum
     std::optional<double> lambda_s;                     ///< that it was measured with [m]
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured
@@ -58,9 +59,9 @@ struct Face {
     /// relation.
     void write(Parameter which, double value);
     /// The known parameters take the values of \p drawn, in the order of Parameter.
-    void draw(const std::array<double, surface_parameter_count>& drawn);
+    void draw(const std::array<double, parts::surface_parameter_count>& drawn);
     /// Takes \p of, which bearing_of_moments() takes, with its bearing curve.
-    void set_shape(const HeightShape<double>& of);
+    void set_shape(const parts::HeightShape<double>& of);
 };
 
 /// Moments of the spectrum of \p face: from rms gradient and alpha where they are known, else from R and D_p with eq. (4.10) and

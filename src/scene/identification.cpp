@@ -29,7 +29,7 @@ std::string joined(const std::vector<std::string_view>& words, std::string_view 
 /// "sigma and Dp", in the order of --fit.
 std::string names_of(const std::vector<Parameter>& parameters) {
     std::vector<std::string_view> names;
-    for (const Parameter parameter : parameters) names.push_back(row_of(parameter).short_name);
+    for (const Parameter parameter : parameters) names.push_back(parts::row_of(parameter).short_name);
     return joined(names, " and ");
 }
 
@@ -177,7 +177,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     options.wave = all.wave;
     for (Fit& fit : all.fits) {
         const auto data = observations(curve, fit.points);
-        fit.found = located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
+        fit.found = parts::located(parts::Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
             return fit.law->fit({data, request.wanted, fit.start, options});
         });
     }
@@ -189,8 +189,8 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
         bool doubted = false;
         for (const auto& finding : concerns_of(fit.found)) {
             all.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
-            if (is_fatal(finding.concern)) all.doubtful = true;
-            doubted = doubted || is_doubtful(finding.concern);
+            if (parts::is_fatal(finding.concern)) all.doubtful = true;
+            doubted = doubted || parts::is_doubtful(finding.concern);
         }
         sound += !doubted;
     }

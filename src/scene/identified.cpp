@@ -35,10 +35,10 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
-Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
-    const ParameterRow& row = row_of(p.parameter);
+Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p) {
+    const parts::ParameterRow& row = parts::row_of(p.parameter);
     Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
-    if (fit.found.status == FitStatus::singular)
+    if (fit.found.status == math::FitStatus::singular)
         one["looseness"] = p.null_share;
     else
         one["value"] = p.value;
@@ -68,7 +68,7 @@ Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
         entry["covariance"] = matrix_json(found.covariance);
         entry["correlation"] = matrix_json(found.correlation);
     }
-    if (found.status != FitStatus::singular) rows_of(curve, fit).append_to(entry["rows"] = Json::array());
+    if (found.status != math::FitStatus::singular) rows_of(curve, fit).append_to(entry["rows"] = Json::array());
     return entry;
 }
 
@@ -79,10 +79,10 @@ std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
     const std::string option = option_name(request.prefix, "fit");
     for (const std::string& written : request.fit) {
         const std::string name(io::detail::trimmed(written));
-        const auto found = std::find_if(parameter_table.begin(), parameter_table.end(), [&](const ParameterRow& row) {
-            return name == row.short_name || name == row.key;
-        });
-        if (found == parameter_table.end())
+        const auto found =
+            std::find_if(parts::parameter_table.begin(), parts::parameter_table.end(),
+                         [&](const parts::ParameterRow& row) { return name == row.short_name || name == row.key; });
+        if (found == parts::parameter_table.end())
             throw option_error(option + ": \"" + name + "\" is no parameter; must be one of " +
                                list_of(parameter_short_names));
         if (std::count(wanted.begin(), wanted.end(), found->parameter) > 0)

@@ -31,8 +31,8 @@ namespace fstiff::scene {
 
 /// How parameters are called in requests and documents.
 inline constexpr auto parameter_short_names = [] {
-    std::array<std::string_view, parameter_table.size()> all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = parameter_table[i].short_name;
+    std::array<std::string_view, parts::parameter_table.size()> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = parts::parameter_table[i].short_name;
     return all;
 }();
 

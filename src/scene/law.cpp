@@ -28,11 +28,11 @@ RoughContactOptions<double> options_of(const ContactInputs& inputs) {
 }
 
 // one contact and one fit are compiled for all three elastic laws
-using LawOfDimension = ElasticLaw<double> (*)(double dimension);
+using LawOfDimension = parts::ElasticLaw<double> (*)(double dimension);
 
-ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
-ElasticLaw<double> fractal_consistent(double dimension) { return FractalConsistentLaw<double>(dimension); }
-ElasticLaw<double> hertz(double) { return HertzLaw<double>{}; }
+parts::ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
+parts::ElasticLaw<double> fractal_consistent(double dimension) { return FractalConsistentLaw<double>(dimension); }
+parts::ElasticLaw<double> hertz(double) { return HertzLaw<double>{}; }
 
 /// A contact of joint peaks with the asperity law that \p of_dimension makes of the fractal dimension.
 template <LawOfDimension of_dimension>
@@ -47,8 +47,8 @@ Identification<double> fitted(const FitInputs& inputs) {
 }
 
 std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
-    return held(
-        GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, Heights::gaussian, options_of(inputs)));
+    return held(GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, parts::Heights::gaussian,
+                                            options_of(inputs)));
 }
 
 /// Persson's contact of the spectrum.
@@ -72,7 +72,7 @@ std::unique_ptr<AnyContact> over_shifts(const ContactInputs& inputs, const Make&
 }
 
 /// The crowded contact of one shift by its bearing curve.
-BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
+parts::BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
     return map.bearings
         ->contact(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
@@ -86,7 +86,7 @@ std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
             return SummitContact<double>(of, inputs.effective_modulus);
         });
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
-        return MutualSummits<double>(of, inputs.effective_modulus, inputs.options.edges);
+        return parts::MutualSummits<double>(of, inputs.effective_modulus, inputs.options.edges);
     });
 }
 
@@ -94,8 +94,8 @@ std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
 auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
     SummitContact<double> peaks(of, inputs.effective_modulus);
-    BearingContact<double> crowded_contact = crowded(inputs, shift);
-    HandOver<double> hand_over =
+    parts::BearingContact<double> crowded_contact = crowded(inputs, shift);
+    parts::HandOver<double> hand_over =
         map.bearings
             ->hand_over(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
             .of(peaks, map.taller);
@@ -127,7 +127,7 @@ public:
             }
             ContactState<double> state;
             state.pressure = {p, 0, 0};
-            state.stiffness = {*K, SimilarHybrids<double>::accuracy * *K, 0};
+            state.stiffness = {*K, parts::SimilarHybrids<double>::accuracy * *K, 0};
             points.push_back(ContactPoint<double>::of(state));
         }
         return points;
@@ -162,7 +162,7 @@ std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     if (!inputs.map || !inputs.spectrum_of_map) {
         const double g = std::sqrt(2 * inputs.moments.m2);
         return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
-            return PlasticContact(std::move(contact), GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E),
+            return PlasticContact(std::move(contact), parts::GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E),
                                   hardness, E, g);
         });
     }
@@ -202,10 +202,10 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
 
 std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
     const LawOptions& of = inputs.options;
-    std::vector<BoundaryElementContact<double>> of_shifts;
+    std::vector<parts::BoundaryElementContact<double>> of_shifts;
     for (const auto& map : inputs.map->maps)
         of_shifts.emplace_back(*map, inputs.effective_modulus,
-                               TruthOptions<double>{.points = of.points,
+                               parts::TruthOptions<double>{.points = of.points,
                                                     .edges = of.edges,
                                                     .hardness = of.hardness,
                                                     .progress = inputs.progress});
@@ -216,7 +216,7 @@ constexpr Quantity without_contacts =
     Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
 
 const std::array<Law, 12> table{{
-    {.which = LawName::fractal,
+    {.which = parts::LawName::fractal,
      .nature = "the print of the paper: K is not the slope of the load (docs/errata.md)",
      .needs_dimension = true,
      .load = "(3.7)",
@@ -224,7 +224,7 @@ const std::array<Law, 12> table{{
      .peaks = "(4.4)",
      .contact = joint<fractal>,
      .fit = fitted<fractal>},
-    {.which = LawName::fractal_consistent,
+    {.which = parts::LawName::fractal_consistent,
      .nature = "elastic: K of the paper, with the load whose slope it is",
      .needs_dimension = true,
      .load = "integral of (3.14)",
@@ -232,21 +232,21 @@ const std::array<Law, 12> table{{
      .peaks = "(4.4)",
      .contact = joint<fractal_consistent>,
      .fit = fitted<fractal_consistent>},
-    {.which = LawName::hertz,
+    {.which = parts::LawName::hertz,
      .nature = "elastic: K is the slope of the load",
      .load = "(3.7)",
      .stiffness = "derivative of (3.7)",
      .peaks = "(4.4)",
      .contact = joint<hertz>,
      .fit = fitted<hertz>},
-    {.which = LawName::greenwood_williamson,
+    {.which = parts::LawName::greenwood_williamson,
      .nature = "elastic, peaks of one radius",
      .has_peaks = false,
      .load = "(3.7)",
      .stiffness = "derivative of (3.7)",
      .peaks = "Gaussian, one radius",
      .contact = greenwood_williamson},
-    {.which = LawName::hybrid,
+    {.which = parts::LawName::hybrid,
      .nature = "elastic, for all loads: peaks and Persson's theory",
      .has_peaks = false,
      .load = "at equal K",
@@ -255,7 +255,7 @@ const std::array<Law, 12> table{{
      .contact = hybrid,
      .needs_spectrum = true,
      .holds_when_crowded = true},
-    {.which = LawName::persson,
+    {.which = parts::LawName::persson,
      .nature = "elastic, of the spectrum: crowded contacts",
      .has_peaks = false,
      .load = "Persson (2007)",
@@ -265,7 +265,7 @@ const std::array<Law, 12> table{{
      .quantities = without_contacts,
      .needs_spectrum = true,
      .holds_when_crowded = true},
-    {.which = LawName::summits,
+    {.which = parts::LawName::summits,
      .nature = "elastic, the map's own summits, which push each other down",
      .has_peaks = false,
      .load = "(3.7)",
@@ -276,7 +276,7 @@ const std::array<Law, 12> table{{
      .needs_summits = true,
      .ends = true,
      .has_quick_form = true},
-    {.which = LawName::plastic,
+    {.which = parts::LawName::plastic,
      .nature = "peaks that have flowed: K is that of unloading, which a wave sees",
      .load = "hardness and hybrid",
      .stiffness = "(cut at p/H^1.9 + hybrid^1.9)^(1/1.9)",
@@ -286,7 +286,7 @@ const std::array<Law, 12> table{{
      .needs_spectrum = true,
      .needs_hardness = true,
      .holds_when_crowded = true},
-    {.which = LawName::plastic_peaks,
+    {.which = parts::LawName::plastic_peaks,
      .nature = "fully plastic peaks, each by itself: K is that of unloading, which a wave sees",
      .load = "hardness times area, 2 pi R omega",
      .stiffness = "unloading, 2 E a",
@@ -294,7 +294,7 @@ const std::array<Law, 12> table{{
      .contact = plastic_peaks,
      .needs_hardness = true,
      .range = {.least_interference = 110, .most_radius_ratio = 0.4}},
-    {.which = LawName::jackson_green,
+    {.which = parts::LawName::jackson_green,
      .nature = "elastic to plastic: K is that of unloading, which a wave sees",
      .load = "Jackson, Green (2005)",
      .stiffness = "unloading, 2 E a",
@@ -302,7 +302,7 @@ const std::array<Law, 12> table{{
      .contact = elastic_plastic<JacksonGreenLaw<double>>,
      .needs_yield = true,
      .range = {.most_radius_ratio = 0.41}},
-    {.which = LawName::kogut_etsion,
+    {.which = parts::LawName::kogut_etsion,
      .nature = "elastic to plastic: K is that of unloading, which a wave sees",
      .load = "Kogut, Etsion (2002)",
      .stiffness = "unloading, 2 E a",
@@ -310,7 +310,7 @@ const std::array<Law, 12> table{{
      .contact = elastic_plastic<KogutEtsionLaw<double>>,
      .needs_yield = true,
      .range = {.most_interference = 110, .most_radius_ratio = 0.41}},
-    {.which = LawName::boundary_elements,
+    {.which = parts::LawName::boundary_elements,
      .nature = "the half space solved on the map itself; the error is that of the grid",
      .has_peaks = false,
      .load = "elastic half space",
@@ -333,7 +333,7 @@ ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
 std::span<const Law> laws() { return table; }
 
 std::vector<std::string_view> law_names() {
-    const auto words = choices<LawName>();
+    const auto words = parts::choices<parts::LawName>();
     return {words.begin(), words.end()};
 }
 
@@ -344,10 +344,10 @@ std::vector<std::string_view> fitted_law_names() {
     return names;
 }
 
-const Law& find_law(LawName name) { return table[static_cast<std::size_t>(name)]; }
+const Law& find_law(parts::LawName name) { return table[static_cast<std::size_t>(name)]; }
 
 const Law* find_law(std::string_view name) {
-    const auto found = find_named<LawName>(name);
+    const auto found = parts::find_named<parts::LawName>(name);
     return found ? &find_law(*found) : nullptr;
 }
 

@@ -32,12 +32,14 @@
 
 namespace fstiff {
 
-template <ReadableReal T>
+template <parts::ReadableReal T>
 class ContactLaw;
-template <ReadableReal T>
+template <parts::ReadableReal T>
 struct LawRange;
+namespace parts {
 template <Real T>
 class SimilarHybrids;
+}
 
 }  // namespace fstiff
 
@@ -53,7 +55,9 @@ public:
     [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                                            Quantity wanted) const = 0;
     /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range hangs on it.
-    [[nodiscard]] virtual std::vector<LoadMeans<double>> means_at(std::span<const double> /*etas*/) const { return {}; }
+    [[nodiscard]] virtual std::vector<parts::LoadMeans<double>> means_at(std::span<const double> /*etas*/) const {
+        return {};
+    }
     [[nodiscard]] virtual bool has_table() const { return false; }
     /// The contact tabulated. \throws domain_error unless has_table(), and as
     /// ContactLaw::tabulate.
@@ -93,7 +97,7 @@ struct MapOfSurface {
     [[nodiscard]] double rms_height() const { return taller * std::sqrt(mean_square_height); }
     /// Where there are spectra.
     [[nodiscard]] SpectrumShells<double> spectrum(Edges edges = Edges::mirrored) const {
-        return scaled(spectra->of(edges), taller);
+        return parts::scaled(spectra->of(edges), taller);
     }
 };
 
@@ -109,8 +113,8 @@ struct ContactInputs {
     double hurst = 0.8;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
-    const BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
-    const SimilarHybrids<double>* similar = nullptr;  ///< of surfaces drawn for a band: K alone counts, to 1e-3
+    const parts::BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
+    const parts::SimilarHybrids<double>* similar = nullptr;  ///< of surfaces drawn for a band: K alone counts, to 1e-3
     PlasticMaterial<double> material{};  ///< of the softer body
     ProgressHook progress{};             ///< called once a state where that takes seconds
 };
@@ -125,7 +129,7 @@ struct FitInputs {
 
 /// One law.
 struct Law {
-    LawName which{};
+    parts::LawName which{};
     std::string_view name = name_of(which);
     std::string_view nature;       ///< what it computes: the rest of a sentence "hertz is ..."
     bool needs_dimension = false;  ///< the fractal dimension of the surface
@@ -151,7 +155,7 @@ struct Law {
 [[nodiscard]] std::vector<std::string_view> law_names();
 /// Those that fit() has.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
-[[nodiscard]] const Law& find_law(LawName name);
+[[nodiscard]] const Law& find_law(parts::LawName name);
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
 

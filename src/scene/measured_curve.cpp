@@ -256,7 +256,7 @@ MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<cons
     curve.sha256 = sha256(bytes);
     for (std::size_t i = 0; i < pressures.size(); ++i) {
         const double error = curve.has_errors ? errors[i] : 0;
-        located(Place{.file = name, .line = i + 1, .before_line = ":"}, [&] {
+        parts::located(parts::Place{.file = name, .line = i + 1, .before_line = ":"}, [&] {
             require_positive("pressure", pressures[i]);
             require_positive(is_reflection ? "reflection" : "stiffness", values[i]);
             require(error >= 0 && error <= std::numeric_limits<double>::max(), "error", error,

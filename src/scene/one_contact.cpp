@@ -59,7 +59,7 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
         of.face = face_of(std::make_shared<const MeasuredSurface>(*measured));
     } else {
         numbers.surface.validate();
-        of.face.parameters = stated(
+        of.face.parameters = parts::stated(
             RoughFace<double>{numbers.surface, {}, optional("fractal_dimension", numbers.fractal_dimension)});
         of.face.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
         if (numbers.kurtosis == 0 && numbers.skewness != 0) throw domain_error("skewness: needs kurtosis");

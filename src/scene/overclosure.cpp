@@ -29,7 +29,7 @@ double error_of_line(std::span<const Row> points) {
     return worst;
 }
 
-bool has_separation(const Law& law) { return has(law.quantities, Quantity::separation); }
+bool has_separation(const Law& law) { return parts::has(law.quantities, Quantity::separation); }
 
 const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     const std::string& name = options.law;
@@ -82,7 +82,8 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
 
 /// The least and the greatest -dp/dd over K.
 std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve) {
-    if (!has(curve.law->quantities, Quantity::stiffness) || !has(curve.law->quantities, Quantity::loading_stiffness))
+    if (!parts::has(curve.law->quantities, Quantity::stiffness) ||
+        !parts::has(curve.law->quantities, Quantity::loading_stiffness))
         return std::nullopt;
     PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
     for (const auto& state : curve.states) {

@@ -22,7 +22,7 @@ using CoreKeys = std::array<std::string_view, 5>;
 constexpr std::array<CoreKeys, 2> core_keys{
     {{"Sk", "Spk", "Svk", "Smr1", "Smr2"}, {"Rk", "Rpk", "Rvk", "Rmr1", "Rmr2"}}};
 
-HeightShape<double> read_shape(Source& source, const Section& surface) {
+parts::HeightShape<double> read_shape(Source& source, const Section& surface) {
     const auto number = [&](const char* name, const char* other) {
         const toml::node& node =
             surface.at(name, "is missing; surface.skewness and surface.kurtosis stand side by side, and " +
@@ -30,16 +30,16 @@ HeightShape<double> read_shape(Source& source, const Section& surface) {
         return source.number(node, surface.key(name));
     };
     const double skewness = number("skewness", "kurtosis"), kurtosis = number("kurtosis", "skewness");
-    if (!(std::abs(skewness) <= most_skewness<double>))
+    if (!(std::abs(skewness) <= parts::most_skewness<double>))
         source.refuse(*surface.find("skewness"), surface.key("skewness"), "must be from -3 to 3");
-    const double least = least_kurtosis(skewness);
-    if (!(kurtosis >= least && kurtosis <= most_kurtosis<double>))
+    const double least = parts::least_kurtosis(skewness);
+    if (!(kurtosis >= least && kurtosis <= parts::most_kurtosis<double>))
         source.refuse(*surface.find("kurtosis"), surface.key("kurtosis"),
                       "must be from " + rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
     return {skewness, kurtosis};
 }
 
-MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
+parts::MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
     const std::string why = "is missing; " + std::string(keys[0]) + ", " + std::string(keys[1]) + ", " +
                             std::string(keys[2]) + ", " + std::string(keys[3]) + " and " + std::string(keys[4]) +
                             " stand side by side";
@@ -59,15 +59,15 @@ MaterialRatio<double> read_core(Source& source, const Section& surface, const Co
             source.refuse(node, surface.key(keys[which]), "must be a share from 0 to 1; 10 % is 0.1");
         return value;
     };
-    const MaterialRatio<double> core{height(core_height), height(peak_height), height(valley_depth), share(first_share),
-                                     share(second_share)};
+    const parts::MaterialRatio<double> core{height(core_height), height(peak_height), height(valley_depth),
+                                            share(first_share), share(second_share)};
     if (!(core.peak_share < core.core_and_peak_share))
         source.refuse(*surface.find(keys[second_share]), surface.key(keys[second_share]),
                       "must be greater than " + surface.key(keys[first_share]));
     return core;
 }
 
-BearingSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
+parts::BearingSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
     constexpr std::size_t least = 10;
     const auto* list = node.as_array();
     if (!list || list->size() < least)
@@ -76,7 +76,7 @@ BearingSlope<double> read_heights(Source& source, const toml::node& node, const 
     std::vector<double> heights;
     for (std::size_t i = 0; i < list->size(); ++i)
         heights.push_back(source.quantity((*list)[i], key + "[" + std::to_string(i) + "]", Dimension::length));
-    return source.located(node, [&] { return BearingSlope<double>::of_heights(heights); });
+    return source.located(node, [&] { return parts::BearingSlope<double>::of_heights(heights); });
 }
 
 /// Refuses a curve that is not that of the rms height, likely for a unit. Of a curve in the unit of the rms height.
@@ -120,21 +120,21 @@ void read_bearing(Source& source, const Section& surface, Face& face) {
     }
     if (chosen == ways.size()) return;
     if (chosen == 0) {
-        const HeightShape<double> shape = read_shape(source, surface);
+        const parts::HeightShape<double> shape = read_shape(source, surface);
         return face.write([&](Face& one) { one.set_shape(shape); });
     }
     const double rms_height = face.parameters.rms_height.value;
     const std::string_view key = *first_of(ways[chosen]);
     const toml::node& node = *surface.find(key);
-    const BearingSlope<double> curve =
+    const parts::BearingSlope<double> curve =
         chosen == 1 ? read_heights(source, node, surface.key(key))
                     : source.located(node, [&] {
-                          return bearing_of_core(read_core(source, surface, core_keys[chosen - 2]));
+                          return parts::bearing_of_core(read_core(source, surface, core_keys[chosen - 2]));
                       });
-    const auto [mean, variance, skewness, kurtosis] = normal_moments(curve);
+    const auto [mean, variance, skewness, kurtosis] = parts::normal_moments(curve);
     require_rms(source, node, surface.key(key), std::sqrt(variance), rms_height);
-    const auto of_rms = std::make_shared<const BearingSlope<double>>(curve.scaled(1 / rms_height));
-    const HeightShape<double> shape = counted_shape(skewness, kurtosis, 1.0);
+    const auto of_rms = std::make_shared<const parts::BearingSlope<double>>(curve.scaled(1 / rms_height));
+    const parts::HeightShape<double> shape = parts::counted_shape(skewness, kurtosis, 1.0);
     face.write([&](Face& one) { one.shape = shape, one.bearing = of_rms; });
 }
 

@@ -49,7 +49,7 @@ std::vector<double> read_points(Source& source, const toml::node& node, const st
 }
 
 /// The peak density of [surface].
-Peaks peaks_of_surface(const Scene& scene, const Place& where) {
+Peaks peaks_of_surface(const Scene& scene, const parts::Place& where) {
     return {*scene.face.value(Parameter::theta), scene.face.value(Parameter::r), true, where, "surface."};
 }
 
@@ -98,7 +98,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
 
     const toml::node* length = table.find("length");
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
-    if (const auto by = find_named<InteractionLength>(text)) {
+    if (const auto by = parts::find_named<InteractionLength>(text)) {
         scene.length = *by;
         source.record(table.key("length"), length ? text : "nominal (default)");
     } else {
@@ -177,12 +177,12 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 }  // namespace
 
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
-    for (const LawName law : laws_with_options())
+    for (const parts::LawName law : laws_with_options())
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
         scene.face.write([&](Face& face) { face.spectrum_of_map = spectrum == SpectrumSource::map; });
     std::vector<std::string_view> keys{"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"};
-    for (const LawName law : laws_with_options()) keys.push_back(name_of(law));
+    for (const parts::LawName law : laws_with_options()) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
 

@@ -17,8 +17,8 @@ using Measured = std::shared_ptr<const MeasuredSurface>;
 
 /// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
 Measured measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
-                       const Place& place, const ProgressHook& progress) {
-    return std::make_shared<const MeasuredSurface>(located(place, [&] {
+                       const parts::Place& place, const ProgressHook& progress) {
+    return std::make_shared<const MeasuredSurface>(parts::located(place, [&] {
         std::error_code none;
         if (files.size() > 1 || std::filesystem::is_directory(files.front(), none))
             return measure_files(options, files, progress);
@@ -94,11 +94,11 @@ struct OptionReader {
         to = static_cast<int>(number->get());
         source.record(key, written(node), static_cast<double>(to));
     }
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     void operator()(Enum& to) const {
         to = source.choice<Enum>(node, key);
     }
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     void operator()(std::optional<Enum>& to) const {
         to = source.choice<Enum>(node, key);
     }
@@ -128,7 +128,7 @@ void record_measured(Source& source, const MeasuredSurface& measured, const std:
 }
 
 /// One parameter of [surface], or of surface.errors.
-double read_parameter(Source& source, const Section& section, const ParameterRow& row, const toml::node& node,
+double read_parameter(Source& source, const Section& section, const parts::ParameterRow& row, const toml::node& node,
                       bool zero_too = false) {
     const std::string key = section.key(row.key);
     if (row.unit.empty()) return source.number(node, key);
@@ -169,9 +169,9 @@ void read_errors(Source& source, const Section& surface, Face& face) {
     if (!errors) return;
     if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
     std::vector<std::string_view> keys{"rms_gradient"};
-    for (const ParameterRow& row : surface_parameter_table) keys.push_back(row.key);
+    for (const parts::ParameterRow& row : parts::surface_parameter_table) keys.push_back(row.key);
     const Section section(source, *errors->as_table(), surface.key("errors"), keys);
-    for (const ParameterRow& row : surface_parameter_table) {
+    for (const parts::ParameterRow& row : parts::surface_parameter_table) {
         const toml::node* node = section.find(row.key);
         if (!node) continue;
         const std::string key = section.key(row.key);
@@ -181,7 +181,7 @@ void read_errors(Source& source, const Section& surface, Face& face) {
         if (!(known->error >= 0 && std::isfinite(known->error)))
             source.refuse(*node, key, "must be finite and not negative");
         const double half = static_cast<double>(row.high.value - row.low.value) / 2;
-        if (row.variation == Variation::between && known->error > half)
+        if (row.variation == parts::Variation::between && known->error > half)
             source.refuse(*node, key,
                           "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
@@ -209,11 +209,11 @@ bool writes_spectrum(const Section& surface) {
 }
 
 /// R or D_p of \p face as its rms height, rms gradient and alpha make it.
-void follow_moments(Source& source, const Section& surface, const ParameterRow& row, Face& face) {
+void follow_moments(Source& source, const Section& surface, const parts::ParameterRow& row, Face& face) {
     const bool radius = row.parameter == Parameter::peak_radius;
     (radius ? face.radius_follows : face.density_follows) = true;
-    const auto moments = moments_of_gradient(face.parameters.rms_height.value, *face.rms_gradient, *face.alpha);
-    const double value = radius ? peak_radius_of(moments) : peak_density_of(moments);
+    const auto moments = parts::moments_of_gradient(face.parameters.rms_height.value, *face.rms_gradient, *face.alpha);
+    const double value = radius ? parts::peak_radius_of(moments) : parts::peak_density_of(moments);
     if (!(value > 0 && std::isfinite(value)))
         source.refuse(surface.at("alpha"), surface.key("alpha"),
                       "makes, with rms_height and rms_gradient, " + std::string(row.key) + " = " + shortest(value) +
@@ -224,7 +224,7 @@ void follow_moments(Source& source, const Section& surface, const ParameterRow& 
 
 /// The parameters that \p surface writes; sigma, R and D_p must be known of a face that was not measured.
 void read_parameters(Source& source, const Section& surface, Face& face) {
-    for (const ParameterRow& row : surface_parameter_table) {
+    for (const parts::ParameterRow& row : parts::surface_parameter_table) {
         const bool needed = !face.measured && row.parameter <= Parameter::peak_density;
         // R and D_p follow from the moments where these are complete
         const bool follows = needed && row.parameter > Parameter::rms_height && face.rms_gradient && face.alpha;
@@ -234,7 +234,7 @@ void read_parameters(Source& source, const Section& surface, Face& face) {
             continue;
         }
         const double value = read_parameter(source, surface, row, *node);
-        if (!parameter_in_range(row.parameter, value))
+        if (!parts::parameter_in_range(row.parameter, value))
             source.refuse(*node, surface.key(row.key), "must be " + row.range());
         if (row.parameter == Parameter::fractal_dimension) {
             if (value > greatest_dimension)
@@ -259,7 +259,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     if (face.map && writes_spectrum(surface)) face.write([](Face& one) { one.spectrum_of_map = false; });
     read_parameters(source, surface, face);
     read_errors(source, surface, face);
-    const SurfaceParameters<double>& parameters = face.parameters;
+    const parts::SurfaceParameters<double>& parameters = face.parameters;
     if (const auto highest = surface.optional_positive("max_peak_height", Dimension::length))
         face.write([&](Face& one) { one.parameters.max_peak_height = {*highest, 0}; });
     if (const auto roughness = surface.optional_positive("fractal_roughness", Dimension::length))
@@ -339,7 +339,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
         source.record(surface.key("shifts"), "4 (default)", 4);
     }
     scene.face = source.located(table, [&] { return sum_of_faces(upper, lower, scene.shifts, scene.seed); });
-    for (const ParameterRow& row : surface_parameter_table)
+    for (const parts::ParameterRow& row : parts::surface_parameter_table)
         if (const auto value = scene.face.value(row.parameter))
             source.record(surface.key(row.key) + " (of the sum)", shortest(*value), *value, row.unit);
     if (upper.map && lower.map && !no_sum.empty())

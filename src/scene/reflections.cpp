@@ -55,7 +55,7 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
     CurveOfStiffness& of = all.curve.emplace(CurveOfStiffness{.curve = std::move(measured)});
     const MeasuredCurve& curve = of.curve;
     if (!curve.has_errors) of.error = request.reflection_error;
-    const double omega = angular_frequency(all.frequency);
+    const double omega = parts::angular_frequency(all.frequency);
     Faults beyond, doubtful;
     for (const MeasuredPoint& point : curve.points) {
         const double error = curve.has_errors ? point.error : request.reflection_error.value_or(0);
@@ -65,8 +65,9 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
             beyond.add(point.line);
             continue;
         }
-        of.stiffness.emplace_back(located(Place{.file = curve.name, .line = point.line, .before_line = ":"},
-                                          [&] { return measured_stiffness(point.value, error, all.media, omega); }));
+        of.stiffness.emplace_back(
+            parts::located(parts::Place{.file = curve.name, .line = point.line, .before_line = ":"},
+                           [&] { return parts::measured_stiffness(point.value, error, all.media, omega); }));
         if (!of.stiffness.back()->bounded) doubtful.add(point.line);
     }
     if (beyond.count > 0 && beyond.count == curve.points.size())
@@ -88,15 +89,15 @@ Reflected at_one(const ReflectionRequest& request, const Impedances<double>& med
     Reflected one{.from_stiffness = !given};
     if (given && request.reflection_error) {
         one.reflection_error = request.reflection_error;
-        one.stiffness_error = measured_stiffness(*given, *request.reflection_error, media, omega).error;
+        one.stiffness_error = parts::measured_stiffness(*given, *request.reflection_error, media, omega).error;
     }
     one.stiffness = given ? stiffness_from_reflection(*given, media, omega)
                           : request.stiffness.value(io::Dimension::stiffness_per_area,
                                                     option_name(request.prefix, "stiffness"));
     one.reflection = given ? *given : reflection(one.stiffness, media, omega);
-    one.transmission = std::abs(complex_transmission(one.stiffness, media, omega));
-    one.phase = std::arg(complex_reflection(one.stiffness, media, omega));
-    one.transmitted_energy = transmitted_energy(one.stiffness, media, omega);
+    one.transmission = std::abs(parts::complex_transmission(one.stiffness, media, omega));
+    one.phase = std::arg(parts::complex_reflection(one.stiffness, media, omega));
+    one.transmitted_energy = parts::transmitted_energy(one.stiffness, media, omega);
     return one;
 }
 
@@ -131,11 +132,11 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
         given = as_number(request.reflection);
         if (!given) curve = curve_of(request.reflection.text(), name("reflection"));
     }
-    all.welded = welded_reflection(all.media);
+    all.welded = parts::welded_reflection(all.media);
     if (curve)
         convert(request, *std::move(curve), all);
     else
-        all.one = at_one(request, all.media, angular_frequency(all.frequency), given);
+        all.one = at_one(request, all.media, parts::angular_frequency(all.frequency), given);
     return all;
 }
 
@@ -168,7 +169,7 @@ Rows rows_of(const CurveOfStiffness& found) {
         for (const auto& k : found.stiffness) cells.push_back(k ? Cell(value(*k)) : otherwise);
         return cells;
     };
-    using K = MeasuredStiffness<double>;
+    using K = parts::MeasuredStiffness<double>;
     const bool errors = !found.errors.empty();
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, pressures);

@@ -63,7 +63,8 @@ struct CurveOfStiffness {
     MeasuredCurve curve;
     std::vector<double> errors{};  ///< of the reflections; empty: not known
     std::optional<double> error{}; ///< that of all of them, from the request
-    std::vector<std::optional<MeasuredStiffness<double>>> stiffness{};  ///< none where no stiffness has the reflection
+    std::vector<std::optional<parts::MeasuredStiffness<double>>>
+        stiffness{};  ///< none where no stiffness has the reflection
 };
 
 struct Reflection {

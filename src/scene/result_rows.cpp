@@ -72,7 +72,7 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
         if (column.quantity == CurveQuantity::pressure && curve.rms_gradient) {
             std::vector<double> relative;
             for (const double p : column.values)
-                relative.push_back(dimensionless_pressure(p, results.modulus, *curve.rms_gradient));
+                relative.push_back(parts::dimensionless_pressure(p, results.modulus, *curve.rms_gradient));
             rows.add({"", "p*", 1, 3}, relative);
         } else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value) {
             rows.add({"", "K/A0 [Pa/m]", 1, 6}, column.values);

@@ -46,7 +46,7 @@ void take_points(const Scene& scene, double modulus, Curve& curve, const std::ve
         }
     }
     const auto has_p_star = [&](const ContactState<double>& state) {
-        return std::isfinite(dimensionless_pressure(state.pressure.value, modulus, *curve.rms_gradient));
+        return std::isfinite(parts::dimensionless_pressure(state.pressure.value, modulus, *curve.rms_gradient));
     };
     if (curve.rms_gradient && !std::all_of(curve.states.begin(), curve.states.end(), has_p_star))
         curve.rms_gradient.reset();
@@ -87,19 +87,19 @@ void warn_of_missed(const Scene& scene, Results& results) {
 }
 
 /// Begins the sentence about what does not hold at some points of a curve.
-std::string_view sentence(Concern concern) {
+std::string_view sentence(parts::Concern concern) {
     switch (concern) {
-        case Concern::interacting_asperities:
+        case parts::Concern::interacting_asperities:
             return "p* is above 0.01: asperities that do not feel one another give too small a K there";
-        case Concern::mean_planes_crossed:
+        case parts::Concern::mean_planes_crossed:
             return "the separation is below 0: the mean planes have passed each other";
-        case Concern::above_highest_peak:
+        case parts::Concern::above_highest_peak:
             return "the separation is above the highest peak: real surfaces do not touch there";
-        case Concern::few_contacts:
+        case parts::Concern::few_contacts:
             return "fewer than 10 contacts on the nominal area: a mean over peaks says little there";
-        case Concern::area_above_nominal:
+        case parts::Concern::area_above_nominal:
             return "the real area exceeds the nominal area: the model does not hold there";
-        case Concern::not_converged:
+        case parts::Concern::not_converged:
             return "the stiffness has an error above 1e-6 of its size: the integrals did not converge there";
         default:
             return "";
@@ -107,11 +107,11 @@ std::string_view sentence(Concern concern) {
 }
 
 /// A warning for all curves that have a point where \p concern does not hold.
-void warn_if_any(Results& results, Concern concern) {
+void warn_if_any(Results& results, parts::Concern concern) {
     std::size_t count = 0;
     std::string where;
     for (const Curve& curve : results.curves) {
-        const Check<double>* check = find_check(curve.checks, concern);
+        const parts::Check<double>* check = parts::find_check(curve.checks, concern);
         if (check && !check->holds() && count++ == 0)
             where = title(curve) + " at p = " + rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
     }
@@ -121,7 +121,7 @@ void warn_if_any(Results& results, Concern concern) {
 }
 
 /// What of \p means is outside of the range of \p law; empty where nothing is.
-std::string outside_range(const Law& law, const LoadMeans<double>& means) {
+std::string outside_range(const Law& law, const parts::LoadMeans<double>& means) {
     const double s = means.interference.value, ratio = means.radius_ratio.value;
     std::string text;
     const auto say = [&](const char* name, double value, const char* side, double limit) {
@@ -157,18 +157,18 @@ void warn_of_plastic_ranges(const Scene& scene, Results& results) {
 }
 
 void add_warnings(const Scene& scene, Results& results) {
-    for (const Check<double>& check : results.surface_checks) {
+    for (const parts::Check<double>& check : results.surface_checks) {
         if (check.holds()) continue;
         const std::string value = rounded(check.least, 3);
         results.warnings.push_back(
-            check.concern == Concern::plasticity
+            check.concern == parts::Concern::plasticity
                 ? "plasticity index " + value +
                       " is above 1: the peaks yield at first loading; an elastic K is that of unloading"
                 : "sigma R D_p = " + value + " is below " + rounded(check.limit, 3) +
                       ", the least of an isotropic Gaussian surface: R and D_p are those of islands, not of summits");
     }
-    for (const Concern concern : {Concern::interacting_asperities, Concern::mean_planes_crossed,
-                                  Concern::above_highest_peak, Concern::few_contacts})
+    for (const parts::Concern concern : {parts::Concern::interacting_asperities, parts::Concern::mean_planes_crossed,
+                                  parts::Concern::above_highest_peak, parts::Concern::few_contacts})
         warn_if_any(results, concern);
     warn_of_plastic_ranges(scene, results);
     if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
@@ -177,7 +177,8 @@ void add_warnings(const Scene& scene, Results& results) {
             "that of the interface alone");
 
     const std::size_t before = results.warnings.size();
-    for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
+    for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
+        warn_if_any(results, concern);
     if (results.warnings.size() > before || scene.implausible || scene.has_lay || !unknown_parameters(scene).empty())
         results.doubtful = true;
 }
@@ -214,7 +215,7 @@ std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity,
 std::vector<Parameter> unknown_parameters(const Scene& scene) {
     if (scene.face.measured) return unknown_parameters(*scene.face.measured, scene.face.parameters);
     if (measured_faces(scene).empty()) return {};
-    return fstiff::unknown_parameters(scene.face.parameters, false);  // of a sum: what is
+    return parts::unknown_parameters(scene.face.parameters, false);  // of a sum: what is
     // unknown of one face may not matter next to the other
 }
 
@@ -227,9 +228,10 @@ Interaction<double> interaction(const Scene& scene) {
     Interaction<double> result;
     result.reading = scene.reading;
     if (result.reading != InteractionReading::none)
-        result.length = scene.length == InteractionLength::nominal ? interaction_length_of_area(*scene.nominal_area)
+        result.length = scene.length == InteractionLength::nominal
+                            ? parts::interaction_length_of_area(*scene.nominal_area)
                         : scene.length == InteractionLength::peak_spacing
-                            ? interaction_length_of_peaks(scene.face.parameters.peak_density.value)
+                            ? parts::interaction_length_of_peaks(scene.face.parameters.peak_density.value)
                             : scene.given_length;
     return result;
 }
@@ -260,9 +262,10 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     results.modulus = effective_modulus(scene.upper, scene.lower);
     results.warnings = scene.warnings;
     if (scene.yield_strength)
-        results.plasticity_index = plasticity_index(scene.face.roughness(), results.modulus, *scene.yield_strength);
+        results.plasticity_index =
+            parts::plasticity_index(scene.face.roughness(), results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
-    results.surface_checks = check_surface(scene.face.roughness(), results.modulus, scene.yield_strength);
+    results.surface_checks = parts::check_surface(scene.face.roughness(), results.modulus, scene.yield_strength);
     std::size_t curves = 0;
     for (const Law* law : scene.laws) curves += law->has_peaks ? peaks_of(*law, scene).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves
@@ -275,17 +278,17 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         const Quantity quantities = wanted(scene, *curve.law, Quantity::contacts | Quantity::real_area);
         const auto made = contact();
         take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made, quantities, of_all));
-        curve.checks = check_curve<double>(curve.states,
+        curve.checks = parts::check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,
                                             .max_peak_height = scene.face.parameters.max_peak_height.value,
                                             .nominal_area = scene.nominal_area,
                                             .yield_strength = scene.yield_strength},
                                            quantities);
-        std::erase_if(curve.checks, [&](const Check<double>& check) {
-            return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
+        std::erase_if(curve.checks, [&](const parts::Check<double>& check) {
+            return (check.concern == parts::Concern::interacting_asperities && curve.law->holds_when_crowded) ||
                    (check.concern ==
-                        Concern::not_converged &&  // the error is that of the grid, or of the shifts or files
+                        parts::Concern::not_converged &&  // the error is that of the grid, or of the shifts or files
                     (!curve.law->varies || (scene.face.map && scene.face.map->maps.size() > 1)));
         });
         std::vector<double> etas;

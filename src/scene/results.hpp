@@ -38,10 +38,11 @@ struct Curve {
     std::vector<ContactState<double>> states{};
     std::vector<std::size_t> places{};  ///< of the states among Scene::points
     std::vector<MissedPoint> missed{};  ///< the other points
-    std::vector<Check<double>> checks{};
-    std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state
-    std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: the surface has no errors
-    std::vector<BandParts<double>> band_parts{};  ///< of the band, where the surface has neighbours
+    std::vector<parts::Check<double>> checks{};
+    std::vector<parts::LoadMeans<double>> means{};   ///< of a plastic law, one a state
+    std::vector<parts::SampledBand<double>>
+        band{};  ///< of the stiffness, one a state; empty: the surface has no errors
+    std::vector<parts::BandParts<double>> band_parts{};  ///< of the band, where the surface has neighbours
     std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
 
     /// Which of the states is that of the point \p place of the scene; none where the law does not reach it.
@@ -58,7 +59,7 @@ struct Results {
     double modulus = 0;           ///< effective [Pa]
     double tangential_ratio = 0;  ///< of the tangential stiffness to K
     std::optional<double> plasticity_index;
-    std::vector<Check<double>> surface_checks;
+    std::vector<parts::Check<double>> surface_checks;
     std::vector<Curve> curves;
     std::vector<std::string> warnings;    ///< sentences on the checks that do not hold, and on the scene
     std::vector<std::string> about_band;  ///< which part of the band is the greater; empty: there is one part

@@ -21,7 +21,7 @@ struct ScalesOptions {
 
 /// The surface behind one pair of cut-offs.
 struct Scale {
-    CutOffs<double> cut_offs;
+    parts::CutOffs<double> cut_offs;
     bool chosen = false;                       ///< the cut-offs that the measurement has
     std::optional<MeasuredSurface> surface{};  ///< none: `refusal` says why
     std::optional<double> stiffness{};         ///< K [Pa/m] by Scales::law

@@ -19,7 +19,7 @@ std::vector<Assumed> assumed(const Scene& scene) {
         return all;
     if (!scene.face.hurst) {
         const double hurst = hurst_exponent(scene.face),
-                     least = least_hurst(spectral_moments(scene.face), scene.face.widest_band);
+                     least = parts::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
         all.push_back({"hurst", "H",
                        hurst == least ? "of a band as wide as what was measured"
                        : scene.face.dimension() ? "2 - D" : "assumed, since D is not known",

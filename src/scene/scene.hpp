@@ -38,7 +38,7 @@ struct Peaks {
     double theta = 0;         ///< [rad]
     std::optional<double> r;  ///< none: of an exponential autocorrelation
     bool of_surface = false;  ///< theta and r are those of [surface], with their errors
-    Place where{};            ///< for messages
+    parts::Place where{};            ///< for messages
     std::string key{};        ///< what stands before theta and r in them
 };
 
@@ -80,7 +80,7 @@ struct Waves {
     Impedances<double> longitudinal{};        ///< the wave comes from material.upper
     std::optional<Impedances<double>> shear;  ///< none: not known
 
-    [[nodiscard]] double angular() const { return angular_frequency(frequency); }
+    [[nodiscard]] double angular() const { return parts::angular_frequency(frequency); }
 };
 
 /// What is asked of the contact of one or of two rough faces.
@@ -97,7 +97,7 @@ struct Scene {
     LawOptions law_options;
     int samples = 400;       ///< of the band; 0: no band
     std::uint64_t seed = 2014;
-    std::shared_ptr<const SimilarHybrids<double>> similar;  ///< of a scene that a surface was drawn for
+    std::shared_ptr<const parts::SimilarHybrids<double>> similar;  ///< of a scene that a surface was drawn for
     std::vector<std::string> warnings;
     bool has_lay = false;      ///< some face was measured by a profile that repeats itself
     bool implausible = false;  ///< some face has an rms gradient that no surface has: a unit of length is likely wrong

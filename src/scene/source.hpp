@@ -62,13 +62,13 @@ struct Source {
         const std::string value = node.is_string() ? "\"" + written(node) + "\"" : written(node);
         throw domain_error(at(node) + ": " + key + " = " + value + ": " + reason);
     }
-    Place place(const toml::node& node, std::string key = "") const {
+    parts::Place place(const toml::node& node, std::string key = "") const {
         return {.file = file, .line = node.source().begin.line, .key = std::move(key), .before_line = ":"};
     }
     /// Runs a check or a reader of the library; what it throws gets the place.
     template <class Call>
     auto located(const toml::node& node, const Call& call) const {
-        return fstiff::located(place(node), call);
+        return parts::located(place(node), call);
     }
     void record(std::string key, std::string text, std::optional<double> value = {}, std::string_view unit = {}) {
         inputs.push_back({std::move(key), std::move(text), value, std::string(unit)});
@@ -102,9 +102,9 @@ struct Source {
         return written(node);
     }
     /// One of the words of \p Enum.
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     Enum choice(const toml::node& node, const std::string& key) {
-        return names<Enum>[choice(node, key, fstiff::choices<Enum>())].value;
+        return names<Enum>[choice(node, key, parts::choices<Enum>())].value;
     }
     /// One of \p allowed, by its place in that list.
     std::size_t choice(const toml::node& node, const std::string& key, std::span<const std::string_view> allowed) {

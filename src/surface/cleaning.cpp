@@ -21,7 +21,7 @@ std::string of(std::size_t count, std::size_t all) {
 /// \throws domain_error with the name of the option unless points from \p from to \p to lie on a line of \p points at
 /// \p step.
 std::size_t points_of(double from, double to, std::size_t points, double step, const std::string& name) {
-    const auto range = points_between(from, to, points, step);
+    const auto range = parts::points_between(from, to, points, step);
     if (!range)
         throw domain_error(name + ": from " + shown_length(from) + " to " + shown_length(to) +
                            " must rise, and lie between 0 and the length of " +
@@ -93,7 +93,7 @@ HeightMap<double>::Array read_mask(const std::string& file) {
 }
 
 /// The mask of \p options for a surface of \p extent. \throws domain_error, file_error.
-PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& extent) {
+parts::PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& extent) {
     const auto marks = read_mask(options.mask);
     const auto columns = static_cast<Eigen::Index>(extent.columns), rows = static_cast<Eigen::Index>(extent.rows);
     const bool fits = profile ? marks.size() == columns && (marks.rows() == 1 || marks.cols() == 1)
@@ -108,7 +108,7 @@ PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& ext
 }
 
 /// What clean() did, in words.
-void describe(const SurfaceOptions& options, const CleaningReport& report, bool profile,
+void describe(const SurfaceOptions& options, const parts::CleaningReport& report, bool profile,
               std::vector<std::string>& details) {
     const std::size_t points = report.columns * report.rows;
     if (!options.crop.empty())
@@ -123,7 +123,7 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
                           ")");
     if (options.spikes != 0)
         details.push_back("spikes: " + of(report.spikes, points) + " became missing, beyond " +
-                          shortest_text(options.spikes) +
+                          parts::shortest_text(options.spikes) +
                           " standard deviations from the median of their neighbours");
     if (options.fill)
         details.push_back("fill: " + of(report.filled, points) + " filled " +
@@ -140,11 +140,12 @@ void clean(const SurfaceOptions& options, io::Surface& surface) {
     if (!options.crop.empty()) how.crop = crop_of(options, surface, extent);
     if (!options.mask.empty()) how.mask = mask_of(options, profile, extent);
     if (options.spikes != 0)
-        require(options.spikes >= min_spike_limit && options.spikes <= max_spike_limit,
+        require(options.spikes >= parts::min_spike_limit && options.spikes <= parts::max_spike_limit,
                 options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
     how.spikes = options.spikes;
     how.fill = options.fill;
-    const CleaningReport report = std::visit([&](auto& heights) { return fstiff::clean(heights, how); }, surface.data);
+    const parts::CleaningReport report =
+        std::visit([&](auto& heights) { return parts::clean(heights, how); }, surface.data);
     describe(options, report, profile, surface.record.details);
 }
 
@@ -157,13 +158,13 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     if (surface.is_profile()) {
         if (surface.profile().size() < 16) return hints;
         Profile<double> copy = surface.profile();
-        found = find_spikes(copy, sure, false).removed;
+        found = parts::find_spikes(copy, sure, false).removed;
     } else {
         const HeightMap<double>& map = surface.map();
         if (map.rows() < 16 || map.columns() < 16) return hints;
         const Eigen::Index rows = std::min(map.rows(), most), columns = std::min(map.columns(), most);
         HeightMap<double> part{map.heights.topLeftCorner(rows, columns), map.dx, map.dy};
-        found = find_spikes(part, sure, false).removed;
+        found = parts::find_spikes(part, sure, false).removed;
     }
     if (found > 0)
         hints.push_back((found == 1 ? "1 point stands" : std::to_string(found) + " points stand") +

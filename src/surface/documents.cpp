@@ -27,13 +27,14 @@ Json json_of(const RoughnessTable& table) {
 
 }  // namespace
 
-void put_cut_offs(Json& document, const CutOffs<double>& cut_offs) {
+void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs) {
     document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
     document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
     document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
 }
 
-void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing, const CutOffs<double>& cut_offs) {
+void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing,
+              const parts::CutOffs<double>& cut_offs) {
     document["columns"] = map.columns();
     document["rows"] = map.rows();
     document["dx_m"] = map.dx;
@@ -57,11 +58,11 @@ Json json_of(int value) { return value; }
 Json json_of(double value) { return value; }
 Json json_of(const std::string& text) { return text; }
 Json json_of(const Lengths& given) { return given.text(); }
-template <NamedEnum Enum>
+template <parts::NamedEnum Enum>
 Json json_of(Enum value) {
     return name_of(value);
 }
-template <NamedEnum Enum>
+template <parts::NamedEnum Enum>
 Json json_of(const std::optional<Enum>& value) {
     return value ? Json(name_of(*value)) : Json("");
 }
@@ -128,8 +129,8 @@ Json measured_document(const MeasuredSurface& surface) {
     if (!found.why_no_dimension.empty()) document["no_fractal_dimension"] = found.why_no_dimension;
     if (!found.why_no_peaks.empty()) document["no_r_and_theta"] = found.why_no_peaks;
     Json names = Json::array(), rows = Json::array();
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        names.push_back(parameter_table[i].key);
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) {
+        names.push_back(parts::parameter_table[i].key);
         Json row = Json::array();
         for (const double one : found.correlation[i]) row.push_back(one);
         rows.push_back(std::move(row));

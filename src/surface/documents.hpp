@@ -17,9 +17,10 @@ namespace fstiff::scene {
 /// The options as they were given, for a JSON document; \p form is the one that was removed.
 [[nodiscard]] Json json_inputs(const SurfaceOptions& options, const std::string& form);
 /// lambda_s_m, lambda_c_m and the filter of lambda_c of a JSON document: null where there is none.
-void put_cut_offs(Json& document, const CutOffs<double>& cut_offs);
+void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs);
 /// The grid of \p map, how many points were \p missing as it was read, and its cut-offs, for a JSON document.
-void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing, const CutOffs<double>& cut_offs);
+void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing,
+              const parts::CutOffs<double>& cut_offs);
 
 /// What was measured of a surface, for a JSON document that read_measured_document takes.
 [[nodiscard]] Json measured_document(const MeasuredSurface& surface);

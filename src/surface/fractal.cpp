@@ -83,8 +83,8 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["log_fractal_roughness_error"] = fit.log_roughness_error;
     document["window_m"] = Json(std::vector<double>{fit.window.from, fit.window.to});
     document["window_automatic"] = fit.automatic_window;
-    document["window_begins"] = describe(fit.begins);
-    document["window_ends"] = describe(fit.ends);
+    document["window_begins"] = parts::describe(fit.begins);
+    document["window_ends"] = parts::describe(fit.ends);
     document["reliable_from_m"] = fit.reliable_from;
     document["lags_in_window"] = fit.lags;
     document["slope_at_window_ends"] = Json(std::vector<double>{fit.slope_shortest, fit.slope_longest});
@@ -116,8 +116,8 @@ Json json_start(const FractalOptions& options, const SurfaceInput& input, const 
 
 }  // namespace
 
-FractalFitOptions<double> fit_options(const FractalOptions& options) {
-    FractalFitOptions<double> how;
+parts::FractalFitOptions<double> fit_options(const FractalOptions& options) {
+    parts::FractalFitOptions<double> how;
     const SurfaceOptions& surface = options.surface;
     if (!surface.window.empty()) how.window = parse_window(surface.window, surface.name("window"));
     how.convention = options.convention;
@@ -129,26 +129,26 @@ FractalFitOptions<double> fit_options(const FractalOptions& options) {
 }
 
 ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input) {
-    FractalFitOptions<double> how = fit_options(options);
+    parts::FractalFitOptions<double> how = fit_options(options);
     how.progress = options.progress;
     ProfileFractal result;
     result.levelled = level_profile(options.surface, input);
     const Profile<double>& profile = result.levelled.profile;
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
-    result.no_spectrum = detail::fit_or_reason(result.spectrum, [&] {
+    result.no_spectrum = parts::fit_or_reason(result.spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
-        std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
+        std::optional<parts::WavelengthWindow<double>> window;  // without the waves below lambda_s
         if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
             window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
-        const SpectralFit<double> fit = fit_spectrum(spectrum, window);
+        const parts::SpectralFit<double> fit = parts::fit_spectrum(spectrum, window);
         require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
                 "between 1 and 2: over these wavelengths the profile is not self-affine");
         return fit;
     });
-    result.no_moments = detail::fit_or_reason(result.moments, [&] { return spectral_moments(profile); });
-    result.no_peaks = detail::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
-    result.structure = options.all_lags ? structure_function_at_all_lags(result.levelled.of_structure())
+    result.no_moments = parts::fit_or_reason(result.moments, [&] { return parts::spectral_moments(profile); });
+    result.no_peaks = parts::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
+    result.structure = options.all_lags ? parts::structure_function_at_all_lags(result.levelled.of_structure())
                                         : result.fit.structure_function;
     return result;
 }
@@ -157,13 +157,13 @@ MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input) {
     if (options.all_lags)
         throw option_error(options.surface.name("all_lags") +
                            " is for profiles; must not be given for a map");
-    FractalFitOptions<double> how = fit_options(options);
+    parts::FractalFitOptions<double> how = fit_options(options);
     how.progress = options.progress;
     MapFractal result;
     result.levelled = level_map_of(options.surface, input);
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     about_file(options.surface.file, [&] {
-        result.fit = fit_directions<double>(result.levelled, how);
+        result.fit = parts::fit_directions<double>(result.levelled, how);
         if (!result.fit.x && !result.fit.y)
             throw domain_error("no direction of the map allows a fit; along x: " + result.fit.why_no_fit_x +
                                "; along y: " + result.fit.why_no_fit_y);
@@ -258,7 +258,7 @@ Json fractal_json(const FractalOptions& options, const SurfaceInput& input, cons
     put_grid(document, result.levelled.map, input.missing(), result.levelled.cut_offs);
     document["rms_height_m"] = result.levelled.rms;
     document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
-    const ArealStatistics<double>& a = result.levelled.areal;
+    const parts::ArealStatistics<double>& a = result.levelled.areal;
     document["areal"] = {{"m0_m2", a.m0},
                          {"m2", a.m2},
                          {"m2_x", a.m2_x},

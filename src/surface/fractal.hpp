@@ -22,37 +22,37 @@ namespace fstiff::scene {
 /// How a file is read, and how D and G are found.
 struct FractalOptions {
     SurfaceOptions surface;
-    StructureConvention convention = StructureConvention::exact;
-    std::uint64_t seed = FractalFitOptions<double>{}.seed;
-    int resamples = FractalFitOptions<double>{}.resamples;
+    parts::StructureConvention convention = parts::StructureConvention::exact;
+    std::uint64_t seed = parts::FractalFitOptions<double>{}.seed;
+    int resamples = parts::FractalFitOptions<double>{}.resamples;
     bool all_lags = false;    ///< the structure function of a profile at every lag
     ProgressHook progress{};  ///< called while the bootstrap draws
 };
 
 /// What one profile gives. Of the parts that need more than the fit does, the reason where there is none.
 struct ProfileFractal {
-    PreparedProfile<double> levelled;
+    parts::PreparedProfile<double> levelled;
     FractalFit<double> fit;
-    std::optional<SpectralFit<double>> spectrum;
+    std::optional<parts::SpectralFit<double>> spectrum;
     std::optional<SpectralMoments<double>> moments;
     std::optional<PeakStatistics<double>> peaks;
     std::string no_spectrum, no_moments, no_peaks;
     StructureFunction<double> structure;  ///< that is shown
 
     /// Whether the rms gradient is one that no surface has.
-    [[nodiscard]] bool doubtful() const { return !is_plausible_gradient(levelled.rms_gradient); }
+    [[nodiscard]] bool doubtful() const { return !parts::is_plausible_gradient(levelled.rms_gradient); }
 };
 
 struct MapFractal {
-    PreparedMap<double> levelled;
-    DirectionalFit<double> fit;
+    parts::PreparedMap<double> levelled;
+    parts::DirectionalFit<double> fit;
 
     /// As above.
-    [[nodiscard]] bool doubtful() const { return !is_plausible_gradient(levelled.areal.rms_gradient); }
+    [[nodiscard]] bool doubtful() const { return !parts::is_plausible_gradient(levelled.areal.rms_gradient); }
 };
 
 /// \throws domain_error for a window, a tip radius or a resolution that is no length.
-[[nodiscard]] FractalFitOptions<double> fit_options(const FractalOptions& options);
+[[nodiscard]] parts::FractalFitOptions<double> fit_options(const FractalOptions& options);
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
 [[nodiscard]] ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input);

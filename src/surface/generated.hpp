@@ -54,7 +54,7 @@ struct GenerateRequest {
     double gamma = 1.5;               ///< ratio of neighbouring wavelengths
     std::optional<double> hurst{};      ///< H
     Lengths rms{}, longest{}, shortest{};   ///< wavelengths: the longest side and two spacings by default
-    LongWaves long_waves = LongWaves::plateau;
+    parts::LongWaves long_waves = parts::LongWaves::plateau;
     std::uint64_t seed = 1;
     GeneratedForm format = GeneratedForm::csv;
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line

@@ -12,18 +12,18 @@ namespace fstiff::scene {
 
 bool IslandsOfMap::doubtful() const {
     const std::vector<MeasuredConcern> concerns = concerns_of(islands);
-    return std::any_of(concerns.begin(), concerns.end(), [](MeasuredConcern one) { return is_fatal(one); }) ||
-           !is_plausible_gradient(levelled.areal.rms_gradient);
+    return std::any_of(concerns.begin(), concerns.end(), [](MeasuredConcern one) { return parts::is_fatal(one); }) ||
+           !parts::is_plausible_gradient(levelled.areal.rms_gradient);
 }
 
 IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) {
     IslandOptions<double> how;
-    how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
+    how.connectivity = options.neighbours == 4 ? parts::Connectivity::four : parts::Connectivity::eight;
     how.border = options.border;
     how.min_points = options.min_points;
     how.height = options.height;
     how.quantiles = options.levels;
-    IslandSpread spread = options.spread;
+    parts::IslandSpread spread = options.spread;
     how.progress = spread.progress = options.progress;
     IslandsOfMap result;
     result.levelled = level_map_of(options.surface, input);
@@ -35,7 +35,7 @@ IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) 
 
 std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfMap& result) {
     const RepresentativeIslands<double>& r = result.islands;
-    SurfaceParameters<double> pair;
+    parts::SurfaceParameters<double> pair;
     pair.peak_radius = {r.radius, r.radius_error};
     pair.peak_density = {r.density, r.density_error};
     std::vector<std::string> all = peak_warnings(concerns_of(r), r.islands, pair);

@@ -19,15 +19,15 @@ namespace fstiff::scene {
 struct IslandsRequest {
     SurfaceOptions surface;
     int neighbours = 8;  ///< of a point: 8 or 4
-    BorderIslands border = BorderIslands::kept;
-    IslandHeight height = IslandHeight::peak;
+    parts::BorderIslands border = parts::BorderIslands::kept;
+    parts::IslandHeight height = parts::IslandHeight::peak;
     std::size_t min_points = 1, levels = IslandOptions<double>{}.quantiles;
-    IslandSpread spread;
+    parts::IslandSpread spread;
     ProgressHook progress{};
 };
 
 struct IslandsOfMap {
-    PreparedMap<double> levelled;
+    parts::PreparedMap<double> levelled;
     RepresentativeIslands<double> islands;
 
     /// A concern on which no result can rest.

@@ -40,35 +40,37 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
     const auto unlike = [&](const std::string& mine, const std::string& other, std::string_view option) {
         return domain_error(one.file + ": " + mine + first.file + " " + other + "; files of " + std::string(option));
     };
-    const CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
-    switch (unlikeness(first.found, one.found)) {
-        case Unlikeness::none:
+    const parts::CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
+    switch (parts::unlikeness(first.found, one.found)) {
+        case parts::Unlikeness::none:
             return;
-        case Unlikeness::kind:
+        case parts::Unlikeness::kind:
             throw unlike("is a " + one.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
-        case Unlikeness::lambda_s:
+        case parts::Unlikeness::lambda_s:
             throw unlike("lambda_s " + shown(a.lambda_s) + ", that of ", shown(b.lambda_s),
                          "one surface must have one " + options.name("lambda_s"));
-        case Unlikeness::lambda_c:
+        case parts::Unlikeness::lambda_c:
             throw unlike("lambda_c " + shown(a.lambda_c) + ", that of ", shown(b.lambda_c),
                          "one surface must have one " + options.name("lambda_c"));
-        case Unlikeness::step:
-            throw unlike("has points " + shown_length(step_of(one.found)) + " apart, and ",
-                         shown_length(step_of(first.found)), "unlike steps must have one " + options.name("lambda_s"));
+        case parts::Unlikeness::step:
+            throw unlike("has points " + shown_length(parts::step_of(one.found)) + " apart, and ",
+                         shown_length(parts::step_of(first.found)),
+                         "unlike steps must have one " + options.name("lambda_s"));
     }
 }
 
 /// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are
 /// such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>& parts) {
-    const auto share = [&](Lengths& option, std::optional<double> CutOffs<double>::*of) {
-        const CutOff<double> asked = parse_cut_off(option, ""), shared = shared_cut_off(asked, parts, of);
+    const auto share = [&](Lengths& option, std::optional<double> parts::CutOffs<double>::*of) {
+        const CutOff<double> asked = parse_cut_off(option, ""), shared = parts::shared_cut_off(asked, parts, of);
         if (!asked.automatic() || shared.automatic()) return false;
         option = shared.length() ? Lengths(*shared.length()) : Lengths("none");
         return true;
     };
-    const bool short_waves = share(options.lambda_s, &CutOffs<double>::lambda_s);
-    const bool long_waves = options.detrend != gaussian_form && share(options.lambda_c, &CutOffs<double>::lambda_c);
+    const bool short_waves = share(options.lambda_s, &parts::CutOffs<double>::lambda_s);
+    const bool long_waves =
+        options.detrend != gaussian_form && share(options.lambda_c, &parts::CutOffs<double>::lambda_c);
     return short_waves || long_waves;
 }
 

@@ -17,8 +17,8 @@ bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
     return std::find(concerns.begin(), concerns.end(), one) != concerns.end();
 }
 
-double gradient_of(const PreparedProfile<double>& profile) { return profile.rms_gradient; }
-double gradient_of(const PreparedMap<double>& map) { return map.areal.rms_gradient; }
+double gradient_of(const parts::PreparedProfile<double>& profile) { return profile.rms_gradient; }
+double gradient_of(const parts::PreparedMap<double>& map) { return map.areal.rms_gradient; }
 
 /// What was decided beside the reading of the file, and what is in doubt about \p found.
 template <class Prepared>
@@ -33,9 +33,10 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
     else
-        said.push_back(
-            "R and D_p from " + std::to_string(found.peaks_counted) +
-            (options.input.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
+        said.push_back("R and D_p from " + std::to_string(found.peaks_counted) +
+                       (options.input.peaks == parts::PeakSource::summits
+                            ? " summits"
+                            : " islands at the level where there are most"));
     if (found.fractal_dimension)
         said.push_back("D and G from lags of " + shown_length(found.window.from) + " to " +
                        shown_length(found.window.to) + (options.input.window.empty() ? " (automatic)" : " (given)"));
@@ -57,7 +58,7 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
         warned.push_back(
             profile ? "the profile repeats itself every " + shown_length(found.repetition.period) +
                           " (autocorrelation " + rounded(found.repetition.correlation, 2) + "): the face has a lay, and a profile cannot show how far its ridges reach; K may be up to " +
-                          rounded(lay_factor) + " times higher; measure a map"
+                          rounded(parts::lay_factor) + " times higher; measure a map"
                     : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
                           "): laws over a distribution of peaks take it for isotropic; hybrid and boundary_elements "
                           "take the map as it is");
@@ -69,7 +70,7 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
         warned.push_back(std::move(line));
     if (has(found.concerns, MeasuredConcern::implausible_gradient))
         warned.push_back(gradient_warning(gradient_of(prepared), "measured"));
-    if (is_mostly_waviness(prepared))
+    if (parts::is_mostly_waviness(prepared))
         warned.push_back("lambda_c " + shown_length(*found.cut_offs.lambda_c) + ", chosen by the table, leaves " +
                          shown_percent(prepared.rms / prepared.rms_levelled) + " of the rms height of " +
                          shown_length(prepared.rms_levelled) +
@@ -79,12 +80,12 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
 }  // namespace
 
 std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
-                                       const SurfaceParameters<double>& values) {
+                                       const parts::SurfaceParameters<double>& values) {
     std::vector<std::string> lines;
     const auto add_percent = [&](MeasuredConcern concern, Parameter which) {
         const Measurement<double> one = *values.find(which);
-        if (has(concerns, concern) && is_known(one))  // what is not known to a factor of two is named below
-            lines.push_back(std::string(row_of(which).symbol) + " is known to " +
+        if (has(concerns, concern) && parts::is_known(one))  // what is not known to a factor of two is named below
+            lines.push_back(std::string(parts::row_of(which).symbol) + " is known to " +
                             shown_percent(one.error / one.value) + " only");
     };
     if (has(concerns, MeasuredConcern::few_peaks))
@@ -97,17 +98,18 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
             "represents nothing");
     if (has(concerns, MeasuredConcern::parameter_unknown)) {
         std::string names;
-        for (const Parameter which : fstiff::unknown_parameters(values, has(concerns, MeasuredConcern::long_waves)))
-            names += (names.empty() ? "" : ", ") + std::string(row_of(which).symbol) + " (" +
+        for (const Parameter which : parts::unknown_parameters(values, has(concerns, MeasuredConcern::long_waves)))
+            names += (names.empty() ? "" : ", ") + std::string(parts::row_of(which).symbol) + " (" +
                      shown_percent(values.find(which)->error / values.find(which)->value) + ")";
         lines.push_back(names + ": not known to a factor of two; a result that rests on it, and its band, is in doubt");
     }
     return lines;
 }
 
-std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const SurfaceParameters<double>& used) {
+std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
+                                          const parts::SurfaceParameters<double>& used) {
     const auto& concerns = surface.found.concerns;
-    std::vector<Parameter> all = fstiff::unknown_parameters(used, has(concerns, MeasuredConcern::long_waves));
+    std::vector<Parameter> all = parts::unknown_parameters(used, has(concerns, MeasuredConcern::long_waves));
     if (has(concerns, MeasuredConcern::no_densest_level))
         for (const Parameter which : {Parameter::peak_radius, Parameter::peak_density})
             if (used.find(which)->value == surface.found.find(which)->value) all.push_back(which);
@@ -130,7 +132,7 @@ namespace {
 /// \throws option_error, domain_error for options that do not fit the kind of the surface.
 void refuse_options(const MeasureOptions& options, const Instrument& instrument, bool profile) {
     const std::string file = display_name(options.input.file);
-    if (profile && options.input.peaks == PeakSource::summits)
+    if (profile && options.input.peaks == parts::PeakSource::summits)
         throw option_error(options.input.name("peaks") + " = \"summits\" is for a map; " + file +
                            " holds a profile, whose R and D_p come from its curvature and its peaks");
     if (!profile && instrument.tip_radius > 0)
@@ -209,7 +211,7 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surf
     const bool profile = of.is_profile();
     const auto unknown = unknown_parameters(of, found);
     const auto line = [&](Parameter which, std::string unit, std::string how) {
-        return ParameterLine{std::string(row_of(which).key), std::move(unit), *found.find(which), std::move(how),
+        return ParameterLine{std::string(parts::row_of(which).key), std::move(unit), *found.find(which), std::move(how),
                              std::count(unknown.begin(), unknown.end(), which) == 0};
     };
     std::vector<ParameterLine> lines{
@@ -218,7 +220,7 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surf
         line(Parameter::peak_density, "/m^2",
              profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area")};
     const auto add = [&](const char* name, const Measurement<double>& one, const char* how) {
-        lines.push_back({name, "m", one, how, is_known(one)});
+        lines.push_back({name, "m", one, how, parts::is_known(one)});
     };
     if (found.max_peak_height.value > 0)
         add("max_peak_height", found.max_peak_height, "highest point; the error is a lower bound");

@@ -59,12 +59,12 @@ struct MeasuredSurface {
 /// The sentences on \p concerns of few_peaks to parameter_unknown; \p peaks gave R and D_p, which are in \p values with
 /// their errors.
 [[nodiscard]] std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
-                                                     const SurfaceParameters<double>& values);
+                                                     const parts::SurfaceParameters<double>& values);
 
 /// The parameters of \p used, those of \p surface or what replaced them, on which no result can rest: not known to a
 /// factor of two, or the R and D_p of islands that are densest at no level.
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
-                                                        const SurfaceParameters<double>& used);
+                                                        const parts::SurfaceParameters<double>& used);
 
 /// Whether \p surface is a profile that repeats itself, which cannot know K of its face.
 [[nodiscard]] bool is_profile_with_lay(const MeasuredSurface& surface);

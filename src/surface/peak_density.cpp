@@ -41,7 +41,7 @@ std::vector<double> heights_of(const std::string& text, const std::string& name)
 }
 
 PeakDensity of_profile(const SurfaceOptions& options, SurfaceInput input) {
-    PreparedProfile<double> levelled = level_profile(options, input);
+    parts::PreparedProfile<double> levelled = level_profile(options, input);
     const auto statistics = about_file(options.file, [&] { return peak_statistics(levelled.profile); });
     return {.density = PeakDistribution<double>(statistics.r, statistics.theta),
             .from = "profile",
@@ -131,7 +131,7 @@ Answer answer_of(const PeakDensityRequest& request, const PeakDensity& found) {
         document["spacing_m"] = found.levelled->profile.spacing;
         document["detrend"] = form_name(*found.levelled);
         answer.warnings = reading_warnings(*found.input, "their neighbours are no peaks", found.levelled->rms_gradient);
-        answer.doubtful = !is_plausible_gradient(found.levelled->rms_gradient);
+        answer.doubtful = !parts::is_plausible_gradient(found.levelled->rms_gradient);
     }
     put(document, moments_of(found));
     if (!found.heights.empty()) document["heights"] = rows_of(found).arrays();

@@ -59,7 +59,7 @@ struct OptionTraits {
         if constexpr (std::is_arithmetic_v<Value>)
             if (has_range())
                 require(static_cast<double>(value) >= low && static_cast<double>(value) <= high, key, value,
-                        "from " + shortest_text(low) + " to " + shortest_text(high));
+                        "from " + parts::shortest_text(low) + " to " + parts::shortest_text(high));
     }
 };
 

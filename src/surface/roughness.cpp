@@ -13,30 +13,31 @@ namespace {
 
 /// Behind the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
 void add_material_ratio(RoughnessTable& table, const std::string& letter, std::span<const double> heights) {
-    std::optional<MaterialRatio<double>> found;
+    std::optional<parts::MaterialRatio<double>> found;
     std::string refusal;
     try {
-        found = material_ratio(heights);
+        found = parts::material_ratio(heights);
     } catch (const domain_error& error) {
         refusal = error.what();
     }
-    const auto add = [&](const char* symbol, const char* unit, double MaterialRatio<double>::*of, const char* meaning) {
+    const auto add = [&](const char* symbol, const char* unit, double parts::MaterialRatio<double>::*of,
+                         const char* meaning) {
         table.lines.push_back(
             {letter + symbol, unit, found ? std::optional((*found).*of) : std::nullopt, found ? meaning : refusal});
     };
-    add("k", "m", &MaterialRatio<double>::core_height, "core of the material ratio curve");
-    add("pk", "m", &MaterialRatio<double>::reduced_peak_height, "peaks above the core, as a triangle");
-    add("vk", "m", &MaterialRatio<double>::reduced_valley_depth, "valleys below the core, as a triangle");
-    add("mr1", "", &MaterialRatio<double>::peak_share, "share of the points above the core");
-    add("mr2", "", &MaterialRatio<double>::core_and_peak_share, "share of the points in and above the core");
+    add("k", "m", &parts::MaterialRatio<double>::core_height, "core of the material ratio curve");
+    add("pk", "m", &parts::MaterialRatio<double>::reduced_peak_height, "peaks above the core, as a triangle");
+    add("vk", "m", &parts::MaterialRatio<double>::reduced_valley_depth, "valleys below the core, as a triangle");
+    add("mr1", "", &parts::MaterialRatio<double>::peak_share, "share of the points above the core");
+    add("mr2", "", &parts::MaterialRatio<double>::core_and_peak_share, "share of the points in and above the core");
 }
 
 }  // namespace
 
-RoughnessTable roughness_table(const PreparedProfile<double>& levelled) {
+RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled) {
     const Profile<double>& profile = levelled.profile;
     const auto found = roughness_parameters(profile, levelled.cut_offs.lambda_c);
-    const auto length = autocorrelation_length(autocorrelation(profile));
+    const auto length = parts::autocorrelation_length(autocorrelation(profile));
     RoughnessTable table{
         .standard = "ISO 21920-2:2021", .lines = {}, .sections = {}, .section_length = found.section_length};
     table.sections =
@@ -60,7 +61,7 @@ RoughnessTable roughness_table(const PreparedProfile<double>& levelled) {
     return table;
 }
 
-RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
+RoughnessTable roughness_table(const parts::PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
     const auto found = areal_parameters(map, levelled.areal);
     RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}};
@@ -75,10 +76,10 @@ RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
                    {"Sdr", "", found.developed_area_ratio,
                     found.developed_area_ratio ? "area of the surface over that of its plane, less 1"
                                                : "no four points of a cell are all there"}};
-    TextureParameters<double> texture;
+    parts::TextureParameters<double> texture;
     std::string no_length = "the autocorrelation stays above 0.2 to half of each side", no_ratio = no_length;
     if (map.rows() >= 4 && map.columns() >= 4) {
-        texture = texture_parameters(areal_autocorrelation(map));
+        texture = parts::texture_parameters(parts::areal_autocorrelation(map));
         if (texture.shortest && !texture.aspect_ratio)
             no_ratio = "below " + rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
                        rounded(texture.longest_direction * 180 / numbers::pi_v<double>, 3) + " degrees from x";

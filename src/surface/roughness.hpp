@@ -26,8 +26,8 @@ struct RoughnessTable {
 };
 
 /// Of the heights that are there, about their mean. \throws domain_error for a surface out of range.
-[[nodiscard]] RoughnessTable roughness_table(const PreparedProfile<double>& levelled);
-[[nodiscard]] RoughnessTable roughness_table(const PreparedMap<double>& levelled);
+[[nodiscard]] RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled);
+[[nodiscard]] RoughnessTable roughness_table(const parts::PreparedMap<double>& levelled);
 
 /// The means of \p tables, of one kind of surface; none where one of them has none.
 [[nodiscard]] RoughnessTable mean_of(const std::vector<RoughnessTable>& tables);

@@ -57,10 +57,10 @@ struct Spectrum {
     std::vector<SpectrumCurve> curves;  ///< of a map: all directions, along x, along y
     std::string form, convention, source;  ///< how the numbers are normalised, and by whom
     double rms_as_read{}, rms{}, rms_gradient{};  ///< heights [m]
-    CutOffs<double> cut_offs;
+    parts::CutOffs<double> cut_offs;
 
     /// Whether the rms gradient is one that no surface has.
-    [[nodiscard]] bool doubtful() const { return !is_plausible_gradient(rms_gradient); }
+    [[nodiscard]] bool doubtful() const { return !parts::is_plausible_gradient(rms_gradient); }
 };
 
 /// \throws domain_error in one sentence with the name of the file, and for the psd of a profile with missing points.

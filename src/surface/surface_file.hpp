@@ -66,7 +66,7 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
                       double length);
 
 /// The cut-offs and their reasons.
-[[nodiscard]] std::string sentence_of(const CutOffs<double>& cut_offs);
+[[nodiscard]] std::string sentence_of(const parts::CutOffs<double>& cut_offs);
 
 /// The options of the library for a surface, of a profile or of a map.
 /// \throws option_error for the form of the other kind or a cut-off without its filter, domain_error when the surface
@@ -76,15 +76,15 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
 [[nodiscard]] fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, const SurfaceInput& input);
 
 /// The name of the form that was removed: one of Form, or gaussian_form; one of MapForm.
-[[nodiscard]] std::string form_name(const LevelledProfile<double>& levelled);
-[[nodiscard]] std::string form_name(const LevelledMap<double>& levelled);
+[[nodiscard]] std::string form_name(const parts::LevelledProfile<double>& levelled);
+[[nodiscard]] std::string form_name(const parts::LevelledMap<double>& levelled);
 
 /// prepare() for a profile. \throws as options_for_profile() and, with the name of the file, prepare().
-[[nodiscard]] PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input);
+[[nodiscard]] parts::PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input);
 /// prepare() for a map. \throws as above.
-[[nodiscard]] PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input);
+[[nodiscard]] parts::PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input);
 /// The same for an \p input that is not needed afterwards and gives up its map.
-[[nodiscard]] PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input);
+[[nodiscard]] parts::PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input);
 
 /// A warning about an rms gradient that no surface has, found as \p origin says; empty for any other.
 [[nodiscard]] std::string gradient_warning(double rms_gradient, std::string_view origin);

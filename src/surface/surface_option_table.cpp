@@ -17,10 +17,10 @@ std::vector<std::string_view> words_of_form(SurfaceKind kind) {
             if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
     };
     if (kind != SurfaceKind::map) {
-        add(choices<Form>());
+        add(parts::choices<Form>());
         words.push_back(gaussian_form);
     }
-    if (kind != SurfaceKind::profile) add(choices<MapForm>());
+    if (kind != SurfaceKind::profile) add(parts::choices<MapForm>());
     return words;
 }
 
@@ -96,7 +96,7 @@ constexpr SurfaceOptionRow rows[] = {
     {"spikes", cleaning, &Of::spikes, if_not_default,
      "points farther than so many robust standard deviations, such as 5, from the median of their neighbours "
      "become missing",
-     {.low = min_spike_limit, .high = max_spike_limit}},
+     {.low = parts::min_spike_limit, .high = parts::max_spike_limit}},
     {"fill", cleaning, &Of::fill, if_not_default,
      "missing points are filled: by straight lines in a profile, by Laplace's equation in a map"},
     {"channel", file, &Of::channel, if_not_default,

@@ -37,7 +37,7 @@ using SurfaceField =
     std::variant<std::string SurfaceOptions::*, Lengths SurfaceOptions::*, int SurfaceOptions::*,
                  double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
                  std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
-                 PeakSource SurfaceOptions::*>;
+                 parts::PeakSource SurfaceOptions::*>;
 
 /// What a text may be written as in a scene, where it is no plain text.
 enum class TextForm { plain, or_number, file };

@@ -15,7 +15,7 @@ namespace {
 double positive_metres(double metres, std::string_view name) {
     if (!(metres > 0 && std::isfinite(metres)))
         throw domain_error(
-            {.parameter = name, .value = "\"" + shortest_text(metres) + " m\"", .allowed = "greater than 0"});
+            {.parameter = name, .value = "\"" + parts::shortest_text(metres) + " m\"", .allowed = "greater than 0"});
     return metres;
 }
 
@@ -42,7 +42,7 @@ bool is_bare_zero(const std::string& text) {
 std::string Lengths::text() const {
     if (metres_.empty()) return text_;
     std::string all;
-    for (const double one : metres_) all += (all.empty() ? "" : ",") + shortest_text(one) + " m";
+    for (const double one : metres_) all += (all.empty() ? "" : ",") + parts::shortest_text(one) + " m";
     return all;
 }
 

@@ -57,7 +57,7 @@ struct SurfaceOptions {
     Lengths cutoff;                                 ///< of detrend = "gaussian"
     Lengths lambda_s, lambda_c;  ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
     CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
-    PeakSource peaks = PeakSource::islands;        ///< of a map
+    parts::PeakSource peaks = parts::PeakSource::islands;        ///< of a map
     Lengths tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
     Lengths window;                  ///< of the lags that give D: the shortest and the longest
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".

@@ -23,7 +23,7 @@ std::size_t TruthOfMap::failed() const {
 }
 
 bool TruthOfMap::doubtful() const {
-    return unresolved() + failed() + closed() > 0 || !is_plausible_gradient(rms_gradient);
+    return unresolved() + failed() + closed() > 0 || !parts::is_plausible_gradient(rms_gradient);
 }
 std::size_t TruthOfMap::closed() const {
     return static_cast<std::size_t>(std::count_if(
@@ -34,7 +34,7 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     if (input.surface.is_profile())
         throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
     for (const double pressure : options.pressures) require_positive("pressure", pressure);
-    const PreparedMap<double> map = level_map(options.surface, input);
+    const parts::PreparedMap<double> map = level_map(options.surface, input);
     TruthOfMap solved;
     solved.file = display_name(options.surface.file);
     solved.form = form_name(map) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");
@@ -105,7 +105,8 @@ Rows rows_of(const TruthOfMap& solved) {
     std::vector<std::string> converged;
     for (const auto& [state, stiffness_error, change_of_gap] : solved.at) {
         pressure.push_back(state.pressure);
-        relative.push_back(if_finite(dimensionless_pressure(state.pressure, solved.modulus, solved.rms_gradient)));
+        relative.push_back(
+            if_finite(parts::dimensionless_pressure(state.pressure, solved.modulus, solved.rms_gradient)));
         stiffness.push_back(if_finite(state.stiffness));
         error.push_back(std::isfinite(state.stiffness) ? if_finite(stiffness_error) : stiffness.back());
         gap.push_back(state.mean_gap);

@@ -28,7 +28,7 @@ double uniform_draw(std::uint64_t seed, std::uint64_t index, std::uint32_t input
 
 double Distribution::quantile(double probability) const {
     if (kind == Kind::uniform) return (1 - probability) * a + probability * b;
-    const double z = normal_quantile(probability);
+    const double z = math::normal_quantile(probability);
     return kind == Kind::normal ? a + b * z : a * std::exp(b * z);
 }
 

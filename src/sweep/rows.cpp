@@ -25,7 +25,7 @@ std::string_view value_of(std::string_view line, std::string_view quoted_key) {
 
 std::optional<double> number_of(std::string_view text) {
     double value = 0;
-    if (text.empty() || read_decimal(text.data(), text.data() + text.size(), value).ec != std::errc()) return {};
+    if (text.empty() || parts::read_decimal(text.data(), text.data() + text.size(), value).ec != std::errc()) return {};
     return value;
 }
 
@@ -37,7 +37,7 @@ std::size_t end_of_text(std::string_view line, std::size_t at) {
         if (line[at] != '\\') continue;
         const std::string_view escape = line.substr(++at, 5);
         if (escape.size() == 5 && escape[0] == 'u' &&
-            std::all_of(escape.begin() + 1, escape.end(), detail::is_hexadecimal_digit))
+            std::all_of(escape.begin() + 1, escape.end(), parts::is_hexadecimal_digit))
             at += 4;
         else if (escape.empty() || std::string_view("\"\\bfnrt").find(escape[0]) == std::string_view::npos)
             return std::string_view::npos;
@@ -51,7 +51,7 @@ std::size_t end_of_value(std::string_view line, std::size_t at) {
     if (line[at] == '"') return end_of_text(line, at);
     if (line.substr(at).starts_with("null")) return at + 4;
     double ignored = 0;
-    const auto [end, error] = read_decimal(line.data() + at, line.data() + line.size(), ignored);
+    const auto [end, error] = parts::read_decimal(line.data() + at, line.data() + line.size(), ignored);
     return error == std::errc::invalid_argument ? std::string_view::npos
                                                 : static_cast<std::size_t>(end - line.data());
 }

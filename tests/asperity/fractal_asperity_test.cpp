@@ -13,9 +13,9 @@
 
 namespace fractal_asperity_test {
 
-using fstiff::AsperityFamily;
+using fstiff::detail::AsperityFamily;
 using fstiff::Fractal;
-using fstiff::FractalAsperity;
+using fstiff::detail::FractalAsperity;
 
 namespace {
 
@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE("the approach is what the truncation takes off the peak, and 
         }
         // Small truncations keep their digits, where 1 - cos has none: q = (pi l_t/l)^2/2 (1 - (pi l_t/l)^2/12...).
         const T small = std::sqrt(eps) / 64;
-        CHECK(test::ulps(fstiff::truncation_share(small * l, l), T(pi * pi / 2) * small * small) <= 8);
+        CHECK(test::ulps(fstiff::detail::truncation_share(small * l, l), T(pi * pi / 2) * small * small) <= 8);
     }
 }
 
@@ -171,11 +171,11 @@ TEMPLATE_TEST_CASE(
                 CHECK(test::ulps(family.stiffness(w), given.stiffness(fractal, w)) <= bound);
                 CHECK(test::ulps(family.stiffness(w), given.stiffness(consistent, w)) <= bound);
                 CHECK(test::ulps(family.area(w), given.area(hertz, w)) <= bound);
-                CHECK(test::ulps(fstiff::fractal_stiffness_from_area(family.area(w), f.dimension),
+                CHECK(test::ulps(fstiff::detail::fractal_stiffness_from_area(family.area(w), f.dimension),
                                  family.stiffness(w)) <= 8);
-                CHECK(test::ulps(fstiff::fractal_stiffness_from_area(given.area(fractal, w), f.dimension),
+                CHECK(test::ulps(fstiff::detail::fractal_stiffness_from_area(given.area(fractal, w), f.dimension),
                                  given.stiffness(fractal, w)) <= 8);
-                const T ratio = fstiff::fractal_stiffness_factor(f.dimension);
+                const T ratio = fstiff::parts::fractal_stiffness_factor(f.dimension);
                 CHECK(test::ulps(given.load(consistent, w), ratio * given.load(hertz, w)) <= 6);
             }
         }
@@ -203,7 +203,7 @@ TEST_CASE("k_n is the derivative of the load along the family, not of one asperi
             const Wide of_one = derivative([&](Wide x) { return asperity.load(hertz, x); }, w * 0.9L);
             CHECK(test::relative_error(asperity.stiffness(hertz, w * 0.9L), of_one) < 1e-13L);
             const Wide of_one_here = asperity.stiffness(hertz, w * (1 - 1e-18L));
-            CHECK(test::relative_error(along / of_one_here, fstiff::fractal_stiffness_factor(d)) < 1e-13L);
+            CHECK(test::relative_error(along / of_one_here, fstiff::parts::fractal_stiffness_factor(d)) < 1e-13L);
         }
     }
 }
@@ -249,8 +249,8 @@ TEMPLATE_TEST_CASE("an asperity out of range is refused by name", "[asperity]", 
     for (const T bad : {T(1), T(2), T(0.5), T(2.5), inf, nan}) {
         CHECK(part(refusal([&] { FractalAsperity<T>({bad, T(1e-8)}, T(1e-4)); }), "fractal_dimension = ") == "");
         CHECK(part(refusal([&] { AsperityFamily<T>({bad, T(1e-8)}, T(1)); }), "between 1 and 2, both excluded") == "");
-        CHECK(part(refusal([&] { (void)fstiff::fractal_stiffness_from_area(T(1e-9), bad); }), "fractal_dimension = ") ==
-              "");
+        CHECK(part(refusal([&] { (void)fstiff::detail::fractal_stiffness_from_area(T(1e-9), bad); }),
+                   "fractal_dimension = ") == "");
     }
     for (const T bad : {T(0), T(-1), inf, -inf, nan}) {
         CAPTURE(bad);
@@ -259,7 +259,7 @@ TEMPLATE_TEST_CASE("an asperity out of range is refused by name", "[asperity]", 
         CHECK(part(refusal([&] { AsperityFamily<T>({T(1.62), bad}, T(1)); }), "fractal_roughness = ") == "");
         CHECK(part(refusal([&] { AsperityFamily<T>(fine, bad); }), "truncation_share = ") == "");
         CHECK(part(refusal([&] { (void)AsperityFamily<T>(fine, T(1)).load(bad); }), "approach = ") == "");
-        CHECK(part(refusal([&] { (void)fstiff::truncation_share(T(1), bad); }), "base_diameter = ") == "");
+        CHECK(part(refusal([&] { (void)fstiff::detail::truncation_share(T(1), bad); }), "base_diameter = ") == "");
     }
     CHECK(part(refusal([&] { AsperityFamily<T>(fine, T(2.01)); }), "greater than 0 and at most 2") == "");
     const FractalAsperity<T> asperity(fine, T(1e-4));
@@ -271,7 +271,7 @@ TEMPLATE_TEST_CASE("an asperity out of range is refused by name", "[asperity]", 
         CHECK(part(refusal([&] { (void)asperity.load(fstiff::HertzLaw<T>{}, bad); }), "approach = ") == "");
         CHECK(part(refusal([&] { (void)asperity.stiffness(fstiff::HertzLaw<T>{}, bad); }), "approach = ") == "");
         CHECK(part(refusal([&] { (void)asperity.area(fstiff::HertzLaw<T>{}, bad); }), "approach = ") == "");
-        CHECK(part(refusal([&] { (void)fstiff::fractal_stiffness_from_area(bad, T(1.5)); }), "area = ") == "");
+        CHECK(part(refusal([&] { (void)fstiff::detail::fractal_stiffness_from_area(bad, T(1.5)); }), "area = ") == "");
         CHECK(part(refusal([&] { (void)asperity.profile(bad); }), "x = ") == "");
     }
     CHECK(part(refusal([&] { (void)asperity.approach(l * T(1.01)); }), "between 0 and the base diameter") == "");

@@ -40,7 +40,7 @@ void print_states(const std::string& key, const Contact& contact, const std::vec
     }
 }
 
-void print_measured(const char* key, const SurfaceParameters<double>& found) {
+void print_measured(const char* key, const parts::SurfaceParameters<double>& found) {
     std::vector<double> all;
     for (const auto* one : {&found.rms_height, &found.peak_radius, &found.peak_density})
         all.insert(all.end(), {one->value, one->error});
@@ -90,12 +90,12 @@ int main(int, char** argv) {
     surface.hurst = 0.7, surface.rms = 1e-6;
     const Profile<double> profile = self_affine_profile(surface, 4096, 1e-6);
     print("profile", profile.heights);
-    print_measured("profile/measured", surface_parameters<double>(level(profile, Form::line), {}));
+    print_measured("profile/measured", parts::surface_parameters<double>(parts::level(profile, Form::line), {}));
     print_measured("profile/default", measure(profile));
     const HeightMap<double> map = self_affine_map(surface, 96, 64, 1e-6, 1.5e-6);
     print("map", {map.heights.data(), map.heights.data() + map.size()});
     print("map/sides", {static_cast<double>(map.rows()), static_cast<double>(map.columns()), map.dx, map.dy});
-    print_measured("map/measured", surface_parameters<double>(level(map, MapForm::plane), {}));
+    print_measured("map/measured", parts::surface_parameters<double>(parts::level(map, MapForm::plane), {}));
     print_measured("map/default", measure(map));
     return std::fclose(out);
 }

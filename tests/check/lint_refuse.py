@@ -18,6 +18,7 @@ import lint  # noqa: E402
 
 lint.LONG_FILES = {"src/io/long.cpp": 402}
 lint.LONG_FUNCTIONS = {"src/io/long.cpp Long": 62}
+lint.API_NAMES = 4
 lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
 
 TABLES = "<!-- layers -->\n<!-- /layers -->\n<!-- folders of src -->\n<!-- /folders of src -->\n"
@@ -261,6 +262,35 @@ def on_documents(compiler, flags, eigen):
         on("```console check\n$ cat ../shared/none\n```\n", "'cat ../shared/none' ends with 1")
 
 
+API = """// SPDX
+namespace fstiff {
+namespace parts {
+struct Step {};
+}  // namespace parts
+/// A law. Long.
+template <class T>
+class Law { int f() const { return 1; } };
+/// Its load.
+template <class T>
+[[nodiscard]] std::pair<T, T> load(const Law<T>& law, int n = {}) { return {}; }
+template <class T>
+int Law<T>::g() { return 2; }
+/// Whether it is one.
+template <class T>
+concept IsLaw = requires(T t) { t.f(); } && true;
+/// Least.
+template <class T> inline constexpr T least{1};
+}  // namespace fstiff
+"""
+LISTED = ("<!-- api -->\n\n### fstiff/law.hpp\n\n| name | what it is |\n|---|---|\n| `Law` | A law. |\n"
+          "| `load` | Its load. |\n| `IsLaw` | Whether it is one. |\n| `least` | Least. |\n<!-- /api -->\n")
+APIS = [("", "docs/api.md", LISTED, "include/fstiff/law.hpp", API),
+        ("does not list", "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. |\n", ""), "include/fstiff/law.hpp", API),
+        ("load is public and has no comment", "docs/api.md", LISTED, "include/fstiff/law.hpp", API.replace("/// Its load.\n", "")),
+        ("have 5 names, more than 4", "docs/api.md", LISTED, "include/fstiff/law.hpp",
+         API.replace("}  // namespace fstiff\n", "/// One.\nint one();\n}  // namespace fstiff\n"))]
+
+
 def as_command(expected_code, expected, *arguments):
     done = subprocess.run([sys.executable, TOOLS / "lint.py", *arguments], capture_output=True, encoding="utf-8")
     if done.returncode != expected_code or expected not in done.stdout + done.stderr:
@@ -277,6 +307,7 @@ def main():
     on_trees(lint.glossary, [(expected, "docs/glossary.md", text, "include/fstiff/state.hpp", STATE)
                              for expected, text in WORDS])
     on_trees(lint.sizes, SIZES)
+    on_trees(lint.api, APIS)
     on_documents(options.compiler, options.flags, options.eigen)
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)

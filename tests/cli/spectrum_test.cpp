@@ -73,7 +73,8 @@ std::string measured_file(const std::string& name) {
 
 TEST_CASE("The spectrum of a profile is that of the library, to the last digit") {
     const std::string text = profile_text();
-    const auto profile = fstiff::detrend(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
+    const auto profile =
+        fstiff::detail::detrend(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
     for (const auto window : {fstiff::SpectrumWindow::hann, fstiff::SpectrumWindow::none}) {
         const auto expected = fstiff::power_spectrum(profile, window);
         const std::string taper = " --taper " + std::string(fstiff::name_of(window));
@@ -96,16 +97,16 @@ TEST_CASE("The spectrum of a profile is that of the library, to the last digit")
 
 TEST_CASE("The spectra of a map are those of the library, each with its own places") {
     const std::string text = map_text();
-    const auto map = fstiff::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
+    const auto map = fstiff::parts::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
     const auto expected = fstiff::radial_spectrum(map);
     const auto psd = document_of("spectrum -", text)["psd"];
     CHECK(psd["psd_m4"].get<std::vector<double>>() == expected.value);
     CHECK(psd["waves"].get<std::vector<std::size_t>>() == expected.waves);
     CHECK(psd["psd_x_m3"].get<std::vector<double>>() == expected.along_x.value);
     CHECK(psd["wavenumber_y_rad_per_m"].get<std::vector<double>>() == expected.along_y.wavenumber);
-    const auto correlation = fstiff::areal_autocorrelation(map);
+    const auto correlation = fstiff::parts::areal_autocorrelation(map);
     const auto acf = document_of("spectrum - --of acf", text)["acf"];
-    CHECK(acf["acf"].get<std::vector<double>>() == fstiff::radial_autocorrelation(correlation).value);
+    CHECK(acf["acf"].get<std::vector<double>>() == fstiff::parts::radial_autocorrelation(correlation).value);
     CHECK(acf["acf_x"][5] == correlation.at(5, 0));
     CHECK(acf["acf_y"][48] == correlation.at(0, 48));
     // of an oblong map the columns end one after the other

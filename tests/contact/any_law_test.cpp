@@ -22,7 +22,7 @@ constexpr double modulus = 112.6e9;
 
 /// Hertz without its powers: for the integrals in two dimensions.
 struct HertzByUser {
-    static constexpr Axis axis = Axis::even;
+    static constexpr parts::Axis axis = parts::Axis::even;
     static constexpr bool stiffness_is_slope = true;
     auto load(const auto& omega, double radius) const {
         return (4.0 / 3 * std::sqrt(radius) * omega * sqrt(omega)).eval();
@@ -34,7 +34,7 @@ struct HertzByUser {
 /// Abbott and Firestone: mean pressure H, elastic on unloading.
 struct PlasticByUser {
     double hardness_over_modulus;
-    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     double load_factor() const { return 2 * pi * hardness_over_modulus; }
     double stiffness_factor() const { return 2 * std::numbers::sqrt2; }
     double area_factor() const { return 2 * pi; }
@@ -48,7 +48,7 @@ struct PlasticByUser {
 
 /// No physics: at omega^0 the number of peaks, the slope of the load and the stiffness have three powers of R.
 struct ThreePowers {
-    static constexpr HalfPowers load_powers{2, 1}, stiffness_powers{0, 2}, area_powers{2, 2};
+    static constexpr parts::HalfPowers load_powers{2, 1}, stiffness_powers{0, 2}, area_powers{2, 2};
     static constexpr double load_factor() { return 2; }
     static constexpr double stiffness_factor() { return 3; }
     static constexpr double area_factor() { return 5; }
@@ -76,14 +76,15 @@ struct FoundationLaw {
     auto area(const auto& omega, const auto& radius) const { return 2 * pi * radius * omega; }
 };
 
-static_assert(PowerLaw<HertzLaw<double>> && PowerLaw<FractalLaw<float>, float> && PowerLaw<PlasticByUser>);
-static_assert(!PowerLaw<HertzByUser> && ContactableLaw<HertzByUser, double>);
+static_assert(parts::PowerLaw<HertzLaw<double>> && parts::PowerLaw<FractalLaw<float>, float> &&
+              parts::PowerLaw<PlasticByUser>);
+static_assert(!parts::PowerLaw<HertzByUser> && detail::ContactableLaw<HertzByUser, double>);
 
 struct WithoutArea {
     auto load(const auto& omega, double) const { return omega; }
     auto stiffness(const auto& omega, double) const { return omega; }
 };
-static_assert(!ContactableLaw<WithoutArea, double>);
+static_assert(!detail::ContactableLaw<WithoutArea, double>);
 
 /// Five points; the error of the formula is h^4, that of rounding eps/h.
 template <class Contact>
@@ -117,8 +118,8 @@ TEST_CASE("a law without powers gives what its powers give") {
         same(RoughContact(fine, peaks, HertzByUser{}, modulus), RoughContact(fine, peaks, HertzLaw<double>{}, modulus),
              1e-11);
     }
-    for (const Heights heights : {Heights::gaussian, Heights::exponential})
-        same(RoughContact(fine, SingleRadius<double>{heights}, HertzByUser{}, modulus),
+    for (const parts::Heights heights : {parts::Heights::gaussian, parts::Heights::exponential})
+        same(RoughContact(fine, parts::SingleRadius<double>{heights}, HertzByUser{}, modulus),
              GreenwoodWilliamson<double>(fine, modulus, heights), 1e-10);
 }
 
@@ -126,7 +127,7 @@ TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
     const PeakDistribution<double> peaks(0.5, 1);
     const double hardness = 1.12e9;
     const RoughContact contact(fine, peaks, PlasticByUser{hardness / modulus}, modulus);
-    const double curvature = rms_curvature(fine, peaks);
+    const double curvature = parts::rms_curvature(fine, peaks);
     for (const double eta : {-1.0, 1.0, 3.0}) {
         const auto at = contact.at_separation(eta * fine.rms_height);
         const auto j = [&](double a, double b) { return contact_integral(a, b, peaks, eta).value; };
@@ -151,7 +152,7 @@ TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
 
 TEST_CASE("three powers of R at one power of omega take three passes") {
     const PeakDistribution<double> peaks(0.5, 1);
-    const double eta = 0.7, curvature = rms_curvature(fine, peaks);
+    const double eta = 0.7, curvature = parts::rms_curvature(fine, peaks);
     const auto at = RoughContact(fine, peaks, ThreePowers{}, modulus).at_separation(eta * fine.rms_height);
     const auto j = [&](double a, double b) { return fine.peak_density * contact_integral(a, b, peaks, eta).value; };
     CHECK(test::relative_error(at.contact_density.value, j(0, 0)) < 1e-14);
@@ -175,8 +176,8 @@ TEST_CASE("the loading stiffness of a law with a kink is the slope of its pressu
         }
     };
     check(RoughContact(fine, PeakDistribution<double>(0.5, 1), YieldByUser{}, modulus));
-    check(RoughContact(fine, SingleRadius<double>{}, YieldByUser{}, modulus));
-    check(RoughContact(fine, SingleRadius<double>{Heights::exponential}, YieldByUser{}, modulus));
+    check(RoughContact(fine, parts::SingleRadius<double>{}, YieldByUser{}, modulus));
+    check(RoughContact(fine, parts::SingleRadius<double>{parts::Heights::exponential}, YieldByUser{}, modulus));
 }
 
 TEST_CASE("the layer of springs: a contact, a curve and a tabulated law") {
@@ -208,13 +209,13 @@ TEST_CASE("interaction is in series with every law, and with peaks of one radius
     check(RoughContact(fine, peaks, FractalConsistentLaw<double>(1.62), modulus),
           RoughContact(fine, peaks, FractalConsistentLaw<double>(1.62), modulus, interacting));
     check(GreenwoodWilliamson<double>(fine, modulus),
-          GreenwoodWilliamson<double>(fine, modulus, Heights::gaussian, interacting));
+          GreenwoodWilliamson<double>(fine, modulus, parts::Heights::gaussian, interacting));
     check(RoughContact(fine, peaks, PlasticByUser{0.01}, modulus),
           RoughContact(fine, peaks, PlasticByUser{0.01}, modulus, interacting));
     // the printed law keeps K = f (-dp/dd), bulk included
     const RoughContact printed(fine, peaks, FractalLaw<double>(1.62), modulus, interacting);
     const auto at = printed.at_pressure(1e8);
-    CHECK(test::relative_error(at.stiffness.value, fractal_stiffness_factor(1.62) * at.loading_stiffness.value) <
+    CHECK(test::relative_error(at.stiffness.value, parts::fractal_stiffness_factor(1.62) * at.loading_stiffness.value) <
           1e-14);
 }
 

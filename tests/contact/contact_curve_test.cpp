@@ -38,9 +38,10 @@ struct Short {
     }
 };
 
-static_assert(HasPressures<Short, double> && !HasSeparations<Short, double>);
-static_assert(HasPressures<GreenwoodWilliamson<double>, double> && HasSeparations<GreenwoodWilliamson<double>, double>);
-static_assert(HasPressures<RoughContact<float, HertzLaw<float>>, float> && !HasPressures<int, double>);
+static_assert(detail::HasPressures<Short, double> && !detail::HasSeparations<Short, double>);
+static_assert(detail::HasPressures<GreenwoodWilliamson<double>, double> &&
+              detail::HasSeparations<GreenwoodWilliamson<double>, double>);
+static_assert(detail::HasPressures<RoughContact<float, HertzLaw<float>>, float> && !detail::HasPressures<int, double>);
 
 }  // namespace
 
@@ -105,7 +106,7 @@ TEST_CASE("A state is in range while twice each of its numbers is") {
     const auto with = [](Estimate<double> ContactState<double>::*which, double value, double error) {
         ContactState<double> state;
         (state.*which).value = value, (state.*which).error = error;
-        return in_range(state);
+        return parts::in_range(state);
     };
     constexpr double most = std::numeric_limits<double>::max();
     using State = ContactState<double>;

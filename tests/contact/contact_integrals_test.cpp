@@ -16,7 +16,7 @@ namespace contact_integrals_test {
 
 using fstiff::contact_integral;
 using fstiff::contact_integrals;
-using fstiff::ContactIntegrator;
+using fstiff::parts::ContactIntegrator;
 using fstiff::Estimate;
 using fstiff::PeakDistribution;
 using fstiff::Quantity;
@@ -201,11 +201,11 @@ TEST_CASE("identities: derivative, normalisation, independence at r = 0") {
         const PeakDistribution<double> peaks(0, 1.1);
         for (const double eta : {-4.0, 0.0, 2.0, 30.0}) {
             const auto ratio = [&](double e) {
-                return contact_integral(0.5, -0.5, peaks, e).value / fstiff::gaussian_moment(0.5, e);
+                return contact_integral(0.5, -0.5, peaks, e).value / fstiff::math::gaussian_moment(0.5, e);
             };
             CHECK(test::ulps(ratio(eta), ratio(1.0)) <= 40);
             CHECK(test::ulps(contact_integral(0.0, 0.0, peaks, eta).value,
-                             fstiff::gaussian_moment(0.0, eta) / std::sqrt(2 * pi)) <= 40);
+                             fstiff::math::gaussian_moment(0.0, eta) / std::sqrt(2 * pi)) <= 40);
         }
     }
     SECTION("the mean of 1/t at r = 0 is sqrt(2 pi)/(2 theta) asinh(tan theta)") {

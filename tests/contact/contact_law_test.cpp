@@ -34,7 +34,7 @@ using Law = ContactLaw<double>;
 /// Abbott and Firestone: mean pressure H, elastic on unloading: K is no constant times -dp/dd.
 struct YieldingLaw {
     double hardness_over_modulus;
-    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     double load_factor() const { return 2 * std::numbers::pi * hardness_over_modulus; }
     double stiffness_factor() const { return 2 * std::numbers::sqrt2; }
     double area_factor() const { return 2 * std::numbers::pi; }
@@ -96,14 +96,15 @@ TEST_CASE("a tabulated law is right to 1e-10, and says how right") {
                        modulus),
           1e5, 1e8, 1e-10);
     check(GreenwoodWilliamson<double>(fine, modulus), 1e5, 1e8, 1e-10);
-    check(GreenwoodWilliamson<double>(fine, modulus, Heights::exponential), 1e5, 1e8, 1e-9);
+    check(GreenwoodWilliamson<double>(fine, modulus, parts::Heights::exponential), 1e5, 1e8, 1e-9);
     check(hertz({.interaction = {InteractionReading::effective_separation, std::sqrt(195e-6)}}), 1e5, 1e8, 1e-10);
     check(hertz(), 1e6, 1.01e6, 1e-9);  // a short range
     check(hertz(), 1e-20, 1e12, 1e-8);  // 32 decades
     check(RoughContact(fine, PeakDistribution<double>(0.9999, 1.5), HertzLaw<double>{}, modulus), 1e4, 1e8, 1e-9);
     check(plastic(), 1e5, 1e8, 1e-10);
     check(plastic({.interaction = {InteractionReading::effective_separation, 1e-4}}), 1e5, 1e8, 1e-10);
-    check(RoughContact(fine, SingleRadius<double>{Heights::exponential}, YieldingLaw{0.01}, modulus), 1e5, 1e8, 1e-9);
+    check(RoughContact(fine, parts::SingleRadius<double>{parts::Heights::exponential}, YieldingLaw{0.01}, modulus), 1e5,
+          1e8, 1e-9);
     check(plastic(), 1e6, 1.01e6, 1e-9);
 }
 
@@ -126,7 +127,7 @@ TEST_CASE(
         RoughContactOptions<double> options;
         if (i % 3 == 0) options.interaction = {InteractionReading::effective_separation, decades(-5, -3)};
         if (i % 4 == 0)
-            check(RoughContact(surface, SingleRadius<double>{}, YieldLaw{}, modulus, options), low, high);
+            check(RoughContact(surface, parts::SingleRadius<double>{}, YieldLaw{}, modulus, options), low, high);
         else
             check(RoughContact(surface, PeakDistribution<double>(uniform(0, 0.8), uniform(0.3, 1.3)), YieldLaw{},
                                modulus, options),
@@ -214,7 +215,7 @@ TEST_CASE("the tangent is exactly the slope of the returned pressure, where the 
     CHECK(Law::tabulate(hertz(), {1e5, 1e8}).stiffness_is_slope());
     CHECK(consistent.stiffness_is_slope());
     CHECK_FALSE(printed.stiffness_is_slope());
-    const double f = fractal_stiffness_factor(1.62);
+    const double f = parts::fractal_stiffness_factor(1.62);
     for (const Law* law : {&consistent, &printed}) {
         const auto [low, high] = law->separations();
         for (int i = 1; i < 200; ++i) {
@@ -269,8 +270,8 @@ TEST_CASE("outside the range: refuse, clamp or evaluate, as asked for") {
     const double near = refuse.separations()[0], far = refuse.separations()[1];
     // the value and the bounds with the digits that tell them apart
     CHECK(test::refusal([&] { static_cast<void>(refuse.at_separation(std::nextafter(far, 1.0))); }) ==
-          "separation = " + shortest_text(std::nextafter(far, 1.0)) + ": must be between " + shortest_text(near) +
-              " and " + shortest_text(far) + " m, the range of the law");
+          "separation = " + parts::shortest_text(std::nextafter(far, 1.0)) + ": must be between " +
+              parts::shortest_text(near) + " and " + parts::shortest_text(far) + " m, the range of the law");
     const Law clamp = Law::tabulate(contact, {1e5, 1e8, OutsideRange::clamp});
     const Law exact = Law::tabulate(contact, {1e5, 1e8, OutsideRange::exact});
     const auto said = [&](double p) { return test::refusal([&] { static_cast<void>(refuse.stiffness(p)); }); };
@@ -320,8 +321,8 @@ void for_laws(const LawRange<double>& range, const Check& check) {
     check(Law::tabulate(hertz(), range), 1.0);
     check(Law::tabulate(hertz(patch), range), 1.0);
     check(Law::tabulate(RoughContact(fine, third, FractalLaw<double>(1.62), modulus), range),
-          fractal_stiffness_factor(1.62));
-    check(Law::tabulate(GreenwoodWilliamson<double>(fine, modulus, Heights::exponential), range), 1.0);
+          parts::fractal_stiffness_factor(1.62));
+    check(Law::tabulate(GreenwoodWilliamson<double>(fine, modulus, parts::Heights::exponential), range), 1.0);
     check(Law::tabulate(plastic(), range), 0.0);
     check(Law::tabulate(plastic({.interaction = {InteractionReading::effective_separation, 1e-3}}), range), 0.0);
 }

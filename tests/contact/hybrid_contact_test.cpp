@@ -100,12 +100,12 @@ TEST_CASE("Of a map's own summits and its bearing curve hybrid is near boundary 
     double least = 2, largest = 0;
     for (std::size_t row = 0; row < bem.size(); ++row) {
         const HeightMap<double> map = test::half_space_map(bem.text(row, "map"));
-        const GaussianOrder<double> order = gaussian_order(map);
-        const BearingContact<double> crowded(PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0), order.curve,
-                                             order.rms_height);
+        const parts::GaussianOrder<double> order = parts::gaussian_order(map);
+        const parts::BearingContact<double> crowded(
+            PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0), order.curve, order.rms_height);
         const Summits<double> summits = summits_of(map);
         const HybridContact hybrid(SummitContact<double>(summits, 1.0), crowded,
-                                   hand_over_of(summits, crowded, Edges::periodic));
+                                   parts::hand_over_of(summits, crowded, Edges::periodic));
         const double ratio = hybrid.stiffness(bem.input(row, "p_over_E")) / bem.input(row, "stiffness_times_L_over_E");
         CAPTURE(bem.text(row, "map"), bem.input(row, "p_star"), ratio);
         CHECK(std::abs(ratio - 1) < 0.1);
@@ -117,14 +117,14 @@ TEST_CASE("Of a map's own summits and its bearing curve hybrid is near boundary 
 
 TEST_CASE("A hand-over is continuous, fades out over a factor of 8, and keeps its ratios on surfaces drawn about a map") {
     const HeightMap<double> map = test::half_space_map("gaussian");
-    const BearingContact<double> crowded(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
+    const parts::BearingContact<double> crowded(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
     const Summits<double> summits = summits_of(map);
     const SummitContact<double> peaks(summits, 1.0);
-    const HandOver<double> join = hand_over_of(summits, crowded, Edges::periodic);
+    const parts::HandOver<double> join = parts::hand_over_of(summits, crowded, Edges::periodic);
     const HybridContact hybrid(peaks, crowded, join);
     const double p = join.pressure();
     CHECK(test::relative_error(crowded.at_pressure(p).real_area_fraction.value, 0.06) < 0.02);
-    const MutualSummits<double> mutual(summits, 1.0, Edges::periodic);
+    const parts::MutualSummits<double> mutual(summits, 1.0, Edges::periodic);
     for (const double part : {1.0, 0.5, 0.25})  // at its own pressures the table is what it was made of
         CHECK(test::relative_error(hybrid.stiffness(part * p), mutual.at_pressure(part * p).stiffness.value) < 1e-5);
     CHECK(test::relative_error(hybrid.stiffness(0.7 * p), mutual.at_pressure(0.7 * p).stiffness.value) < 0.02);
@@ -138,7 +138,7 @@ TEST_CASE("A hand-over is continuous, fades out over a factor of 8, and keeps it
     // twice as high, everything is the same under twice the pressure
     Summits<double> high = summits;
     high.rms_height *= 2;
-    for (Summit<double>& one : high.summits) one.height *= 2, one.max_curvature *= 2, one.min_curvature *= 2;
+    for (parts::Summit<double>& one : high.summits) one.height *= 2, one.max_curvature *= 2, one.min_curvature *= 2;
     const SummitContact<double> high_peaks(high, 1.0);
     const HybridContact taller(high_peaks, crowded.scaled(2), join.of(high_peaks, 2));
     for (const double x : {0.1 * p, p, 3 * p})

@@ -84,9 +84,9 @@ Score score(const std::vector<Map>& maps, const LawOf& law_of, const Wanted& wan
 
 /// As before the cut and the share of P^16.
 HybridContact<double, RoughContact<double, HertzLaw<double>>> uncut(const Map& map) {
-    return {peaks_of_band(map.band(), 1.0), PerssonContact<double>(map.band(), 1.0, 0.45, 0.0)};
+    return {detail::peaks_of_band(map.band(), 1.0), PerssonContact<double>(map.band(), 1.0, 0.45, 0.0)};
 }
-HybridContact<double, BandHills<double>> cut(const Map& map) { return hybrid_of_band(map.band(), 1.0); }
+HybridContact<double, detail::BandHills<double>> cut(const Map& map) { return hybrid_of_band(map.band(), 1.0); }
 
 TEST_CASE("the hybrid contact of numbers against boundary elements, seeds that were not fitted") {
     const std::vector<Map> all = maps();
@@ -156,7 +156,7 @@ TEST_CASE("the hybrid contact of numbers at alpha of 700 and 1000: single maps w
 
 TEST_CASE("K of the hybrid contact of numbers against published molecular dynamics: H = 0.8, two decades, alpha = 140") {
     // Zhou et al., Int. J. Solids Struct. (2024) 112684: the mean gap over the rms height; K sigma/p of its chords
-    const auto band = band_of_moments(moments_of_gradient(1.0, 1.0, 140.0), 0.8);
+    const auto band = band_of_moments(parts::moments_of_gradient(1.0, 1.0, 140.0), 0.8);
     const auto contact = hybrid_of_band(band, 1.0);
     const PerssonContact<double> published(band, 1.0, 0.45, 0.0);
     const std::vector<std::array<double, 2>> chords{{0.00114328, 3.086}, {0.0080842, 2.292}, {0.0255645, 2.122},
@@ -176,16 +176,16 @@ TEST_CASE("K of the hybrid contact of numbers against published molecular dynami
 }
 
 TEST_CASE("the hybrid contact of numbers is put together from its parts") {
-    const auto band = band_of_moments(moments_of_gradient(1e-6, 0.1, 50.0), 0.7);
-    const auto short_band = cut_at_bandwidth(band, 6.0);
+    const auto band = band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 50.0), 0.7);
+    const auto short_band = parts::cut_at_bandwidth(band, 6.0);
     const auto contact = hybrid_of_band(band, 1e11, 0.5);
     const double p = 2e7;
-    const auto hills = peaks_of_band(short_band, 1e11).at_pressure(p);
+    const auto hills = detail::peaks_of_band(short_band, 1e11).at_pressure(p);
     const double persson = PerssonContact<double>(band, 1e11, 0.5).stiffness(p);
     const double joined = std::pow(std::pow(hills.stiffness.value, 5) + std::pow(persson, 5), 0.2);
     const auto state = contact.at_pressure(p);
     CHECK(test::relative_error(state.stiffness.value, joined) < 1e-12);
-    CHECK(state.contact_density.value == peaks_of_band(band, 1e11).at_pressure(p).contact_density.value);
+    CHECK(state.contact_density.value == detail::peaks_of_band(band, 1e11).at_pressure(p).contact_density.value);
     CHECK(state.contact_density.value > 2 * hills.contact_density.value);
     CHECK(state.real_area_fraction.value == contact.peaks().real_area_fraction(p));
     const auto apart = contact.peaks().at_separation(hills.separation.value);
@@ -197,14 +197,14 @@ TEST_CASE("the hybrid contact of numbers is put together from its parts") {
 }
 
 TEST_CASE("nothing is cut from a narrow band, and K hardly depends on the shortest wave of a broad one") {
-    const auto narrow = band_of_moments(moments_of_gradient(1e-6, 0.1, 5.9), 0.7);
-    CHECK(cut_at_bandwidth(narrow, 6.0).q2 == narrow.q2);
+    const auto narrow = band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 5.9), 0.7);
+    CHECK(parts::cut_at_bandwidth(narrow, 6.0).q2 == narrow.q2);
     // q2 doubled again and again: the same waves, and more of them
     BandSpectrum<double> band = narrow;
     std::vector<double> of_cut, of_whole;
     for (int octave = 0; octave < 6; ++octave, band.q2 *= 2) {
         of_cut.push_back(hybrid_of_band(band, 1e11).stiffness(5e6));
-        of_whole.push_back(peaks_of_band(band, 1e11).at_pressure(5e6).stiffness.value);
+        of_whole.push_back(detail::peaks_of_band(band, 1e11).at_pressure(5e6).stiffness.value);
     }
     const auto [least, most] = std::minmax_element(of_cut.begin() + 1, of_cut.end());
     CAPTURE(*least, *most, of_whole.front(), of_whole.back());
@@ -235,13 +235,13 @@ TEST_CASE("real area of the hybrid contact of numbers: boundary elements on two 
 }
 
 TEST_CASE("beyond 0.75 E g the hybrid contact of numbers says that it is closed") {
-    const auto contact = hybrid_of_band(band_of_moments(moments_of_gradient(1e-6, 0.1, 50.0), 0.7), 1e11);
+    const auto contact = hybrid_of_band(band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 50.0), 0.7), 1e11);
     const double most = 0.75e10;
     CHECK(contact.at_pressure(0.999 * most).stiffness.value > 0);
     const std::string refusal = test::refusal([&] { (void)contact.at_pressure(1.001 * most); });
     CHECK(refusal.find("the bulk carries") != std::string::npos);
     const BandSpectrum<double> band{1, 0.8, 1, 1, 8};
-    CHECK(test::refusal([&] { (void)cut_at_bandwidth(band, 2.0); }).find("alpha of the cut") == 0);
+    CHECK(test::refusal([&] { (void)parts::cut_at_bandwidth(band, 2.0); }).find("alpha of the cut") == 0);
     CHECK(test::refusal([&] { (void)PeakDistribution<double>::isotropic(1.0); }).find("Nayak's alpha") == 0);
 }
 

@@ -47,16 +47,16 @@ HeightMap<double> random_map(unsigned seed) {
 struct Laws {
     HeightMap<double> map;
     double g = map_spectrum(map, Edges::periodic).rms_gradient();
-    GaussianOrder<double> order = gaussian_order(map);
-    BearingContact<double> crowded{PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0), order.curve,
-                                   order.rms_height};
+    parts::GaussianOrder<double> order = parts::gaussian_order(map);
+    parts::BearingContact<double> crowded{PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0),
+                                          order.curve, order.rms_height};
     Summits<double> summits = summits_of(map);
     SummitContact<double> alone{summits, 1.0};
-    MutualSummits<double> mutual{summits, 1.0, Edges::periodic};
-    HybridContact<double, SummitContact<double>, HandOver<double>> hybrid{
-        alone, crowded, hand_over_of(summits, crowded, Edges::periodic)};
-    PlasticContact<double, decltype(hybrid), MapCut<double>> plastic{
-        hybrid, MapCut<double>(map, 1.0, Edges::periodic), 0.1 * g, 1.0, g};
+    parts::MutualSummits<double> mutual{summits, 1.0, Edges::periodic};
+    HybridContact<double, SummitContact<double>, parts::HandOver<double>> hybrid{
+        alone, crowded, parts::hand_over_of(summits, crowded, Edges::periodic)};
+    PlasticContact<double, decltype(hybrid), parts::MapCut<double>> plastic{
+        hybrid, parts::MapCut<double>(map, 1.0, Edges::periodic), 0.1 * g, 1.0, g};
 };
 
 /// The law of \p contact against it at \p points random pressures, and its own p(d), -dp/dd and K(p) against each other.
@@ -79,7 +79,7 @@ void check(const C& contact, double low, double high, int points) {
         const double own = law.separation(p), step = 1e-7 * (furthest - closest);
         const auto tangent = law.tangent_at_separation(own);
         CHECK(test::relative_error(tangent.pressure, p) < 1e-12);
-        if (ProportionalContact<C, double>) CHECK(test::relative_error(tangent.slope, law.stiffness(p)) < 1e-12);
+        if (parts::ProportionalContact<C, double>) CHECK(test::relative_error(tangent.slope, law.stiffness(p)) < 1e-12);
         if (own - step < closest || own + step > furthest) continue;
         const double fall = law.pressure_at_separation(own - step) - law.pressure_at_separation(own + step);
         CHECK(test::relative_error(tangent.slope, fall / (2 * step)) < 1e-4);
@@ -175,7 +175,7 @@ TEST_CASE("a law with kinks: text, policies, arrays, float") {
 TEST_CASE("a law that is known at pressures alone, with a K of its own") {
     // p = p0 exp(-d/l), K twice its slope
     const double p0 = 1e8, l = 1e-6;
-    const auto at = [&](double p) { return LawPoint<double>{l * std::log(p0 / p), 2 * p / l}; };
+    const auto at = [&](double p) { return detail::LawPoint<double>{l * std::log(p0 / p), 2 * p / l}; };
     const Law law = Law::tabulate_points(at, l, {1e5, 1e7});
     CHECK(law.relative_error() < 1e-3);
     CHECK(!law.stiffness_is_slope());
@@ -186,8 +186,18 @@ TEST_CASE("a law that is known at pressures alone, with a K of its own") {
         CHECK(test::relative_error(tangent.slope, p / l) < 0.01);
     }
     CHECK_THROWS_AS(Law::tabulate_points(at, l, {1e5, 1e7, OutsideRange::exact}), domain_error);
-    CHECK_THROWS_AS(Law::tabulate_points([&](double p) { return LawPoint<double>{p, p}; }, l, {1e5, 1e7}), domain_error);
-    CHECK_THROWS_AS(Law::tabulate_points([&](double p) { return LawPoint<double>{1 / p, -p}; }, l, {1e5, 1e7}), domain_error);
+    CHECK_THROWS_AS(Law::tabulate_points(
+                        [&](double p) {
+                            return detail::LawPoint<double>{p, p};
+                        },
+                        l, {1e5, 1e7}),
+                    domain_error);
+    CHECK_THROWS_AS(Law::tabulate_points(
+                        [&](double p) {
+                            return detail::LawPoint<double>{1 / p, -p};
+                        },
+                        l, {1e5, 1e7}),
+                    domain_error);
 }
 
 }  // namespace kinked_law_test

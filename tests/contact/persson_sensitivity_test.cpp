@@ -12,9 +12,9 @@ using namespace fstiff;
 
 TEST_CASE("derivatives of Persson's K are differences of it") {
     for (const double p : {1e4, 1e7, 1e9}) {
-        const PerssonParameters<double> at{1.1e-6, 0.1, 8.24, 0.7, 1.1e11, 0.45};
+        const parts::PerssonParameters<double> at{1.1e-6, 0.1, 8.24, 0.7, 1.1e11, 0.45};
         const auto found = sensitivity(at, p);
-        using L = PerssonParameters<long double>;
+        using L = parts::PerssonParameters<long double>;
         const L exact{1.1e-6, 0.1, 8.24, 0.7, 1.1e11, 0.45};
         const auto by = [&](long double L::*parameter) {
             const long double h = exact.*parameter * 1e-5L;
@@ -42,10 +42,10 @@ TEST_CASE("derivatives of Persson's K are differences of it") {
 
 TEST_CASE("derivatives at the ends of the ranges are refused") {
     CHECK(test::refusal([] {
-              (void)sensitivity(PerssonParameters<double>{1e-6, 0.1, 8, 0.99, 1e11}, 1e6);
+              (void)sensitivity(parts::PerssonParameters<double>{1e-6, 0.1, 8, 0.99, 1e11}, 1e6);
           }).find("hurst") == 0);
     CHECK(test::refusal([] {
-              (void)sensitivity(PerssonParameters<double>{1e-6, 0.1, 1.51, 0.8, 1e11}, 1e6);
+              (void)sensitivity(parts::PerssonParameters<double>{1e-6, 0.1, 1.51, 0.8, 1e11}, 1e6);
           }).find("alpha") == 0);
 }
 

@@ -27,12 +27,12 @@ TEST_CASE("The plastic contact of a map is near boundary elements with a hardnes
     const HeightMap<double> map = test::half_space_map("gaussian");
     const auto elastic = elastic_of(map);
     const double g = map_spectrum(map, Edges::periodic).rms_gradient(), sigma = rms_height(map);
-    const MapCut<double> cut(map, 1.0, Edges::periodic);
+    const parts::MapCut<double> cut(map, 1.0, Edges::periodic);
     for (const double over_gradient : {0.05, 0.2}) {
         const double hardness = over_gradient * g;
         BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic, .hardness = hardness, .tolerance = 1e-6});
         const PlasticContact contact(elastic, cut, hardness, 1.0, g);
-        const PlasticContact numbers(elastic, GaussianCut<double>(sigma, g, 1.0), hardness, 1.0, g);
+        const PlasticContact numbers(elastic, parts::GaussianCut<double>(sigma, g, 1.0), hardness, 1.0, g);
         for (const double share : {0.01, 0.03}) {
             const double p = share * hardness;
             const auto truth = solver.at_pressure(p);
@@ -51,10 +51,10 @@ TEST_CASE("K of a plastic contact joins its parts, and its load is that of both"
     const double E = 1e11, H = 2e9;
     const PerssonContact<double> persson(BandSpectrum<double>{5e-7, 0.8, 1e4, 1e4, 1e6}, E);
     const double g = persson.rms_gradient(), sigma = persson.rms_height();
-    const GaussianCut<double> cut(sigma, g, E);
+    const parts::GaussianCut<double> cut(sigma, g, E);
     const PlasticContact contact(persson, cut, H, E, g);
     static_assert(Contact<decltype(contact), double>);
-    static_assert(!ProportionalContact<decltype(contact), double>);
+    static_assert(!parts::ProportionalContact<decltype(contact), double>);
     for (const double p : {1e5, 1e7, 3e8}) {
         const auto state = contact.at_pressure(p);
         const double K_cut = 0.68 * E * g * p / (sigma * H), K = persson.stiffness(p);
@@ -74,7 +74,7 @@ TEST_CASE("K of a plastic contact joins its parts, and its load is that of both"
     CHECK_THROWS_AS(contact.at_pressure(0), domain_error);
     CHECK(contact.point_at_pressure(2 * H).status == PointStatus::out_of_reach);
     CHECK_THROWS_AS(PlasticContact(persson, cut, 0.0, E, g), domain_error);
-    CHECK_THROWS_AS(GaussianCut<double>(sigma, -1, E), domain_error);
+    CHECK_THROWS_AS(parts::GaussianCut<double>(sigma, -1, E), domain_error);
 }
 
 }  // namespace plastic_contact_map_test

@@ -20,18 +20,18 @@ namespace scaled_contact_test {
 using namespace fstiff;
 
 /// hybrid of the moments \p m under the bearing curve \p curve of the rms \p unit.
-auto law_of(const SpectralMoments<double>& m, const BearingSlope<double>& curve, double unit) {
+auto law_of(const SpectralMoments<double>& m, const parts::BearingSlope<double>& curve, double unit) {
     const PerssonContact<double> persson(band_of_moments(m, 0.8), 1.0);
     const double sigma = std::sqrt(m.m0), alpha = m.bandwidth();
-    const Roughness<double> surface{sigma, peak_radius_of(m), peak_density_of(m)};
+    const Roughness<double> surface{sigma, parts::peak_radius_of(m), parts::peak_density_of(m)};
     HybridContact of(RoughContact(surface, PeakDistribution<double>(1 / std::sqrt(alpha), 1e-3), HertzLaw<double>{}, 1.0),
                      persson);
-    return ScaledContact(of, BearingContact<double>(persson, curve.scaled(sigma / unit), sigma));
+    return parts::ScaledContact(of, parts::BearingContact<double>(persson, curve.scaled(sigma / unit), sigma));
 }
 
 TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian one") {
-    const auto contact = law_of(moments_of_gradient(1e-3, 0.1, 8.0), bearing_of_moments(0.0, 3.0), 1);
-    static_assert(ProportionalContact<decltype(contact), double>);
+    const auto contact = law_of(parts::moments_of_gradient(1e-3, 0.1, 8.0), parts::bearing_of_moments(0.0, 3.0), 1);
+    static_assert(parts::ProportionalContact<decltype(contact), double>);
     for (const double p : {1e-5, 1e-3, 1e-2}) {
         const auto state = contact.at_pressure(p), truth = contact.gaussian().at_pressure(p);
         CHECK(test::relative_error(state.stiffness.value, truth.stiffness.value) < 1e-9);
@@ -44,7 +44,7 @@ TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian on
 TEST_CASE("Statistics of a skewed map are nearer to its boundary elements with its bearing curve") {
     const test::Table bem("bem_maps.csv");
     const HeightMap<double> map = test::half_space_map("skewed");
-    const auto order = gaussian_order(map);
+    const auto order = parts::gaussian_order(map);
     // moments of the Gaussian map of the same order
     SpectralMoments<double> m{};
     const detail::ShellGrid<double> grid(map, Edges::periodic);

@@ -19,8 +19,8 @@ constexpr double modulus = 112.6e9, sigma = 0.8e-6, gradient = 0.07;
 
 /// The largest error over pressures of 1e-5 to 0.3 E g.
 template <class ContactOf>
-double worst(const SimilarHybrids<double>& similar, double alpha, double hurst, const ContactOf& contact_of) {
-    const auto moments = moments_of_gradient(sigma, gradient, alpha);
+double worst(const parts::SimilarHybrids<double>& similar, double alpha, double hurst, const ContactOf& contact_of) {
+    const auto moments = parts::moments_of_gradient(sigma, gradient, alpha);
     const auto contact = contact_of(band_of_moments(moments, hurst));
     double most = 0;
     for (double x = 1e-5; x < 0.3; x *= 3.7) {
@@ -34,7 +34,7 @@ double worst(const SimilarHybrids<double>& similar, double alpha, double hurst, 
 }
 
 TEST_CASE("Surfaces drawn about one have K of the table of similar ones") {
-    const SimilarHybrids<double> similar(nullptr);
+    const parts::SimilarHybrids<double> similar(nullptr);
     const auto contact_of = [](const BandSpectrum<double>& band) { return hybrid_of_band(band, modulus); };
     for (const double alpha : {2.6, 3.3, 5.9, 6.1, 9.0, 40.0, 300.0}) {
         INFO("alpha = " << alpha << ", off by " << worst(similar, alpha, 0.8, contact_of));
@@ -49,8 +49,8 @@ TEST_CASE("Surfaces drawn about one have K of the table of similar ones") {
 
 TEST_CASE("The table of similar surfaces takes a bearing curve") {
     for (const auto [skewness, kurtosis] : {std::pair(-1.2, 5.0), std::pair(0.9, 4.0), std::pair(1.8, 75.0)}) {
-        const BearingSlope<double> curve = bearing_of_moments(skewness, kurtosis);
-        const SimilarHybrids<double> similar(&curve, 0.42);
+        const parts::BearingSlope<double> curve = parts::bearing_of_moments(skewness, kurtosis);
+        const parts::SimilarHybrids<double> similar(&curve, 0.42);
         for (const double alpha : {2.7, 11.0}) {
             const double off = worst(similar, alpha, 0.8, [&](const BandSpectrum<double>& band) {
                 return hybrid_of_band(band, curve, modulus, 0.42);
@@ -62,9 +62,10 @@ TEST_CASE("The table of similar surfaces takes a bearing curve") {
 }
 
 TEST_CASE("The table of similar surfaces has no K where no surface or no contact is, and none beyond its reach") {
-    const SimilarHybrids<double> similar(nullptr);
+    const parts::SimilarHybrids<double> similar(nullptr);
     const auto at = [&](double alpha, double hurst, double x) {
-        return similar.stiffness(moments_of_gradient(sigma, gradient, alpha), hurst, modulus, x * modulus * gradient)
+        return similar
+            .stiffness(parts::moments_of_gradient(sigma, gradient, alpha), hurst, modulus, x * modulus * gradient)
             .has_value();
     };
     CHECK(at(4, 0.8, 0.01));

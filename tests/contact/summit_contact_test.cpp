@@ -18,8 +18,8 @@ namespace summit_contact_test {
 
 using namespace fstiff;
 
-static_assert(ProportionalContact<SummitContact<double>, double>);
-static_assert(ProportionalContact<HybridContact<double, SummitContact<double>>, double>);
+static_assert(parts::ProportionalContact<SummitContact<double>, double>);
+static_assert(parts::ProportionalContact<HybridContact<double, SummitContact<double>>, double>);
 
 namespace {
 

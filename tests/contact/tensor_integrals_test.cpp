@@ -25,7 +25,7 @@ TEST_CASE("two dimensions give the plain table to 1e-12, and cover their error")
         const auto in = [&](const char* column) { return table.input(row, column); };
         const auto truth = static_cast<double>(table.number(row, "value"));
         const auto j =
-            fstiff::tensor_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
+            fstiff::parts::tensor_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
         INFO("row " << row + 2 << " value " << j.value << " error " << test::relative_error(j.value, truth));
         CHECK(test::relative_error(j.value, truth) < 1e-12);
         CHECK(std::abs(j.value - truth) <= std::max(j.error, 1e-15 * truth));
@@ -39,7 +39,7 @@ TEST_CASE("two dimensions agree with one wherever their mesh resolves the integr
                 for (const auto& [a, b] :
                      {std::pair(0.0, 0.0), std::pair(0.5, -0.5), std::pair(1.5, -0.5), std::pair(1.0, -1.0)}) {
                     const PeakDistribution<double> peaks(r, theta);
-                    const auto slow = fstiff::tensor_integral(a, b, peaks, eta);
+                    const auto slow = fstiff::parts::tensor_integral(a, b, peaks, eta);
                     const auto fast = fstiff::contact_integral(a, b, peaks, eta);
                     INFO("r " << r << " theta " << theta << " eta " << eta << " a " << a);
                     CHECK(std::abs(slow.value - fast.value) <= slow.error + fast.error);
@@ -87,7 +87,7 @@ struct Kinked {
         return excess.unaryExpr([t](double e) { return kinked(e, t); });
     }
 };
-static_assert(fstiff::KinkedLaw<Kinked, double>);
+static_assert(fstiff::parts::KinkedLaw<Kinked, double>);
 
 }  // namespace
 
@@ -104,7 +104,8 @@ TEST_CASE("a law with a kink: right to its error estimate, against GSL's adaptiv
 
         const double scale = std::exp(-eta * eta / 2);
         const auto silent = [](const Eigen::Array<double, 8, 1>& excess, double t) { return Kinked{}(excess, t); };
-        const auto untold = fstiff::scaled_tensor_integral<fstiff::Axis::rough>(silent, peaks, eta) * scale;
+        const auto untold =
+            fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::rough>(silent, peaks, eta) * scale;
         INFO("eta " << eta << " value " << untold.value << " truth " << truth << " estimate " << untold.error / truth);
         CHECK(std::abs(untold.value - truth) <= untold.error + 1e-9 * truth);
         CHECK(test::relative_error(untold.value, truth) < 1e-5);  // what 192 nodes leave of a kink
@@ -112,7 +113,8 @@ TEST_CASE("a law with a kink: right to its error estimate, against GSL's adaptiv
 
         for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
             const auto told =
-                fstiff::scaled_tensor_integral<fstiff::Axis::graded>(Kinked{}, peaks, eta, {tolerance}) * scale;
+                fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::graded>(Kinked{}, peaks, eta, {tolerance}) *
+                scale;
             INFO("tolerance " << tolerance << " told " << told.value << " estimate " << told.error / truth);
             CHECK(std::abs(told.value - truth) <= told.error + 1e-9 * truth);  // GSL was asked for 1e-9
             CHECK(told.error <= tolerance * truth);
@@ -237,7 +239,7 @@ void covers_its_error(const Law& of_one, double bound) {
         for (const double eta : {-3.0, -0.5, 0.7, 3.0, 8.0}) {
             const double truth = by_panels(law, r, theta, eta);
             for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
-                const auto j = fstiff::scaled_tensor_integral<fstiff::Axis::graded>(
+                const auto j = fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::graded>(
                     law, PeakDistribution<double>(r, theta), eta, {tolerance});
                 INFO("r " << r << " theta " << theta << " eta " << eta << " tolerance " << tolerance << " error "
                           << j.value / truth - 1 << " estimate " << j.error / truth << " nodes " << j.evaluations);
@@ -278,8 +280,10 @@ TEST_CASE("a law that names a kink where there is none is integrated as if it ha
     for (const double eta : {-2.0, 0.0, 3.0}) {
         const double truth =
             fstiff::contact_integral(1.5, -0.5, peaks, eta).value * std::exp(std::max(eta, 0.0) * eta / 2);
-        const auto graded = fstiff::scaled_tensor_integral<fstiff::Axis::graded>(NoKink{}, peaks, eta, {1e-10});
-        const auto even = fstiff::scaled_tensor_integral<fstiff::Axis::even>(NoKink{}, peaks, eta, {1e-10});
+        const auto graded =
+            fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::graded>(NoKink{}, peaks, eta, {1e-10});
+        const auto even =
+            fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::even>(NoKink{}, peaks, eta, {1e-10});
         CHECK(std::abs(graded.value - truth) <= graded.error);
         CHECK(std::abs(even.value - truth) <= even.error);
         CHECK(graded.error <= 1e-10 * truth);
@@ -298,9 +302,10 @@ TEST_CASE("the end of a window that falls on a kink changes nothing") {
     };
     const PeakDistribution<double> peaks(0.5, 1);
     const auto smooth = [](const Eight& excess, double t) -> Eight { return excess / std::sqrt(t); };
-    const double truth = fstiff::scaled_tensor_integral<fstiff::Axis::graded>(smooth, peaks, -3.0).value;
+    const double truth = fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::graded>(smooth, peaks, -3.0).value;
     for (const double depth : {26.0, 27.42, 27.4206807, 28.0}) {
-        const auto j = fstiff::scaled_tensor_integral<fstiff::Axis::graded>(OnTheEdge{depth}, peaks, -3.0, {1e-8});
+        const auto j =
+            fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::graded>(OnTheEdge{depth}, peaks, -3.0, {1e-8});
         INFO("depth " << depth << " error " << j.value / truth - 1 << " estimate " << j.error / truth);
         CHECK(std::abs(j.value - truth) <= j.error);
         CHECK(std::abs(j.value - truth) <= 1e-8 * truth);
@@ -309,12 +314,12 @@ TEST_CASE("the end of a window that falls on a kink changes nothing") {
 
 TEST_CASE("float and long double run the same kernel") {
     CHECK(test::relative_error(
-              fstiff::tensor_integral(0.5F, -0.5F, PeakDistribution<float>(0.5F, 1.0F), 1.0F).value,
+              fstiff::parts::tensor_integral(0.5F, -0.5F, PeakDistribution<float>(0.5F, 1.0F), 1.0F).value,
               static_cast<float>(fstiff::contact_integral(0.5, -0.5, PeakDistribution<double>(0.5, 1.0), 1.0).value)) <
           1e-5F);
 #ifdef FSTIFF_TEST_LONG_DOUBLE
     CHECK(test::relative_error(
-              fstiff::tensor_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value,
+              fstiff::parts::tensor_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value,
               fstiff::contact_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value) < 1e-15L);
 #endif
 }
@@ -326,14 +331,14 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
         const auto in = [&](const char* column) { return table.input(row, column); };
         const auto truth = static_cast<double>(table.number(row, "value"));
         const auto j =
-            fstiff::paper_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
+            fstiff::parts::paper_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
         worst = std::max(worst, test::relative_error(j.value, truth));
         INFO("row " << row + 2 << " error " << test::relative_error(j.value, truth) << " estimate " << j.error / truth);
         CHECK(std::abs(j.value - truth) <= j.error);
     }
     // the ridge of the density is narrower than the points are apart: the rule sees nothing of it
     const PeakDistribution<double> narrow(0.999999999, 1.57);
-    const auto missed = fstiff::paper_integral(0.0, -1.0, narrow, 5.0);
+    const auto missed = fstiff::parts::paper_integral(0.0, -1.0, narrow, 5.0);
     const auto truth = fstiff::contact_integral(0.0, -1.0, narrow, 5.0);
     CHECK(missed.value == 0);
     CHECK(truth.value > 1e-7);
@@ -341,7 +346,7 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
     CHECK(worst < 3e-4);
     CHECK(worst > 1e-6);  // were it better, the comparison would not be with the paper's rule
     CHECK(test::refusal([] {
-              static_cast<void>(fstiff::paper_integral(0.3, 0.0, PeakDistribution<double>(0.5, 1), 0.0));
+              static_cast<void>(fstiff::parts::paper_integral(0.3, 0.0, PeakDistribution<double>(0.5, 1), 0.0));
           }).starts_with("a = 0.3"));
 }
 

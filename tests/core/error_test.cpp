@@ -66,7 +66,7 @@ namespace {
 
 using fstiff::domain_error;
 using fstiff::file_error;
-using fstiff::Place;
+using fstiff::parts::Place;
 
 domain_error range_error() { return domain_error({.parameter = "theta", .value = "2 rad", .allowed = "below pi/2"}); }
 
@@ -180,13 +180,13 @@ TEST_CASE("a file that cannot be read is an error of its own, not of the caller'
 
 TEST_CASE("a call is located: both errors get the place, others pass", "[error]") {
     const Place place{.file = "scene.toml", .line = 3};
-    CHECK(fstiff::located(place, [] { return 4; }) == 4);
-    CHECK(test::refusal([&] { fstiff::located(place, [] { throw range_error(); }); }) ==
+    CHECK(fstiff::parts::located(place, [] { return 4; }) == 4);
+    CHECK(test::refusal([&] { fstiff::parts::located(place, [] { throw range_error(); }); }) ==
           "scene.toml, line 3: theta = 2 rad: must be below pi/2");
-    CHECK_THROWS_AS(fstiff::located(place, [] { throw file_error("a", "b"); }), file_error);
-    CHECK(test::refusal([&] { fstiff::located(place, [] { throw file_error("a", "b"); }); }) ==
+    CHECK_THROWS_AS(fstiff::parts::located(place, [] { throw file_error("a", "b"); }), file_error);
+    CHECK(test::refusal([&] { fstiff::parts::located(place, [] { throw file_error("a", "b"); }); }) ==
           "scene.toml, line 3: a: b");
-    CHECK_THROWS_AS(fstiff::located(place, [] { throw 4; }), int);
+    CHECK_THROWS_AS(fstiff::parts::located(place, [] { throw 4; }), int);
 }
 
 TEST_CASE("a text that holds NUL has fields within its sentence", "[error]") {

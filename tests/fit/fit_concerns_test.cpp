@@ -14,7 +14,7 @@ namespace {
 /// Two parameters, 10 degrees of freedom, nothing to say against it.
 Identification<double> good() {
     Identification<double> fit;
-    fit.status = FitStatus::converged;
+    fit.status = math::FitStatus::converged;
     fit.parameters = {{Parameter::rms_height, 1e-6, 1e-8, 0.98e-6, 1.02e-6, 0, false},
                       {Parameter::fractal_dimension, 1.5, 0.01, 1.48, 1.52, 0, false}};
     fit.covariance = fit.correlation = Eigen::Matrix2d::Identity();
@@ -65,7 +65,7 @@ TEST_CASE("Each concern of a fit is found by itself, with its parameters and its
     }
 
     fit = good();
-    fit.status = FitStatus::not_converged;
+    fit.status = math::FitStatus::not_converged;
     fit.covariance.resize(0, 0), fit.correlation.resize(0, 0);
     CHECK(words(fit) == Concerns{FitConcern::not_converged, FitConcern::no_errors});
 }
@@ -111,19 +111,19 @@ TEST_CASE("Points far from the model, one far from the others and a value far fr
 
 TEST_CASE("What the data do not see stands alone, and is fatal") {
     auto fit = good();
-    fit.status = FitStatus::singular;
+    fit.status = math::FitStatus::singular;
     fit.chi_squared = 1e6;
     fit.parameters[0].null_share = 1;
     fit.parameters[1].null_share = 0.01;
     REQUIRE(words(fit) == Concerns{FitConcern::singular});
     CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
-    CHECK(is_fatal(FitConcern::singular));
-    CHECK((is_fatal(FitConcern::not_converged) && is_fatal(FitConcern::at_bound)));
+    CHECK(parts::is_fatal(FitConcern::singular));
+    CHECK((parts::is_fatal(FitConcern::not_converged) && parts::is_fatal(FitConcern::at_bound)));
     for (const FitConcern concern :
          {FitConcern::misfit, FitConcern::scattered, FitConcern::outlier, FitConcern::far_from_start})
-        CHECK((is_doubtful(concern) && !is_fatal(concern)));
+        CHECK((parts::is_doubtful(concern) && !parts::is_fatal(concern)));
     for (const FitConcern concern : {FitConcern::no_errors, FitConcern::unresolved, FitConcern::correlated})
-        CHECK((!is_doubtful(concern) && !is_fatal(concern)));
+        CHECK((!parts::is_doubtful(concern) && !parts::is_fatal(concern)));
     CHECK(name_of(FitConcern::correlated) == "correlated");
 }
 

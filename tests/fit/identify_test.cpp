@@ -27,7 +27,7 @@ const auto fractal = [](double dimension) { return FractalLaw<double>(dimension)
 const auto hertz = [](double) { return HertzLaw<double>{}; };
 
 struct Plastic {
-    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     static double load_factor() { return 0.06; }
     static double stiffness_factor() { return 2.8; }
     static double area_factor() { return 6.28; }
@@ -68,7 +68,7 @@ std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<
         for (const Parameter p : wanted)
             start[p] = p == Parameter::offset ? 0 : p == Parameter::fractal_dimension ? 1.4 : start[p] * 0.8;
         const auto fit = identify(data, wanted, start, law, {.wave = as ? std::optional(*as) : std::nullopt});
-        REQUIRE(fit.status == FitStatus::converged);
+        REQUIRE(fit.status == math::FitStatus::converged);
         for (std::size_t i = 0; i < wanted.size(); ++i)
             hits[i] += fit.parameters[i].low <= x[wanted[i]] && x[wanted[i]] <= fit.parameters[i].high ? 1 : 0;
     }
@@ -108,7 +108,7 @@ TEST_CASE("with interaction, and for plastic peaks, the truth comes back") {
         ContactParameters<double> start = true_contact;
         for (const Parameter p : wanted) start[p] *= 0.9;
         const auto fit = identify(data, wanted, start, law, {.contact = options});
-        CHECK(fit.status == FitStatus::converged);
+        CHECK(fit.status == math::FitStatus::converged);
         for (const Parameter p : wanted) CHECK(test::relative_error(fit.all[p], true_contact[p]) < 1e-6);
         // without the bulk it is another surface
         if (options.interaction.reading != InteractionReading::none)
@@ -119,7 +119,8 @@ TEST_CASE("with interaction, and for plastic peaks, the truth comes back") {
     check(plastic, {rms_height, peak_density}, patch);
     check(plastic, {peak_radius, peak_density}, {});
     // both p and K of plastic peaks depend on sigma R alone
-    CHECK(identify(curve(true_contact, plastic, 25), {rms_height, peak_radius}, true_contact, plastic).status == FitStatus::singular);
+    CHECK(identify(curve(true_contact, plastic, 25), {rms_height, peak_radius}, true_contact, plastic).status ==
+          math::FitStatus::singular);
     CHECK(test::refusal([&] {
               static_cast<void>(identify(curve(true_contact, plastic, 9), {fractal_dimension}, true_contact, plastic));
           }).find("log_load_slope()") != std::string::npos);
@@ -148,7 +149,7 @@ TEST_CASE("without noise the truth comes back") {
         auto data = curve(x, fractal, 30);
         for (auto& o : data) o.error = 0.01 * o.value;
         const auto fit = identify(data, wanted, start, fractal);
-        CHECK(fit.status == FitStatus::converged);
+        CHECK(fit.status == math::FitStatus::converged);
         // residuals of 1e-11 are 1e-13 of K; the least singular value is 1e-3 of the largest or more
         for (const auto& p : fit.parameters) CHECK(test::relative_error(p.value, x[p.parameter]) < 1e-9);
         CHECK(fit.chi_squared < 1e-14);
@@ -191,19 +192,20 @@ TEST_CASE("parameters that K(p) holds in combination only are called singular, b
     auto data = curve(true_contact, fractal, 25);
     for (auto& o : data) o.error = 0.01 * o.value;
     const auto pair = identify(data, {peak_radius, peak_density}, true_contact, fractal);
-    CHECK(pair.status == FitStatus::singular);
+    CHECK(pair.status == math::FitStatus::singular);
     CHECK(pair.covariance.size() == 0);
     const auto four = identify(data, {offset, peak_density, effective_modulus, theta}, true_contact, fractal);
-    REQUIRE(four.status == FitStatus::singular);
+    REQUIRE(four.status == math::FitStatus::singular);
     CHECK(four.parameters[0].null_share < 1e-3);  // the offset is seen, the product D_p E only
     CHECK(four.parameters[1].null_share > 0.9);
     CHECK(four.parameters[2].null_share > 0.9);
     CHECK(four.parameters[3].null_share < 1e-3);
     // sigma, D_p and D make two scales of one curve
-    CHECK(identify(data, {rms_height, peak_density, fractal_dimension}, true_contact, fractal).status == FitStatus::singular);
-    CHECK(identify(data, {rms_height, fractal_dimension}, true_contact, fractal).status == FitStatus::converged);
+    CHECK(identify(data, {rms_height, peak_density, fractal_dimension}, true_contact, fractal).status ==
+          math::FitStatus::singular);
+    CHECK(identify(data, {rms_height, fractal_dimension}, true_contact, fractal).status == math::FitStatus::converged);
     // D does not enter the elastic law at all
-    CHECK(identify(data, {fractal_dimension}, true_contact, hertz).status == FitStatus::singular);
+    CHECK(identify(data, {fractal_dimension}, true_contact, hertz).status == math::FitStatus::singular);
 }
 
 TEST_CASE("a fit that runs to the end of a range says at_bound, and one that only noise tells apart says singular") {
@@ -225,7 +227,7 @@ TEST_CASE("a fit that runs to the end of a range says at_bound, and one that onl
         const auto fit = identify(data, {rms_height, peak_density, theta}, start, hertz);
         const auto& angle = fit.parameters[2];
         CAPTURE(run, angle.value, angle.standard_error, fit.evaluations);
-        if (fit.status == FitStatus::at_bound) {
+        if (fit.status == math::FitStatus::at_bound) {
             ++at_bound;
             CHECK(angle.at_bound);
             CHECK_FALSE(fit.parameters[0].at_bound);
@@ -233,12 +235,12 @@ TEST_CASE("a fit that runs to the end of a range says at_bound, and one that onl
             CHECK(fit.covariance.size() == 0);
             CHECK(angle.standard_error == 0);
             CHECK(fit.model.size() == 12);
-        } else if (fit.status == FitStatus::singular) {
+        } else if (fit.status == math::FitStatus::singular) {
             ++singular;
             CHECK(angle.null_share > 0.3);
             CHECK(fit.covariance.size() == 0);
         } else {
-            CHECK(fit.status == FitStatus::converged);
+            CHECK(fit.status == math::FitStatus::converged);
             CHECK(angle.high - angle.low < 1.5707);  // the standard error is 4.6 at most in ln x/(pi/2 - x)
             CHECK(fit.parameters[1].high < 1e7 * fit.parameters[1].low);
         }
@@ -249,12 +251,12 @@ TEST_CASE("a fit that runs to the end of a range says at_bound, and one that onl
     auto stiff = curve(true_contact, hertz, 12), vague = curve(true_contact, fractal, 12);
     for (auto& o : stiff) o.error = 0.01 * o.value;
     const auto least = identify(stiff, {fractal_dimension}, true_contact, fractal);
-    CHECK(least.status == FitStatus::at_bound);
+    CHECK(least.status == math::FitStatus::at_bound);
     CHECK(least.parameters[0].at_bound);
     CHECK(least.parameters[0].value < 1.001);
     // errors far larger than the values: each parameter alone is not known, which is no combination of them
     for (auto& o : vague) o.error = 100 * o.value;
-    CHECK(identify(vague, {rms_height, peak_density}, true_contact, fractal).status == FitStatus::converged);
+    CHECK(identify(vague, {rms_height, peak_density}, true_contact, fractal).status == math::FitStatus::converged);
 }
 
 TEST_CASE("estimates do not depend on the unit of length") {

@@ -83,7 +83,7 @@ TEST_CASE("Measured files equal what independent readers find, number for number
         std::vector<double> present;
         for (Eigen::Index k = 0; k < map.size(); ++k)
             if (const double z = map.heights.data()[k]; !std::isnan(z)) present.push_back(z);
-        CompensatedSum<double> sum, squares;
+        math::CompensatedSum<double> sum, squares;
         for (const double z : present) {
             low = std::min(low, z);
             high = std::max(high, z);

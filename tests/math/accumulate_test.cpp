@@ -13,14 +13,14 @@ using namespace fstiff;
 TEST_CASE("two_sum gives the rounding of a sum, whichever is larger") {
     const double small = 0x1p-60;
     for (const auto& [a, b] : {std::pair{1.0, small}, {small, 1.0}, {-1.0, small}, {1.0, -1.0}}) {
-        const RoundedSum<double> s = two_sum(a, b);
+        const math::RoundedSum<double> s = math::two_sum(a, b);
         CHECK(s.sum == a + b);
         CHECK(s.error == (a + b == 0 ? 0 : small));
     }
 }
 
 TEST_CASE("A compensated sum keeps what a plain one loses") {
-    CompensatedSum<double> sum;
+    math::CompensatedSum<double> sum;
     double plain = 0;
     for (const double term : {1.0, 0x1p100, 1.0, -0x1p100}) {
         sum.add(term);
@@ -31,7 +31,7 @@ TEST_CASE("A compensated sum keeps what a plain one loses") {
     // the bound of the header, 2 epsilon of the sum and n^2 epsilon^2 of the magnitudes
     constexpr int terms = 10000;
     constexpr double truth = terms * static_cast<double>(0.1f), epsilon = std::numeric_limits<float>::epsilon();
-    CompensatedSum<float> tenths;
+    math::CompensatedSum<float> tenths;
     float plain_tenths = 0;
     for (int i = 0; i < terms; ++i) {
         tenths.add(0.1f);
@@ -43,13 +43,14 @@ TEST_CASE("A compensated sum keeps what a plain one loses") {
 
 TEST_CASE("The power of two below a number is the greatest that is not above it") {
     for (const double size : {1.0, 1.5, 2.0, 0.75, 3e-7, 1e300, std::numeric_limits<double>::max()}) {
-        const double power = power_of_two_below(size);
+        const double power = math::power_of_two_below(size);
         CHECK((power <= size && size / 2 < power));
         int exponent = 0;
         CHECK(std::frexp(power, &exponent) == 0.5);
     }
-    CHECK(power_of_two_below(0.0) == 1);
-    CHECK(power_of_two_below(std::numeric_limits<double>::denorm_min()) == std::numeric_limits<double>::denorm_min());
+    CHECK(math::power_of_two_below(0.0) == 1);
+    CHECK(math::power_of_two_below(std::numeric_limits<double>::denorm_min()) ==
+          std::numeric_limits<double>::denorm_min());
 }
 
 }  // namespace accumulate_test

@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE("what a least-squares solution leaves is normal to the column
         for (const Eigen::Index rows : {columns, columns + 1, 4 * columns, Eigen::Index(60)}) {
             const Matrix<T> a = random_matrix<T>(rows, columns, generator);
             const Matrix<T> b = random_matrix<T>(rows, 1, generator);
-            const PivotedQr<T> qr(a);
+            const math::PivotedQr<T> qr(a);
             REQUIRE(qr.rank() == columns);
             const Matrix<T> x = qr.solve(b), left = product<T>(a, x) - b, solver = qr.solver();
             const T size = a.norm() * (a.norm() * x.norm() + b.norm());
@@ -69,17 +69,17 @@ TEMPLATE_TEST_CASE("what a least-squares solution leaves is normal to the column
 TEST_CASE("columns that are combinations of others are found, and left out", "[decompositions]") {
     Matrix<double> a(4, 3);
     a << 1, 0, 1, 1, 1, 2, 1, 2, 3, 1, 3, 4;
-    const PivotedQr<double> qr(a);
+    const math::PivotedQr<double> qr(a);
     CHECK(qr.rank() == 2);
     const Matrix<double> b = product<double>(a, Eigen::Vector3d(1, 2, 5)), x = qr.solve(b);
     CHECK(distance(product(a, x), b) < 1e-14 * b.norm());
     CHECK((x.array() == 0).count() == 1);
-    CHECK(PivotedQr<double>(Matrix<double>::Zero(3, 2)).rank() == 0);
+    CHECK(math::PivotedQr<double>(Matrix<double>::Zero(3, 2)).rank() == 0);
     // the threshold counts: a column that differs from another in the ninth digit
     a.col(2) = a.col(0);
     a(3, 2) += 1e-9;
-    CHECK(PivotedQr<double>(a).rank() == 3);
-    CHECK(PivotedQr<double>(a, 1e-8).rank() == 2);
+    CHECK(math::PivotedQr<double>(a).rank() == 3);
+    CHECK(math::PivotedQr<double>(a, 1e-8).rank() == 2);
 }
 
 TEMPLATE_TEST_CASE("singular values are the lengths along their directions", "[decompositions]", float, double,
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("singular values are the lengths along their directions", "[d
     for (const Eigen::Index columns : {1, 2, 4, 6}) {
         Matrix<T> a = random_matrix<T>(3 * columns, columns, generator);
         a.col(columns - 1) *= T(1e-3);
-        const auto [values, vectors] = singular_vectors<T>(a);
+        const auto [values, vectors] = math::singular_vectors<T>(a);
         CHECK(is_rounding(from_orthonormal<T>(vectors)));
         const Matrix<T> images = product<T>(a, vectors), products = product<T>(transposed(images), images);
         CHECK(is_rounding((products - Matrix<T>(products.diagonal().asDiagonal())).norm() / products.norm()));
@@ -103,7 +103,7 @@ TEMPLATE_TEST_CASE("singular values are the lengths along their directions", "[d
 TEST_CASE("a direction that a matrix does not see has the singular value 0", "[decompositions]") {
     Matrix<double> a(3, 2);
     a << 1, 2, 2, 4, 3, 6;
-    const auto [values, vectors] = singular_vectors<double>(a);
+    const auto [values, vectors] = math::singular_vectors<double>(a);
     CHECK(values[1] < 1e-15 * values[0]);
     CHECK(std::abs(vectors(0, 1) + 2 * vectors(1, 1)) < 1e-15);
 }
@@ -114,14 +114,14 @@ TEMPLATE_TEST_CASE("eigenvectors and eigenvalues give the symmetric matrix back"
     std::mt19937 generator(3);
     for (const Eigen::Index size : {1, 2, 3, 6}) {
         const Matrix<T> half = random_matrix<T>(size, size, generator), a = half + half.transpose();
-        const auto [values, vectors] = symmetric_eigen<T>(a);
+        const auto [values, vectors] = math::symmetric_eigen<T>(a);
         const Matrix<T> scaled = vectors * values.asDiagonal();
         CHECK(is_rounding(distance<T>(product<T>(scaled, transposed<T>(vectors)), a) / a.norm()));
         CHECK(is_rounding(from_orthonormal<T>(vectors)));
     }
     // exactly: two values that go together
     Matrix<T> pair = Matrix<T>::Ones(2, 2);
-    const auto [values, vectors] = symmetric_eigen<T>(pair);
+    const auto [values, vectors] = math::symmetric_eigen<T>(pair);
     CHECK(values.minCoeff() == T(0));
     CHECK(values.maxCoeff() == T(2));
 }

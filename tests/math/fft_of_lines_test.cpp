@@ -16,7 +16,7 @@ using namespace fstiff;
 TEMPLATE_TEST_CASE("Transforms of lines are the sums that define them, and back with both parts exchanged", "", float,
                    double, long double) {
     using T = TestType;
-    using Lines = detail::FftOfLines<T>;
+    using Lines = math::FftOfLines<T>;
     constexpr std::size_t width = Lines::width;
     // phases of long double are its own
     const auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -24,7 +24,7 @@ TEMPLATE_TEST_CASE("A transform is the sum that defines it, and its inverse give
         z = static_cast<T>(random()) / static_cast<T>(4294967296.0L) - T(0.3);
         norm += z * z;
     }
-    RealFft<T> fft(size);
+    math::RealFft<T> fft(size);
     std::vector<std::complex<T>> spectrum;
     fft.forward(data, spectrum);
     REQUIRE(spectrum.size() == size / 2 + 1);
@@ -60,7 +60,7 @@ TEST_CASE("A transform of 2^20 points has an rms error of 4e-16 of its rms") {
                           static_cast<long double>(phases[w]));
         data[j] = static_cast<double>(z);
     }
-    RealFft<double> fft(size);
+    math::RealFft<double> fft(size);
     std::vector<std::complex<double>> spectrum;
     fft.forward(data, spectrum);
     double error = 0, square = 0;
@@ -84,24 +84,24 @@ TEST_CASE("A fast size has only the factors 2, 3 and 5, is a multiple of 4, and 
         return n == 1;
     };
     for (std::size_t n = 1; n < 3000; ++n) {
-        const std::size_t size = fast_fft_size(n);
+        const std::size_t size = math::fast_fft_size(n);
         REQUIRE(size >= n);
         REQUIRE(fast(size));
         for (std::size_t k = n; k < size; ++k) REQUIRE_FALSE(fast(k));
     }
-    CHECK(fast_fft_size(0) == 4);
-    CHECK(fast_fft_size(1000000) == 1000000);
-    CHECK(fast_fft_size(std::size_t{1} << 30) == std::size_t{1} << 30);
-    CHECK(test::refusal([] { (void)fast_fft_size((std::size_t{1} << 30) + 1); }).find("at most 2^30") !=
+    CHECK(math::fast_fft_size(0) == 4);
+    CHECK(math::fast_fft_size(1000000) == 1000000);
+    CHECK(math::fast_fft_size(std::size_t{1} << 30) == std::size_t{1} << 30);
+    CHECK(test::refusal([] { (void)math::fast_fft_size((std::size_t{1} << 30) + 1); }).find("at most 2^30") !=
           std::string::npos);
 }
 
 TEST_CASE("Lengths that do not fit a transform are refused") {
     for (const std::size_t size : {std::size_t{0}, (std::size_t{1} << 28) + 3, (std::size_t{1} << 30) + 1}) {
-        CHECK(test::refusal([&] { (void)RealFft<double>(size); }).find("size of a transform") == 0);
-        CHECK(test::refusal([&] { (void)ComplexFft<double>(size); }).find("size of a transform") == 0);
+        CHECK(test::refusal([&] { (void)math::RealFft<double>(size); }).find("size of a transform") == 0);
+        CHECK(test::refusal([&] { (void)math::ComplexFft<double>(size); }).find("size of a transform") == 0);
     }
-    RealFft<double> fft(8);
+    math::RealFft<double> fft(8);
     std::vector<std::complex<double>> spectrum(4);
     std::vector<double> data(9);
     CHECK_FALSE(test::refusal([&] { fft.forward(data, spectrum); }).empty());

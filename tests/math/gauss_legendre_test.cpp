@@ -8,7 +8,7 @@
 
 namespace gauss_legendre_test {
 
-using fstiff::GaussLegendre;
+using fstiff::math::GaussLegendre;
 
 TEMPLATE_TEST_CASE("N points integrate polynomials of degree 2N-1", "", float, double, long double) {
     using T = TestType;

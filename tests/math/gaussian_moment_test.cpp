@@ -14,8 +14,7 @@
 
 namespace gaussian_moment_test {
 
-using fstiff::gaussian_moment;
-namespace detail = fstiff::detail;
+using fstiff::math::gaussian_moment;
 
 namespace {
 
@@ -93,8 +92,9 @@ TEST_CASE("double agrees with long double at random points and at the seams") {
     const auto check = [](double x) {
         INFO("x " << x);
         const auto same = [x]<int A>() {
-            const auto truth = detail::scaled_moment<A>(static_cast<long double>(x));
-            return test::ulps(static_cast<long double>(detail::scaled_moment<A>(x)), truth) * (0x1p-63L / 0x1p-52L);
+            const auto truth = fstiff::math::scaled_moment<A>(static_cast<long double>(x));
+            return test::ulps(static_cast<long double>(fstiff::math::scaled_moment<A>(x)), truth) *
+                   (0x1p-63L / 0x1p-52L);
         };
         CHECK(same.operator()<-1>() <= stated);
         CHECK(same.operator()<0>() <= stated);
@@ -115,8 +115,8 @@ TEST_CASE("double agrees with long double at random points and at the seams") {
 TEST_CASE("a long double that rounds to the end of the pieces is beyond it") {
     for (const long double end : {30.0L, -30.0L}) {
         const long double inside = std::nextafter(end, 0.0L);
-        CHECK(test::ulps(detail::scaled_moment<1>(inside), detail::scaled_moment<1>(end)) <= 200);
-        CHECK(test::ulps(detail::scaled_moment<5>(inside), detail::scaled_moment<5>(end)) <= 200);
+        CHECK(test::ulps(fstiff::math::scaled_moment<1>(inside), fstiff::math::scaled_moment<1>(end)) <= 200);
+        CHECK(test::ulps(fstiff::math::scaled_moment<5>(inside), fstiff::math::scaled_moment<5>(end)) <= 200);
     }
 }
 #endif
@@ -129,8 +129,9 @@ TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", FSTIFF_TEST_SCALARS_
         const T first = T(start(random)), increment = T(step(random));
         for (std::size_t j = 0; j < 8; ++j) y[j] = first + increment * T(j);
         const auto erf = [&](double tolerance) {
-            const auto by = detail::ErfPolynomials<T>::for_tolerance(tolerance);
-            detail::erf_ascending(detail::Lanes<T, 8>::load(y.data()), y.front(), y.back(), by).store(out.data());
+            const auto by = fstiff::math::ErfPolynomials<T>::for_tolerance(tolerance);
+            fstiff::math::erf_ascending(fstiff::math::Lanes<T, 8>::load(y.data()), y.front(), y.back(), by)
+                .store(out.data());
         };
         erf(0);
         for (std::size_t j = 0; j < 8; ++j) {
@@ -140,7 +141,7 @@ TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", FSTIFF_TEST_SCALARS_
         erf(1e-3);
         for (std::size_t j = 0; j < 8; ++j) {
             INFO("y " << y[j] << ", rough");
-            REQUIRE(test::relative_error(out[j], std::erf(y[j])) <= T(detail::ErfTable<T>::rough_error));
+            REQUIRE(test::relative_error(out[j], std::erf(y[j])) <= T(fstiff::math::ErfTable<T>::rough_error));
         }
     }
 }

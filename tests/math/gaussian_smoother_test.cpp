@@ -16,7 +16,7 @@ TEST_CASE("The sums with Gaussian weights are those of the double loop") {
         for (const double width : {0.3, 2.0, 31.0, 1e30}) {
             std::vector<double> z(size);
             for (std::size_t i = 0; i < size; ++i) z[i] = std::fmod(static_cast<double>(i * i) * 0.618, 2.0) - 0.9;
-            GaussianSmoother<double> smooth(size, width);
+            math::GaussianSmoother<double> smooth(size, width);
             auto sums = z;
             smooth(sums);
             REQUIRE(sums.size() == size);
@@ -34,8 +34,8 @@ TEST_CASE("The sums with Gaussian weights are those of the double loop") {
 
 TEST_CASE("Lines that are smoothed together have the sums of one after the other") {
     for (const std::size_t size : {std::size_t{1}, std::size_t{7}, std::size_t{400}}) {
-        GaussianSmoother<double> smooth(size, 13.0);
-        const std::size_t lines = GaussianSmoother<double>::lines;
+        math::GaussianSmoother<double> smooth(size, 13.0);
+        const std::size_t lines = math::GaussianSmoother<double>::lines;
         for (const std::size_t count : {lines, lines / 2 + 1, std::size_t{1}}) {
             std::vector<double> z(size * count);
             for (std::size_t i = 0; i < z.size(); ++i) z[i] = std::fmod(static_cast<double>(i * i) * 0.618, 2.0) - 0.9;
@@ -58,9 +58,9 @@ TEST_CASE("Lines that are smoothed together have the sums of one after the other
 }
 
 TEST_CASE("No numbers, no width and a wrong count of numbers are refused") {
-    CHECK_FALSE(test::refusal([] { GaussianSmoother<double>(0, 1.0); }).empty());
-    CHECK_FALSE(test::refusal([] { GaussianSmoother<double>(5, 0.0); }).empty());
-    GaussianSmoother<double> smooth(5, 2.0);
+    CHECK_FALSE(test::refusal([] { math::GaussianSmoother<double>(0, 1.0); }).empty());
+    CHECK_FALSE(test::refusal([] { math::GaussianSmoother<double>(5, 0.0); }).empty());
+    math::GaussianSmoother<double> smooth(5, 2.0);
     std::vector<double> four(4, 1.0);
     CHECK_FALSE(test::refusal([&] { smooth(four); }).empty());
 }

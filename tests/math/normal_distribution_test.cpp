@@ -13,7 +13,7 @@ using namespace fstiff;
 TEST_CASE("The inverse of the normal distribution is right to 1e-15 of the quantile") {
     // Newton's correction by the distribution in long double is the error
     const auto error = [](double p) {
-        const long double z = normal_quantile(p);
+        const long double z = math::normal_quantile(p);
         const long double upper = p > 0.5 ? 1 - static_cast<long double>(p) : static_cast<long double>(p);
         const long double tail = std::erfc(std::abs(z) / std::sqrt(2.0L)) / 2;
         const long double density = std::exp(-z * z / 2) / std::sqrt(2 * 3.14159265358979323846264338327950288L);
@@ -24,16 +24,16 @@ TEST_CASE("The inverse of the normal distribution is right to 1e-15 of the quant
     for (int i = 1; i < 1000; ++i)
         if (i != 500) worst = std::max(worst, std::abs(error(i / 1000.0)));
     CHECK(worst < 1e-15);
-    CHECK(normal_quantile(0.5) == 0);
-    CHECK(normal_quantile(0.25) == -normal_quantile(0.75));
+    CHECK(math::normal_quantile(0.5) == 0);
+    CHECK(math::normal_quantile(0.25) == -math::normal_quantile(0.75));
 }
 
 TEST_CASE("The inverse of the normal distribution in long double, and of the distribution itself") {
     for (long double p = 1e-200L; p < 0.49L; p *= 1.7L)
-        CHECK(std::abs(normal_share(normal_quantile(p)) / p - 1) < 1e-15L);
+        CHECK(std::abs(math::normal_share(math::normal_quantile(p)) / p - 1) < 1e-15L);
     for (const double z : {-7.0, -1.0, -1e-3, 0.3, 2.0, 5.0})
-        CHECK(std::abs(normal_quantile(normal_share(z)) - z) < 1e-15 * (1 + std::exp(z * z / 2)));
-    CHECK(std::abs(normal_density(1.0) - 0.24197072451914337) < 1e-16);
+        CHECK(std::abs(math::normal_quantile(math::normal_share(z)) - z) < 1e-15 * (1 + std::exp(z * z / 2)));
+    CHECK(std::abs(math::normal_density(1.0) - 0.24197072451914337) < 1e-16);
 }
 
 }  // namespace normal_distribution_test

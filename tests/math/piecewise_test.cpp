@@ -14,21 +14,21 @@
 namespace piecewise_test {
 
 using namespace fstiff;
-using namespace fstiff::detail;
+using namespace fstiff::math;
 
 namespace {
 
 /// Fits \p f to the pieces, whose number \p edge(i) begins at; s is within -half and half.
 template <class T, class Rows, class Edge, class F>
 void fit(Rows& rows, T half, const Edge& edge, const F& f) {
-    const auto& lobatto = LobattoPiece<T, Row::terms>::get();
+    const auto& lobatto = math::LobattoPiece<T, math::Row::terms>::get();
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const auto i = static_cast<Eigen::Index>(row);
-        std::array<T, Row::terms> value;
+        std::array<T, math::Row::terms> value;
         for (std::size_t k = 0; k < value.size(); ++k)
             value[k] = f(edge(i) + (edge(i + 1) - edge(i)) * (1 + lobatto.node[k]) / 2);
-        lobatto.fit(Lanes<T, Row::terms>::load(value.data())).store(rows[row].c);
-        for (int k = 0; k < Row::terms; ++k) rows[row].c[k] /= std::pow(half, T(k));
+        lobatto.fit(math::Lanes<T, math::Row::terms>::load(value.data())).store(rows[row].c);
+        for (int k = 0; k < math::Row::terms; ++k) rows[row].c[k] /= std::pow(half, T(k));
     }
 }
 
@@ -37,9 +37,9 @@ void fit(Rows& rows, T half, const Edge& edge, const F& f) {
 TEMPLATE_TEST_CASE("pieces by the binary exponent: log x and 1/x, one and four at a time", "", float, double) {
     using T = TestType;
     const T low = T(3e-5), high = T(7e6), epsilon = std::numeric_limits<T>::epsilon();
-    BinaryPieces<T> pieces(low, high);
+    math::BinaryPieces<T> pieces(low, high);
     fit(
-        pieces.rows, BinaryPieces<T>::half, [&](Eigen::Index i) { return pieces.edge(i); },
+        pieces.rows, math::BinaryPieces<T>::half, [&](Eigen::Index i) { return pieces.edge(i); },
         [](T x) { return std::log(x); });
     CHECK(pieces.edge(0) <= low);
     CHECK(pieces.edge(1) > low);
@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE("pieces by the binary exponent: log x and 1/x, one and four a
         const T more[4] = {x, std::min(x * T(1.9), high), low, high};
         REQUIRE(std::abs(pieces.value(x) - std::log(x)) <= bound * (1 + std::abs(std::log(x))));
         REQUIRE(test::relative_error(pieces.derivative(x), 1 / x) <= slope_bound);
-        if constexpr (four_at_once<T>) {
+        if constexpr (math::four_at_once<T>) {
             T found[4];
             pieces.four_values(more, found);
             for (int k = 0; k < 4; ++k) REQUIRE(std::abs(found[k] - pieces.value(more[k])) <= 200 * epsilon);
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("pieces by the binary exponent: log x and 1/x, one and four a
 TEMPLATE_TEST_CASE("equal pieces: exp and its slope, one and four at a time", "", float, double) {
     using T = TestType;
     const T from = -3, to = 2, epsilon = std::numeric_limits<T>::epsilon();
-    UniformPieces<T> pieces(from, to, 20);
+    math::UniformPieces<T> pieces(from, to, 20);
     fit(
         pieces.rows, T(1), [&](Eigen::Index i) { return from + (to - from) * T(i) / 20; },
         [](T x) { return std::exp(x); });
@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("equal pieces: exp and its slope, one and four at a time", ""
         const auto [value, derivative] = pieces(x);
         REQUIRE(test::relative_error(value, std::exp(x)) <= bound);
         REQUIRE(test::relative_error(derivative * 8, std::exp(x)) <= slope_bound);  // 2 s to a piece of 1/4
-        if constexpr (four_at_once<T>) {
+        if constexpr (math::four_at_once<T>) {
             const T four[4] = {from, x, to, x};
             T values[4], derivatives[4];
             pieces.four_values(four, T(8), values, derivatives);
@@ -93,8 +93,8 @@ TEMPLATE_TEST_CASE("only numbers in the range are contained", "", float, double)
     using T = TestType;
     using Limits = std::numeric_limits<T>;
     const T low = T(0.7), high = T(123), infinity = Limits::infinity();
-    const BinaryPieces<T> binary(low, high);
-    const UniformPieces<T> uniform(low, high, 5);
+    const math::BinaryPieces<T> binary(low, high);
+    const math::UniformPieces<T> uniform(low, high, 5);
     for (const T x : {low, std::nextafter(low, T(1)), T(1), T(2), T(64), std::nextafter(high, T(1)), high}) {
         CHECK(binary.contains(x));
         CHECK(uniform.contains(x));
@@ -105,10 +105,10 @@ TEMPLATE_TEST_CASE("only numbers in the range are contained", "", float, double)
         CHECK_FALSE(uniform.contains(x));
     }
     CHECK_FALSE(binary.contains(std::nextafter(high, T(200))));
-    CHECK(is_nan(Limits::quiet_NaN()));
-    CHECK(is_nan(-Limits::quiet_NaN()));
+    CHECK(math::is_nan(Limits::quiet_NaN()));
+    CHECK(math::is_nan(-Limits::quiet_NaN()));
     for (const T x : {T(0), -T(0), T(1), -infinity, infinity, Limits::max(), Limits::denorm_min()})
-        CHECK_FALSE(is_nan(x));
+        CHECK_FALSE(math::is_nan(x));
 }
 
 }  // namespace piecewise_test

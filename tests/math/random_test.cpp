@@ -10,8 +10,8 @@ using namespace fstiff;
 
 TEST_CASE("splitmix64 gives the published numbers of seed 0") {
     std::uint64_t state = 0;
-    CHECK(splitmix64(state) == 0xE220A8397B1DCDAFULL);
-    CHECK(splitmix64(state) == 0x6E789E6AA1B965F4ULL);
+    CHECK(math::splitmix64(state) == 0xE220A8397B1DCDAFULL);
+    CHECK(math::splitmix64(state) == 0x6E789E6AA1B965F4ULL);
 }
 
 TEST_CASE("Pairs of normal numbers have mean 0, variance 1, fourth moment 3, and are not correlated") {
@@ -19,7 +19,7 @@ TEST_CASE("Pairs of normal numbers have mean 0, variance 1, fourth moment 3, and
     std::uint64_t state = 7;
     double first = 0, square = 0, fourth = 0, product = 0;
     for (int i = 0; i < pairs; ++i) {
-        const std::complex<double> z = normal_pair<double>(state);
+        const std::complex<double> z = math::normal_pair<double>(state);
         product += z.real() * z.imag() / pairs;
         for (const double x : {z.real(), z.imag()}) {
             first += x / (2 * pairs);

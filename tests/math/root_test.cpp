@@ -14,8 +14,8 @@
 
 namespace root_test {
 
-using fstiff::newton_bracketed;
-using fstiff::RootStatus;
+using fstiff::math::newton_bracketed;
+using fstiff::math::RootStatus;
 
 namespace {
 
@@ -144,7 +144,7 @@ TEMPLATE_TEST_CASE("a bracketed root of a hard function is where it is known to 
             CHECK(found.error <= std::max(tolerance, 8 * eps * std::abs(p.root)));
             // The known root is rounded, and so is f near it: the kink's offsets and 1/3 - 1/x leave a few eps of 1.
             CHECK(std::abs(found.root - p.root) <= found.error + 4 * eps);
-            CHECK(found.iterations <= fstiff::root_iterations<T>);
+            CHECK(found.iterations <= fstiff::math::root_iterations<T>);
         }
     }
 }

@@ -8,7 +8,7 @@
 
 namespace rounding_test {
 
-using fstiff::detail::is_rounding;
+using fstiff::math::is_rounding;
 
 namespace {
 

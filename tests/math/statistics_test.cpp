@@ -16,13 +16,13 @@ using namespace fstiff;
 TEST_CASE("The quantile of sorted values is linear between neighbours") {
     const std::vector<double> values{1, 2, 4, 8, 16};
     const std::span<const double> sorted(values);
-    CHECK(sorted_quantile(sorted, 0.0) == 1);
-    CHECK(sorted_quantile(sorted, 1.0) == 16);
-    CHECK(sorted_quantile(sorted, 0.8125) == 10);
+    CHECK(math::sorted_quantile(sorted, 0.0) == 1);
+    CHECK(math::sorted_quantile(sorted, 1.0) == 16);
+    CHECK(math::sorted_quantile(sorted, 0.8125) == 10);
 }
 
 TEST_CASE("A block draw has as many blocks as make the whole, and reaches every one alike") {
-    BlockDraw draw(10, 3, 1);
+    math::BlockDraw draw(10, 3, 1);
     CHECK(draw.blocks() == 4);
     std::vector<int> count(8, 0);
     for (int i = 0; i < 8000; ++i) ++count.at(draw());
@@ -34,7 +34,7 @@ TEST_CASE("Resampled means have the mean of the whole and the variance of indepe
     const std::size_t parts = 64, resamples = 20000;
     std::vector<double> sum(parts), weight(parts, 2);
     for (std::size_t i = 0; i < parts; ++i) sum[i] = std::sin(0.7 * static_cast<double>(i)) + 3;
-    BlockBootstrap<double> bootstrap(parts, 1, resamples, 5);
+    math::BlockBootstrap<double> bootstrap(parts, 1, resamples, 5);
     const std::vector<double>& means = bootstrap.means([&](std::size_t i) { return std::pair{sum[i], weight[i]}; });
     const double whole = std::accumulate(sum.begin(), sum.end(), 0.0) / parts / 2;
     double mean = 0, square = 0, variance = 0;
@@ -46,7 +46,7 @@ TEST_CASE("Resampled means have the mean of the whole and the variance of indepe
 }
 
 TEST_CASE("A resample that holds nothing has the mean of the whole") {
-    BlockBootstrap<double> bootstrap(4, 1, 200, 3);
+    math::BlockBootstrap<double> bootstrap(4, 1, 200, 3);
     const std::vector<double>& means = bootstrap.means([](std::size_t i) {
         return i == 0 ? std::pair{6.0, 2.0} : std::pair{0.0, 0.0};
     });
@@ -54,12 +54,13 @@ TEST_CASE("A resample that holds nothing has the mean of the whole") {
 }
 
 TEST_CASE("quantiles of Student's t are those of GSL") {
-    const auto error = [](const NormalQuantile<double>& normal, int degrees) {
-        return test::relative_error(student_quantile(normal, degrees),
+    const auto error = [](const math::NormalQuantile<double>& normal, int degrees) {
+        return test::relative_error(math::student_quantile(normal, degrees),
                                     gsl_cdf_tdist_Pinv(normal.probability, static_cast<double>(degrees)));
     };
-    for (const auto& normal : {normal_95<double>, normal_975<double>}) {
-        CHECK(test::relative_error(student_quantile(normal, 0), gsl_cdf_ugaussian_Pinv(normal.probability)) < 1e-12);
+    for (const auto& normal : {math::normal_95<double>, math::normal_975<double>}) {
+        CHECK(test::relative_error(math::student_quantile(normal, 0), gsl_cdf_ugaussian_Pinv(normal.probability)) <
+              1e-12);
         for (const int degrees : {1, 2}) CHECK(error(normal, degrees) < 1e-12);
         for (const int degrees : {3, 4}) CHECK(error(normal, degrees) < 1e-2);
         for (const int degrees : {5, 6, 8, 10, 20, 30, 100}) CHECK(error(normal, degrees) < 1e-3);

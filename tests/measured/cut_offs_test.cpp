@@ -26,15 +26,15 @@ struct Case {
     std::size_t points;
     double tip, resolution;
     double index;  ///< by hand: 1, 2, 2.5, 5, 8 times powers of ten
-    LambdaSReason why;
-    IndexSource source;
+    parts::LambdaSReason why;
+    parts::IndexSource source;
 };
 
 /// \p message of the refusal of \p options by \p surface; empty for none.
 template <class Heights>
 std::string refusal(const Heights& surface, const MeasureOptions<double>& options) {
     try {
-        (void)choose_cut_offs(surface, options);
+        (void)parts::choose_cut_offs(surface, options);
     } catch (const domain_error& error) {
         return error.what();
     }
@@ -44,8 +44,8 @@ std::string refusal(const Heights& surface, const MeasureOptions<double>& option
 }  // namespace
 
 TEST_CASE("lambda_s by the tables is the index of five steps, of the resolution or of the tip, if ten fit the length") {
-    using enum LambdaSReason;
-    using enum IndexSource;
+    using enum parts::LambdaSReason;
+    using enum parts::IndexSource;
     const std::vector<Case> cases{
         {"five steps are an index", 0.5e-6, 16384, 0, 0, 2.5e-6, by_table, step},
         {"2 % less step, the same index", 0.49e-6, 16384, 0, 0, 2.5e-6, by_table, step},
@@ -67,7 +67,7 @@ TEST_CASE("lambda_s by the tables is the index of five steps, of the resolution 
     for (const Case& one : cases) {
         INFO(one.what);
         const auto found =
-            choose_cut_offs(line(one.step, one.points), {.tip_radius = one.tip, .resolution = one.resolution});
+            parts::choose_cut_offs(line(one.step, one.points), {.tip_radius = one.tip, .resolution = one.resolution});
         CHECK(relative_error(found.index, one.index) < 1e-14);
         CHECK(found.why_s == one.why);
         CHECK(found.index_source == one.source);
@@ -82,30 +82,31 @@ TEST_CASE("lambda_s by the tables is the index of five steps, of the resolution 
 
 TEST_CASE("lambda_s by the tables stays below a given lambda_c") {
     const auto profile = line(0.5e-6, 16384);
-    const auto equal = choose_cut_offs(profile, {.lambda_c = 2.5e-6});
+    const auto equal = parts::choose_cut_offs(profile, {.lambda_c = 2.5e-6});
     CHECK_FALSE(equal.lambda_s);
-    CHECK(equal.why_s == LambdaSReason::not_below_lambda_c);
+    CHECK(equal.why_s == parts::LambdaSReason::not_below_lambda_c);
     CHECK(equal.lambda_c == 2.5e-6);
-    CHECK(equal.why_c == CutOffReason::given);
-    CHECK(choose_cut_offs(profile, {.lambda_c = 2.55e-6}).lambda_s == 2.5e-6);
-    const auto form = choose_cut_offs(profile, {.form_cut_off = 2.5e-6});
+    CHECK(equal.why_c == parts::CutOffReason::given);
+    CHECK(parts::choose_cut_offs(profile, {.lambda_c = 2.55e-6}).lambda_s == 2.5e-6);
+    const auto form = parts::choose_cut_offs(profile, {.form_cut_off = 2.5e-6});
     CHECK(form.lambda_c == 2.5e-6);
-    CHECK(form.why_s == LambdaSReason::not_below_lambda_c);
+    CHECK(form.why_s == parts::LambdaSReason::not_below_lambda_c);
 }
 
 TEST_CASE("What is given is taken, and none is none") {
     const auto profile = line(0.5e-6, 16384);
-    const auto given = choose_cut_offs(profile, {.lambda_s = 3e-6, .lambda_c = 0.3e-3, .filter = CutOffFilter::robust});
+    const auto given =
+        parts::choose_cut_offs(profile, {.lambda_s = 3e-6, .lambda_c = 0.3e-3, .filter = CutOffFilter::robust});
     CHECK(given.lambda_s == 3e-6);
     CHECK(given.lambda_c == 0.3e-3);
     CHECK(given.filter == CutOffFilter::robust);
-    CHECK(given.why_s == LambdaSReason::given);
+    CHECK(given.why_s == parts::LambdaSReason::given);
     CHECK(given.index == 0);
     CHECK(given.any());
-    const auto none = choose_cut_offs(profile, {.lambda_s = no_cut_off, .lambda_c = no_cut_off});
+    const auto none = parts::choose_cut_offs(profile, {.lambda_s = no_cut_off, .lambda_c = no_cut_off});
     CHECK_FALSE(none.any());
-    CHECK(none.why_s == LambdaSReason::given);
-    CHECK(none.why_c == CutOffReason::given);
+    CHECK(none.why_s == parts::LambdaSReason::given);
+    CHECK(none.why_c == parts::CutOffReason::given);
     CHECK(CutOff<double>::of(std::nullopt).automatic() == false);
     CHECK(CutOff<double>::of(2e-6).length() == 2e-6);
     CHECK(CutOff<double>().automatic());
@@ -115,11 +116,11 @@ TEST_CASE("A given cut-off that a surface cannot hold is refused, with the bound
     const auto profile = line(1e-6, 101);  // 100 um
     struct Refused {
         CutOff<double> lambda_s, lambda_c;
-        std::optional<CutOffRefusal> why;
+        std::optional<parts::CutOffRefusal> why;
         bool long_waves;
         double limit;
     };
-    using enum CutOffRefusal;
+    using enum parts::CutOffRefusal;
     const std::vector<Refused> cases{{2e-6, no_cut_off, {}, false, 0},
                                      {1.96e-6, no_cut_off, below_steps, false, 2e-6},
                                      {100e-6, no_cut_off, {}, false, 0},
@@ -136,7 +137,7 @@ TEST_CASE("A given cut-off that a surface cannot hold is refused, with the bound
     for (const Refused& one : cases) {
         const MeasureOptions<double> options{.lambda_s = one.lambda_s, .lambda_c = one.lambda_c};
         CAPTURE(one.lambda_s.length().value_or(0), one.lambda_c.length().value_or(0));
-        const auto found = refused_cut_off(options, profile.spacing, profile.length());
+        const auto found = parts::refused_cut_off(options, profile.spacing, profile.length());
         REQUIRE(found.has_value() == one.why.has_value());
         CHECK(refusal(profile, options).empty() == !found);
         if (!found) continue;
@@ -150,27 +151,28 @@ TEST_CASE("A given cut-off that a surface cannot hold is refused, with the bound
 }
 
 TEST_CASE("A map has a lambda_s of its coarser step and shorter side, and no lambda_c of the tables") {
-    const auto found = choose_cut_offs(grid(300, 400, 0.1e-6, 0.3e-6));
+    const auto found = parts::choose_cut_offs(grid(300, 400, 0.1e-6, 0.3e-6));
     CHECK(found.lambda_s == 2e-6);  // five of 0.3 um
     CHECK(relative_error(found.length, 40e-6) < 1e-14);  // 400 of 0.1 um, shorter than 300 of 0.3
     CHECK_FALSE(found.lambda_c);
-    CHECK(found.why_c == CutOffReason::form_alone);
-    const auto narrow = choose_cut_offs(grid(300, 199, 0.1e-6, 0.3e-6));  // 19.9 um
-    CHECK(narrow.why_s == LambdaSReason::too_short);
-    CHECK(choose_cut_offs(grid(300, 200, 0.1e-6, 0.3e-6)).lambda_s == 2e-6);
-    CHECK(choose_cut_offs(grid(300, 400, 0.1e-6, 0.3e-6), {.lambda_c = no_cut_off}).why_c == CutOffReason::given);
+    CHECK(found.why_c == parts::CutOffReason::form_alone);
+    const auto narrow = parts::choose_cut_offs(grid(300, 199, 0.1e-6, 0.3e-6));  // 19.9 um
+    CHECK(narrow.why_s == parts::LambdaSReason::too_short);
+    CHECK(parts::choose_cut_offs(grid(300, 200, 0.1e-6, 0.3e-6)).lambda_s == 2e-6);
+    CHECK(parts::choose_cut_offs(grid(300, 400, 0.1e-6, 0.3e-6), {.lambda_c = no_cut_off}).why_c ==
+          parts::CutOffReason::given);
     CHECK_FALSE(refusal(grid(300, 400, 0.1e-6, 0.3e-6), {.form_cut_off = 5e-6}).empty());
 }
 
 TEST_CASE("The neighbours of lambda_s are a factor of two apart, and one alone where the surface holds no shorter") {
-    const auto both = neighbouring_lambda_s<double>(8e-6, 1e-6);
+    const auto both = parts::neighbouring_lambda_s<double>(8e-6, 1e-6);
     REQUIRE(both.size() == 2);
     CHECK(relative_error(both[0] * both[1], 64e-12) < 1e-14);
     CHECK(relative_error(both[1] / both[0], 2.0) < 1e-14);
     CHECK(both[0] < 8e-6);
-    CHECK(neighbouring_lambda_s<double>(2.83e-6, 1e-6).size() == 2);
-    CHECK(neighbouring_lambda_s<double>(2.82e-6, 1e-6) == std::vector{5.64e-6});
-    CHECK(neighbouring_lambda_s<double>(std::nullopt, 1e-6) == std::vector{4e-6});
+    CHECK(parts::neighbouring_lambda_s<double>(2.83e-6, 1e-6).size() == 2);
+    CHECK(parts::neighbouring_lambda_s<double>(2.82e-6, 1e-6) == std::vector{5.64e-6});
+    CHECK(parts::neighbouring_lambda_s<double>(std::nullopt, 1e-6) == std::vector{4e-6});
 }
 
 }  // namespace cut_offs_test

@@ -18,12 +18,12 @@ using namespace fstiff;
 /// \p count independent normal numbers.
 std::vector<double> white(std::size_t count, std::uint64_t seed) {
     std::vector<double> z;
-    for (std::uint64_t state = seed; z.size() < count;) z.push_back(normal_pair<double>(state).real());
+    for (std::uint64_t state = seed; z.size() < count;) z.push_back(math::normal_pair<double>(state).real());
     return z;
 }
 
 double share_of(std::vector<double> heights) {
-    ShapeOfHeights<double> shape;
+    parts::ShapeOfHeights<double> shape;
     shape.add(Profile<double>{std::move(heights), 1.0});
     return shape.share();
 }
@@ -40,7 +40,7 @@ TEST_CASE("Independent heights are as many as there are, and those of a moving m
         // A is a triangle: 1 + 2 sum (1 - k/w)^2 = (2 w^2 + 1)/(3 w)
         const double w = static_cast<double>(width), lags = (2 * w * w + 1) / (3 * w);
         const Profile<double> profile{smooth, 1.0};
-        const double found = independent_points(profile), points = static_cast<double>(smooth.size());
+        const double found = parts::independent_points(profile), points = static_cast<double>(smooth.size());
         // chance adds to the sum of squares: 2 sum_k Var A(k) (1 - k/N)^2 over half the length, with Var A = lags/N
         const double chance = 2 * lags * (7.0 / 24);
         CAPTURE(width, found, points / lags);
@@ -52,7 +52,7 @@ TEST_CASE("The departure of heights from Gaussian ones is that of plain sums") {
     std::vector<double> z = white(2001, 7);
     for (double& one : z) one = std::exp(0.5 * one);
     z[5] = z[9] = std::numeric_limits<double>::quiet_NaN();
-    ShapeOfHeights<double> shape;
+    parts::ShapeOfHeights<double> shape;
     shape.add(Profile<double>{z, 1.0});
     std::vector<double> present;
     for (const double one : z)
@@ -63,11 +63,11 @@ TEST_CASE("The departure of heights from Gaussian ones is that of plain sums") {
     for (const double one : present) {
         double below = 0;
         for (const double other : present) below += other < one;
-        away += std::pow((one - mean) / std::sqrt(square) - normal_quantile((below + 0.5) / 1999), 2) / 1999;
+        away += std::pow((one - mean) / std::sqrt(square) - math::normal_quantile((below + 0.5) / 1999), 2) / 1999;
     }
     CHECK(test::relative_error(shape.departure(), away) < 1e-10);
     // of many lognormal heights: 2 - 2 <f zeta> with <f zeta> = a/sqrt(e^(a^2) - 1)
-    ShapeOfHeights<double> many;
+    parts::ShapeOfHeights<double> many;
     std::vector<double> lognormal = white(200000, 3);
     for (double& one : lognormal) one = std::exp(0.3 * one);
     many.add(Profile<double>{lognormal, 1.0});
@@ -100,42 +100,43 @@ TEST_CASE("Maps and several traces are one surface") {
     SelfAffineOptions<double> options;
     options.hurst = 0.8, options.rms = 1e-6, options.longest_wavelength = 1.0 / 8, options.shortest_wavelength = 1.0 / 24, options.seed = 4;
     HeightMap<double> map = self_affine_map(options, 192, 192, 1.0 / 192, 1.0 / 192);
-    ShapeOfHeights<double> gaussian;
+    parts::ShapeOfHeights<double> gaussian;
     gaussian.add(map);
     CHECK(gaussian.independent_points() > 100);
     CHECK(gaussian.independent_points() < 3000);
     map.heights = (0.5 * map.heights / rms_height(map)).exp();
-    ShapeOfHeights<double> skewed, rows;
+    parts::ShapeOfHeights<double> skewed, rows;
     skewed.add(map);
     CHECK(skewed.share() > 0.9);
     double points = 0;
     for (const Eigen::Index j : {0, 48, 96, 144}) {
         const Profile<double> row{std::vector<double>(map.heights.row(j).begin(), map.heights.row(j).end()), map.dx};
         rows.add(row);
-        points += independent_points(row);
+        points += parts::independent_points(row);
     }
     CHECK(test::relative_error(rows.independent_points(), points) < 1e-12);
     CHECK(rows.share() < skewed.share());
 }
 
 TEST_CASE("What counts of a shape lies between a Gaussian one and the whole") {
-    const auto half = counted_shape(1.0, 5.0, 0.5);
+    const auto half = parts::counted_shape(1.0, 5.0, 0.5);
     CHECK(half.skewness == 0.5);
     CHECK(half.kurtosis == 4);
-    CHECK(counted_shape(1.0, 5.0, 0.0).is_gaussian());
+    CHECK(parts::counted_shape(1.0, 5.0, 0.0).is_gaussian());
     HeightStatistics<double> measured;
     measured.skewness = {1, 0.6}, measured.kurtosis = {5, 1.1};
-    CHECK(counted_shape(measured, 0.5).is_gaussian());
+    CHECK(parts::counted_shape(measured, 0.5).is_gaussian());
     measured.kurtosis.error = 0.9;
-    CHECK(counted_shape(measured, 0.5).skewness == 0.5);
+    CHECK(parts::counted_shape(measured, 0.5).skewness == 0.5);
     measured.kurtosis.error = 1.1, measured.skewness.error = 0.4;
-    CHECK(counted_shape(measured, 0.5).kurtosis == 4);
-    CHECK(counted_shape(9.0, 90.0, 1.0).skewness == 2);
-    CHECK(counted_shape(9.0, 90.0, 1.0).kurtosis == 10);
-    CHECK(counted_shape(0.0, 1.01, 1.0).kurtosis == 1.25);
-    CHECK_NOTHROW(bearing_of_moments(counted_shape(-9.0, 1.0, 1.0).skewness, counted_shape(-9.0, 1.0, 1.0).kurtosis));
+    CHECK(parts::counted_shape(measured, 0.5).kurtosis == 4);
+    CHECK(parts::counted_shape(9.0, 90.0, 1.0).skewness == 2);
+    CHECK(parts::counted_shape(9.0, 90.0, 1.0).kurtosis == 10);
+    CHECK(parts::counted_shape(0.0, 1.01, 1.0).kurtosis == 1.25);
+    CHECK_NOTHROW(parts::bearing_of_moments(parts::counted_shape(-9.0, 1.0, 1.0).skewness,
+                                            parts::counted_shape(-9.0, 1.0, 1.0).kurtosis));
     // the sum of two lognormal surfaces of like heights: skewness by sqrt(2) less, excess of kurtosis by 2
-    const auto sum = sum_of_shapes(HeightShape<double>{1, 5}, 2.0, HeightShape<double>{1, 5}, 2.0);
+    const auto sum = parts::sum_of_shapes(parts::HeightShape<double>{1, 5}, 2.0, parts::HeightShape<double>{1, 5}, 2.0);
     CHECK(test::relative_error(sum.skewness, 1 / std::sqrt(2.0)) < 1e-14);
     CHECK(test::relative_error(sum.kurtosis, 4.0) < 1e-14);
 }

@@ -48,7 +48,7 @@ TEST_CASE("of a map the moments are those of its areal statistics") {
     const auto map = self_affine_map<double>({.hurst = 0.8, .rms = 1e-7, .longest_wavelength = 3e-5, .seed = 5}, 128,
                                              96, 1e-6, 1.5e-6);
     const auto found = height_statistics(map);
-    const auto areal = areal_statistics(map);
+    const auto areal = parts::areal_statistics(map);
     CHECK(test::relative_error(found.rms_gradient.value, areal.rms_gradient) <
           0.01);  // x and y by their number of pairs
     CHECK(test::relative_error(found.moments.m0, areal.m0) < 1e-10);

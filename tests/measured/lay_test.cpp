@@ -41,20 +41,20 @@ TEST_CASE("A profile across grooves repeats itself with their period, whatever t
         Profile<double> profile = self_affine_profile(rough(0.8, 40e-6, 3), 4096, 1e-6);
         for (std::size_t i = 0; i < profile.size(); ++i)
             profile.heights[i] = 0.5 * profile.heights[i] + groove(double(i) * 1e-6, period, 1e-7);
-        const Repetition<double> found = repetition(profile);
+        const detail::Repetition<double> found = detail::repetition(profile);
         CHECK(found.is_lay());
         const double periods = found.period / period;  // one of them, or the next, which chance may have made higher
         CHECK(std::abs(periods - std::round(periods)) < 0.05);
         for (double& z : profile.heights) z *= 1e6;
         profile.spacing *= 1e6;
-        CHECK(std::abs(repetition(profile).correlation - found.correlation) < 1e-12);
+        CHECK(std::abs(detail::repetition(profile).correlation - found.correlation) < 1e-12);
     }
 }
 
 TEST_CASE("A cosine repeats itself to 1 less what the last quarter lacks of pairs") {
     Profile<double> wave{{}, 1e-6};
     for (int i = 0; i < 4096; ++i) wave.heights.push_back(std::cos(2 * numbers::pi_v<double> * i / 64));
-    const Repetition<double> found = repetition(wave);
+    const detail::Repetition<double> found = detail::repetition(wave);
     CHECK(std::abs(found.correlation - (1 - 64.0 / 4096)) < 1e-12);
     CHECK(std::abs(found.period - 64e-6) < 1e-18);
 }
@@ -64,30 +64,31 @@ TEST_CASE("Of 400 profiles without a lay at most 4 repeat themselves") {
     for (const double hurst : {0.2, 0.5, 0.8, 0.95})
         for (const double longest : {2048e-6, 512e-6, 128e-6, 32e-6})
             for (std::uint64_t seed = 1; seed <= 25; ++seed)
-                said += repetition(self_affine_profile(rough(hurst, longest, seed), 2048, 1e-6)).is_lay() ? 1 : 0;
+                said +=
+                    detail::repetition(self_affine_profile(rough(hurst, longest, seed), 2048, 1e-6)).is_lay() ? 1 : 0;
     CHECK(said <= 4);
 }
 
 TEST_CASE("Str tells a map with grooves and a stretched one from an isotropic one") {
     HeightMap<double> map = self_affine_map(rough(0.8, 40e-6, 5), 128, 128, 1e-6, 1e-6);
-    const double isotropic = texture_aspect_ratio(map);
+    const double isotropic = detail::texture_aspect_ratio(map);
     CHECK(isotropic > 0.5);
-    CHECK_FALSE(is_lay(isotropic));
+    CHECK_FALSE(detail::is_lay(isotropic));
     HeightMap<double> grooved = map;
     for (Eigen::Index j = 0; j < grooved.rows(); ++j)
         for (Eigen::Index i = 0; i < grooved.columns(); ++i)
             grooved.heights(j, i) = 0.5 * map.heights(j, i) + groove(double(i) * 1e-6, 32e-6, 1e-7);
-    CHECK(is_lay(texture_aspect_ratio(grooved)));
+    CHECK(detail::is_lay(detail::texture_aspect_ratio(grooved)));
     grooved.heights(3, 4) = std::numeric_limits<double>::quiet_NaN();
-    CHECK(is_lay(texture_aspect_ratio(grooved)));
+    CHECK(detail::is_lay(detail::texture_aspect_ratio(grooved)));
     map.dy *= 6;
-    CHECK(is_lay(texture_aspect_ratio(map)));
+    CHECK(detail::is_lay(detail::texture_aspect_ratio(map)));
 }
 
 TEST_CASE("A lay is a concern of what was measured") {
     Profile<double> profile = self_affine_profile(rough(0.8, 40e-6, 3), 2048, 1e-6);
     const auto has_lay = [](const Profile<double>& of) {
-        const auto all = concerns_of(surface_parameters(of));
+        const auto all = concerns_of(parts::surface_parameters(of));
         return std::count(all.begin(), all.end(), MeasuredConcern::lay) == 1;
     };
     CHECK_FALSE(has_lay(profile));

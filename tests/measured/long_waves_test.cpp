@@ -57,7 +57,7 @@ TEST_CASE("Waves of unlike numbers of periods make the share and the error of th
             CHECK(test::relative_error(found.share, 1.0) < 1e-12);
             const double variance = std::min(1.0, (rows > 1 ? 2.0 : 4.0) * 2 / (3 * waves - 2));
             const double v = 2 / variance,
-                         exact = std::log(v / chi_square_5_percent(v)) / (2 * normal_95<double>.value);
+                         exact = std::log(v / chi_square_5_percent(v)) / (2 * math::normal_95<double>.value);
             CAPTURE(rows, waves, exact);
             CHECK(test::relative_error(found.error, exact) < (v < 4 ? 0.1 : 0.02));
         }
@@ -94,14 +94,16 @@ TEST_CASE("sigma of a process lies within its band for 86 % of traces and more, 
                                                                 .seed = seed},
                                                                4096, 1e-6);
                 const Profile<double> part{{whole.heights.begin(), whole.heights.begin() + 2048}, 1e-6};
-                found.push_back(surface_parameters(level(part, Form::line), {.fit = {.resamples = 0}, .resamples = 100})
+                found.push_back(parts::surface_parameters(parts::level(part, Form::line),
+                                                          {.fit = {.resamples = 0}, .resamples = 100})
                                     .rms_height);
                 mean_square += found.back().value * found.back().value / seeds;
             }
             int inside = 0;
             for (const auto& one : found) {
                 const double error = std::sqrt(std::log1p(one.error * one.error / one.value / one.value));
-                inside += std::abs(std::log(std::sqrt(mean_square) / one.value)) < normal_95<double>.value * error;
+                inside +=
+                    std::abs(std::log(std::sqrt(mean_square) / one.value)) < math::normal_95<double>.value * error;
             }
             WARN("H = " << hurst << ", flat from " << longest << " m: sigma inside " << 100.0 * inside / seeds << " %");
             CHECK(inside >= 0.86 * seeds);  // 90 % less two standard errors

@@ -29,7 +29,7 @@ bool has(const Surface<double>& surface, MeasuredConcern concern) {
 }
 
 /// Every number of \p a is that of \p b; of the errors too where \p errors.
-void require_equal(const SurfaceParameters<double>& a, const SurfaceParameters<double>& b, bool errors) {
+void require_equal(const parts::SurfaceParameters<double>& a, const parts::SurfaceParameters<double>& b, bool errors) {
     const auto equal = [&](const Measurement<double>& one, const Measurement<double>& other) {
         CHECK(one.value == other.value);
         if (errors) CHECK(one.error == other.error);
@@ -49,14 +49,14 @@ void require_equal(const SurfaceParameters<double>& a, const SurfaceParameters<d
 TEST_CASE("A measured profile has the parameters of its steps taken by hand") {
     const auto profile = trace();
     const Surface<double> surface = measure(profile);
-    LevelledProfile<double> flat = level(profile, Form::line, {}, 0, 2.5e-6);
-    flat = without_waviness(flat, 0.25e-3);  // the length of 2 mm holds five of no longer one
+    parts::LevelledProfile<double> flat = parts::level(profile, Form::line, {}, 0, 2.5e-6);
+    flat = parts::without_waviness(flat, 0.25e-3);  // the length of 2 mm holds five of no longer one
     CHECK(surface.cut_offs.lambda_s == 2.5e-6);
     CHECK(surface.cut_offs.lambda_c == 0.25e-3);
-    CHECK(surface.cut_offs.why_c == CutOffReason::length);
-    SurfaceParameterOptions<double> how;
+    CHECK(surface.cut_offs.why_c == parts::CutOffReason::length);
+    parts::SurfaceParameterOptions<double> how;
     how.fit.lambda_s = 2.5e-6;
-    const auto by_hand = surface_parameters(flat, how);
+    const auto by_hand = parts::surface_parameters(flat, how);
     require_equal(surface, by_hand, true);
     const auto heights = height_statistics(flat.profile);
     REQUIRE(surface.heights);
@@ -72,15 +72,15 @@ TEST_CASE("A measured profile has the parameters of its steps taken by hand") {
 
 TEST_CASE("A measured map has the parameters of its steps taken by hand") {
     const auto map = some_map();
-    for (const PeakSource peaks : {PeakSource::islands, PeakSource::summits}) {
+    for (const parts::PeakSource peaks : {parts::PeakSource::islands, parts::PeakSource::summits}) {
         const Surface<double> surface = measure(map, {.peaks = peaks, .neighbours = false});
-        LevelledMap<double> flat = level(map, MapForm::plane);
+        parts::LevelledMap<double> flat = parts::level(map, MapForm::plane);
         flat.unfiltered = std::make_shared<const HeightMap<double>>(flat.map);
-        flat.map = gaussian_low_pass(flat.map, 2.5e-6);
-        SurfaceParameterOptions<double> how;
+        flat.map = parts::gaussian_low_pass(flat.map, 2.5e-6);
+        parts::SurfaceParameterOptions<double> how;
         how.fit.lambda_s = 2.5e-6;
         how.peaks = peaks;
-        require_equal(surface, surface_parameters(flat, how), true);
+        require_equal(surface, parts::surface_parameters(flat, how), true);
         CHECK(surface.cut_offs.lambda_s == 2.5e-6);
         CHECK_FALSE(surface.cut_offs.lambda_c);
         CHECK(relative_error(surface.size, 48e-6 * 48e-6) < 1e-14);
@@ -133,10 +133,10 @@ TEST_CASE("What is left out leaves all else as it is") {
     const Surface<double> whole = measure(map, {.lambda_s = 2e-6});
     const Surface<double> lean = measure(map, {.lambda_s = 2e-6, .neighbour_dimensions = false});
     require_equal(lean, whole, true);
-    CHECK(lean.texture_aspect_ratio == texture_aspect_ratio(lean.map->map));
+    CHECK(lean.texture_aspect_ratio == detail::texture_aspect_ratio(lean.map->map));
     REQUIRE(lean.neighbours.size() == whole.neighbours.size());
     for (std::size_t k = 0; k < whole.neighbours.size(); ++k) {
-        SurfaceParameters<double> with_dimension = lean.neighbours[k];
+        parts::SurfaceParameters<double> with_dimension = lean.neighbours[k];
         CHECK_FALSE(with_dimension.fractal_dimension);
         CHECK(with_dimension.why_no_dimension == "D was not asked for");
         with_dimension.fractal_dimension = whole.neighbours[k].fractal_dimension;
@@ -152,11 +152,11 @@ TEST_CASE("A neighbour keeps lambda_c where its own Ra would choose another") {
     auto profile = trace(0.3e-6, 9000);  // 4.5 mm hold five of 0.8 mm
     const double shorter = 2.5e-6 / std::sqrt(2.0);
     const auto ra = [&](double lambda_s) {
-        return mean_deviation(prepare(profile, {.lambda_s = lambda_s, .lambda_c = 0.25e-3}).profile);
+        return parts::mean_deviation(parts::prepare(profile, {.lambda_s = lambda_s, .lambda_c = 0.25e-3}).profile);
     };
     const double scale = 0.1e-6 / std::sqrt(ra(2.5e-6) * ra(shorter));  // the limit of Ra for 0.25 mm lies between both
     for (double& z : profile.heights) z *= scale;
-    CHECK(prepare(profile, {.lambda_s = shorter}).cut_offs.lambda_c == 0.8e-3);
+    CHECK(parts::prepare(profile, {.lambda_s = shorter}).cut_offs.lambda_c == 0.8e-3);
     const Surface<double> surface = measure(profile);
     CHECK(surface.cut_offs.lambda_c == 0.25e-3);
     REQUIRE(surface.neighbours.size() == 2);
@@ -175,9 +175,10 @@ TEST_CASE("Concerns are told, and each by what it is about") {
         waves.heights[i] += 5e-6 * std::sin(2 * numbers::pi_v<double> * static_cast<double>(i) / 4096);
     CHECK(has(measure(waves, {.lambda_c = no_cut_off, .neighbours = false}), MeasuredConcern::long_waves));
     CHECK_FALSE(has(measure(waves, {.neighbours = false}), MeasuredConcern::long_waves));
-    CHECK(is_mostly_waviness(*measure(waves, {.neighbours = false}).profile));
-    CHECK_FALSE(is_mostly_waviness(*measure(waves, {.lambda_c = 0.25e-3, .neighbours = false}).profile));  // given
-    CHECK_FALSE(is_mostly_waviness(*measure(trace(), {.neighbours = false}).profile));
+    CHECK(parts::is_mostly_waviness(*measure(waves, {.neighbours = false}).profile));
+    CHECK_FALSE(
+        parts::is_mostly_waviness(*measure(waves, {.lambda_c = 0.25e-3, .neighbours = false}).profile));  // given
+    CHECK_FALSE(parts::is_mostly_waviness(*measure(trace(), {.neighbours = false}).profile));
 }
 
 TEST_CASE("A surface is cleaned before it is measured, and options reach their step") {
@@ -186,7 +187,7 @@ TEST_CASE("A surface is cleaned before it is measured, and options reach their s
     const Cleaning<double> cleaning{.crop = Crop<double>{100e-6, 1.8e-3}, .spikes = 10, .fill = true};
     const auto surface = measure(profile, {.cleaning = cleaning, .neighbours = false});
     auto by_hand = profile;
-    CHECK(clean(by_hand, cleaning).spikes == surface.cleaning.spikes);
+    CHECK(parts::clean(by_hand, cleaning).spikes == surface.cleaning.spikes);
     CHECK(surface.cleaning.spikes >= 1);
     CHECK(surface.cleaning.columns == 3401);
     require_equal(surface, measure(by_hand, {.neighbours = false}), true);
@@ -209,7 +210,7 @@ TEST_CASE("A surface is cleaned before it is measured, and options reach their s
 }
 
 TEST_CASE("What does not fit a surface is refused") {
-    CHECK_THROWS_AS(measure(trace(), {.peaks = PeakSource::summits}), domain_error);
+    CHECK_THROWS_AS(measure(trace(), {.peaks = parts::PeakSource::summits}), domain_error);
     CHECK_THROWS_AS(measure(some_map(), {.tip_radius = 1e-6}), domain_error);
     CHECK_THROWS_AS(measure(trace(), {.lambda_s = 0.9e-6}), domain_error);
     CHECK_THROWS_AS(measure(some_map(), {.form_cut_off = 5e-6}), domain_error);

@@ -33,10 +33,10 @@ FractalFit<double> sound_fit() {
 
 TEST_CASE("A sound fit has no concerns") {
     CHECK(concerns_of(sound_fit()).empty());
-    LevelledProfile<double> levelled;
+    parts::LevelledProfile<double> levelled;
     CHECK(concerns_of(sound_fit(), levelled, {}).empty());
     levelled.cutoff = 200e-6;
-    SpectralFit<double> spectrum;
+    parts::SpectralFit<double> spectrum;
     spectrum.dimension = 1.61;
     spectrum.dimension_error = 0.031;  // three times hypot(0.031, 0.02) is 0.1107
     CHECK(concerns_of(sound_fit(), levelled, std::optional(spectrum)).empty());
@@ -59,9 +59,9 @@ TEST_CASE("A fit tells each concern beyond its limit") {
     fit = sound_fit();
     fit.log_roughness_error = 2.31;
     CHECK(concerns_of(fit) == Concerns{roughness_uncertain});
-    LevelledProfile<double> levelled;
+    parts::LevelledProfile<double> levelled;
     levelled.cutoff = 199e-6;
-    SpectralFit<double> spectrum;
+    parts::SpectralFit<double> spectrum;
     spectrum.dimension = 1.61;
     spectrum.dimension_error = 0.0299;  // three times hypot(0.0299, 0.02) is 0.108
     CHECK(concerns_of(sound_fit(), levelled, std::optional(spectrum)) == Concerns{filtered, spectrum_differs});
@@ -71,7 +71,7 @@ TEST_CASE("A fit tells each concern beyond its limit") {
 }
 
 TEST_CASE("A surface tells each concern beyond its limit") {
-    SurfaceParameters<double> surface;
+    parts::SurfaceParameters<double> surface;
     surface.peak_radius = {1e-6, 0.299e-6};
     surface.peak_density = {1e9, 0.299e9};
     surface.peaks_counted = 30;
@@ -87,13 +87,13 @@ TEST_CASE("A surface tells each concern beyond its limit") {
     for (const double gradient : {1e-6, 0.1, 1.0}) CHECK(concerns_of(surface, gradient).empty());
     for (const double gradient : {9.9e-7, 1.01, std::numeric_limits<double>::infinity()})
         CHECK(concerns_of(surface, gradient) == Concerns{implausible_gradient});
-    CHECK(is_fatal(implausible_gradient));
+    CHECK(parts::is_fatal(implausible_gradient));
 }
 
 TEST_CASE(
     "A parameter with an error above half its value is not known, and R and D_p of islands densest at an end are "
     "nothing") {
-    SurfaceParameters<double> surface;
+    parts::SurfaceParameters<double> surface;
     surface.peaks_counted = 30;
     surface.rms_height = {1e-6, 0.5e-6};
     surface.r = {0.4, 0.2};
@@ -123,13 +123,14 @@ TEST_CASE(
     islands.index = 1;
     islands.density_error = 0.51;
     CHECK(concerns_of(islands) == Concerns{density_uncertain, parameter_unknown});
-    CHECK((is_fatal(no_densest_level) && is_fatal(parameter_unknown) && !is_fatal(radius_uncertain)));
+    CHECK((parts::is_fatal(no_densest_level) && parts::is_fatal(parameter_unknown) &&
+           !parts::is_fatal(radius_uncertain)));
 }
 
 TEST_CASE("A map that is stretched is told to be anisotropic") {
     auto map = self_affine_map<double>({.hurst = 0.6, .rms = 1e-6, .seed = 3}, 256, 256, 1e-6, 1e-6);
     map.dx *= 4;
-    const Concerns found = concerns_of(surface_parameters(level(map, MapForm::plane)));
+    const Concerns found = concerns_of(parts::surface_parameters(parts::level(map, MapForm::plane)));
     CHECK(std::find(found.begin(), found.end(), anisotropic) != found.end());
 }
 

@@ -33,7 +33,7 @@ Surface<double> one_of(double rms, double radius, double density, double relativ
 TEST_CASE("like measurements leave the values, and have smaller errors") {
     const auto one = one_of(1e-6, 2e-5, 1e9, 0.1, 1e-3);
     const auto four = pooled(std::vector{one, one, one, one});
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
         CHECK(test::relative_error(four.values()[i], one.values()[i]) < 1e-13);
     CHECK(test::relative_error(four.fractal_roughness->value, 1e-12) < 1e-11);
     CHECK(test::relative_error(four.fractal_roughness->error, 0.05e-12) < 1e-11);
@@ -55,7 +55,7 @@ TEST_CASE("unlike measurements: means of the spectra, and the scatter is the err
     CHECK(test::relative_error(both.peak_radius.value, 1 / std::sqrt(0.75 / 4e-10 + 0.25 / 16e-10)) < 1e-13);
     CHECK(test::relative_error(both.max_peak_height.value, 6e-6) < 1e-15);
     // ln 2 apart, weights 3/4 and 1/4: variance 3/16 ln^2 2, times (10/16)/(6/16), times t^2
-    const double k = student_quantile(normal_95<double>, 1) / normal_95<double>.value,
+    const double k = math::student_quantile(math::normal_95<double>, 1) / math::normal_95<double>.value,
                  error = k * std::log(2.0) * std::sqrt(3.0 / 16 * 10 / 6);
     CHECK(test::relative_error(both.rms_height.error / both.rms_height.value,
                                std::sqrt(std::expm1(error * error))) < 1e-10);

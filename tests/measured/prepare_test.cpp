@@ -41,11 +41,11 @@ std::size_t missing(const Profile<double>& profile) { return profile.size() - pr
 
 TEST_CASE("A profile loses its form, then lambda_s, then the lambda_c of what is left") {
     const auto profile = trace();
-    const auto prepared = prepare(profile);
-    const auto flat = detrend(profile, Form::line);
-    const auto smooth = gaussian_low_pass(flat, 2.5e-6);  // five steps of 0.5 um
+    const auto prepared = parts::prepare(profile);
+    const auto flat = detail::detrend(profile, Form::line);
+    const auto smooth = parts::gaussian_low_pass(flat, 2.5e-6);  // five steps of 0.5 um
     const auto ra = [](const Profile<double>& of, double cut_off) {
-        const auto rough = gaussian_roughness(of, cut_off);
+        const auto rough = parts::gaussian_roughness(of, cut_off);
         double sum = 0;
         for (const double z : rough.heights) sum += std::abs(z);
         return sum / static_cast<double>(rough.size());
@@ -56,9 +56,9 @@ TEST_CASE("A profile loses its form, then lambda_s, then the lambda_c of what is
     CHECK(ra(smooth, 0.8e-3) < 2e-6);
     CHECK(prepared.cut_offs.lambda_s == 2.5e-6);
     CHECK(prepared.cut_offs.lambda_c == 0.8e-3);
-    CHECK(prepared.cut_offs.why_c == CutOffReason::roughness);
+    CHECK(prepared.cut_offs.why_c == parts::CutOffReason::roughness);
     CHECK(std::abs(prepared.cut_offs.mean_deviation / ra(smooth, 0.8e-3) - 1) < 1e-12);
-    CHECK(same(prepared.profile, gaussian_roughness(smooth, 0.8e-3)));
+    CHECK(same(prepared.profile, parts::gaussian_roughness(smooth, 0.8e-3)));
     CHECK(same(prepared.of_structure(), flat));
     CHECK(prepared.rms_as_read == rms_height(profile));
     CHECK(prepared.rms_levelled == rms_height(smooth));
@@ -68,9 +68,10 @@ TEST_CASE("A profile loses its form, then lambda_s, then the lambda_c of what is
         squares += std::pow((prepared.profile.heights[i] - prepared.profile.heights[i - 1]) / 0.5e-6, 2);
     CHECK(std::abs(prepared.rms_gradient / std::sqrt(2 * squares / 8191) - 1) < 1e-12);
     // the test sees the order: filters before the form leave other heights
-    CHECK_FALSE(same(prepared.profile,
-                     detrend(gaussian_roughness(gaussian_low_pass(profile, 2.5e-6), 0.8e-3), Form::line)));
-    CHECK_FALSE(same(prepared.profile, gaussian_low_pass(gaussian_roughness(flat, 0.8e-3), 2.5e-6)));
+    CHECK_FALSE(same(
+        prepared.profile,
+        detail::detrend(parts::gaussian_roughness(parts::gaussian_low_pass(profile, 2.5e-6), 0.8e-3), Form::line)));
+    CHECK_FALSE(same(prepared.profile, parts::gaussian_low_pass(parts::gaussian_roughness(flat, 0.8e-3), 2.5e-6)));
 }
 
 TEST_CASE("The Ra that chooses lambda_c is that without the waves below lambda_s") {
@@ -78,61 +79,64 @@ TEST_CASE("The Ra that chooses lambda_c is that without the waves below lambda_s
     for (std::size_t i = 0; i < profile.size(); ++i)
         profile.heights[i] = (i % 2 == 0 ? 0.4e-6 : -0.4e-6) + 20e-9 * std::sin(static_cast<double>(i) / 4) +
                              1e-9 * static_cast<double>(i);
-    CHECK(prepare(profile).cut_offs.lambda_c == 0.08e-3);
-    CHECK(prepare(profile, {.lambda_s = no_cut_off}).cut_offs.lambda_c == 0.8e-3);
+    CHECK(parts::prepare(profile).cut_offs.lambda_c == 0.08e-3);
+    CHECK(parts::prepare(profile, {.lambda_s = no_cut_off}).cut_offs.lambda_c == 0.8e-3);
 }
 
 TEST_CASE("The form with its own cut-off, the robust filter, and none") {
     const auto profile = trace();
-    const auto form = prepare(profile, {.lambda_s = 2.5e-6, .form_cut_off = 0.4e-3});
-    const auto flat = detrend(profile, Form::line);
-    CHECK(same(form.profile, gaussian_roughness(gaussian_low_pass(flat, 2.5e-6), 0.4e-3)));
+    const auto form = parts::prepare(profile, {.lambda_s = 2.5e-6, .form_cut_off = 0.4e-3});
+    const auto flat = detail::detrend(profile, Form::line);
+    CHECK(same(form.profile, parts::gaussian_roughness(parts::gaussian_low_pass(flat, 2.5e-6), 0.4e-3)));
     CHECK(form.cut_offs.lambda_c == 0.4e-3);
     CHECK(form.cutoff == 0.4e-3);
     CHECK_FALSE(form.lambda_c);
-    CHECK_THROWS_AS(prepare(profile, {.lambda_c = 0.8e-3, .form_cut_off = 0.4e-3}), domain_error);
-    const auto robust = prepare(profile, {.lambda_s = no_cut_off, .lambda_c = 0.4e-3, .filter = CutOffFilter::robust});
-    const auto wave = robust_waviness(flat, 0.4e-3);
+    CHECK_THROWS_AS(parts::prepare(profile, {.lambda_c = 0.8e-3, .form_cut_off = 0.4e-3}), domain_error);
+    const auto robust =
+        parts::prepare(profile, {.lambda_s = no_cut_off, .lambda_c = 0.4e-3, .filter = CutOffFilter::robust});
+    const auto wave = parts::robust_waviness(flat, 0.4e-3);
     REQUIRE(robust.cut_offs.robust);
     CHECK(robust.cut_offs.robust->left_out == wave.left_out);
     CHECK(robust.cut_offs.robust->points == 8192);
     CHECK(robust.cut_offs.robust->iterations == wave.iterations);
     CHECK(robust.profile.heights[100] == flat.heights[100] - wave.waviness.heights[100]);
     CHECK(same(robust.of_structure(), flat));
-    const auto bow = prepare(profile, {.lambda_s = no_cut_off, .lambda_c = no_cut_off, .form = Form::parabola});
-    CHECK(same(bow.profile, detrend(profile, Form::parabola)));
+    const auto bow = parts::prepare(profile, {.lambda_s = no_cut_off, .lambda_c = no_cut_off, .form = Form::parabola});
+    CHECK(same(bow.profile, detail::detrend(profile, Form::parabola)));
 }
 
 TEST_CASE("A map loses its form, then lambda_s, then a given lambda_c, and every way to it gives the same map") {
     const auto map = tilted_map();
     const MeasureOptions<double> options{.lambda_c = 15e-6};
-    const auto prepared = prepare(map, options);
-    const auto flat = remove_form(map, MapForm::plane);
-    const auto smooth = gaussian_low_pass(flat, 2.5e-6);
+    const auto prepared = parts::prepare(map, options);
+    const auto flat = parts::remove_form(map, MapForm::plane);
+    const auto smooth = parts::gaussian_low_pass(flat, 2.5e-6);
     CHECK(prepared.cut_offs.lambda_s == 2.5e-6);
-    CHECK(same(prepared.map, gaussian_high_pass(smooth, 15e-6)));
+    CHECK(same(prepared.map, parts::gaussian_high_pass(smooth, 15e-6)));
     CHECK(same(prepared.of_structure(), flat));
     CHECK(prepared.lambda_c == 15e-6);
     CHECK(prepared.rms_as_read == rms_height(map));
     CHECK(prepared.rms_levelled == rms_height(flat));
     CHECK(prepared.rms == prepared.areal.rms_height);
-    CHECK(same(prepare(map).map, smooth));
+    CHECK(same(parts::prepare(map).map, smooth));
     auto given = map;
-    CHECK(same(prepare(std::move(given), options).map, prepared.map));
+    CHECK(same(parts::prepare(std::move(given), options).map, prepared.map));
     CHECK(given.size() == 0);
-    const auto shared = without_form(map, options);
-    CHECK(same(with_cut_offs(shared, options).map, prepared.map));
-    const auto none = with_cut_offs(shared, {.lambda_s = no_cut_off});
+    const auto shared = parts::without_form(map, options);
+    CHECK(same(parts::with_cut_offs(shared, options).map, prepared.map));
+    const auto none = parts::with_cut_offs(shared, {.lambda_s = no_cut_off});
     CHECK(same(none.map, flat));
     CHECK_FALSE(none.unfiltered);
-    const auto robust = prepare(map, {.lambda_s = no_cut_off, .lambda_c = 15e-6, .filter = CutOffFilter::robust});
-    const auto wave = robust_waviness(flat, 15e-6);
+    const auto robust =
+        parts::prepare(map, {.lambda_s = no_cut_off, .lambda_c = 15e-6, .filter = CutOffFilter::robust});
+    const auto wave = parts::robust_waviness(flat, 15e-6);
     CHECK((robust.map.heights == flat.heights - wave.waviness.heights).all());
     REQUIRE(robust.cut_offs.robust);
     CHECK(robust.cut_offs.robust->points == 64 * 80);
     // the test sees the order
-    CHECK_FALSE(same(prepared.map, remove_form(gaussian_high_pass(gaussian_low_pass(map, 2.5e-6), 15e-6),
-                                               MapForm::plane)));
+    CHECK_FALSE(same(
+        prepared.map,
+        parts::remove_form(parts::gaussian_high_pass(parts::gaussian_low_pass(map, 2.5e-6), 15e-6), MapForm::plane)));
 }
 
 TEST_CASE("A profile is cropped, masked, freed of spikes and filled, in this order") {
@@ -143,10 +147,10 @@ TEST_CASE("A profile is cropped, masked, freed of spikes and filled, in this ord
     profile.heights[60] = std::nan("");
     profile.heights[95] = 1e-6;  // one that the crop takes
     Cleaning<double> how{
-        .crop = Crop<double>{10e-6, 79.9999999e-6}, .mask = PointMask::Ones(1, 71), .spikes = 10, .fill = true};
+        .crop = Crop<double>{10e-6, 79.9999999e-6}, .mask = parts::PointMask::Ones(1, 71), .spikes = 10, .fill = true};
     how.mask(0, 5) = how.mask(0, 50) = false;  // 50: missing before
     Profile<double> cleaned = profile;
-    const CleaningReport report = clean(cleaned, how);
+    const parts::CleaningReport report = parts::clean(cleaned, how);
     CHECK(report.columns_read == 100);
     CHECK(report.columns == 71);  // 10 to 80: a bound a rounding beside a point takes it
     CHECK(report.rows == 1);
@@ -157,22 +161,22 @@ TEST_CASE("A profile is cropped, masked, freed of spikes and filled, in this ord
     CHECK(missing(cleaned) == 0);
     Profile<double> by_hand{{profile.heights.begin() + 10, profile.heights.begin() + 81}, 1e-6};
     by_hand.heights[5] = by_hand.heights[50] = std::nan("");
-    CHECK(find_spikes(by_hand, 10).removed == 1);
-    CHECK(fill_missing(by_hand).missing == 3);
+    CHECK(parts::find_spikes(by_hand, 10).removed == 1);
+    CHECK(parts::fill_missing(by_hand).missing == 3);
     CHECK(same(cleaned, by_hand));
     CHECK(cleaned.heights[30] == (by_hand.heights[29] + by_hand.heights[31]) / 2);
-    how.mask = PointMask::Ones(1, 100);  // of the whole, not of the crop
-    CHECK_THROWS_AS(clean(cleaned = profile, how), domain_error);
-    how.mask = PointMask{};
+    how.mask = parts::PointMask::Ones(1, 100);  // of the whole, not of the crop
+    CHECK_THROWS_AS(parts::clean(cleaned = profile, how), domain_error);
+    how.mask = parts::PointMask{};
     how.spikes = 2.9;
-    CHECK_THROWS_AS(clean(cleaned = profile, how), domain_error);
+    CHECK_THROWS_AS(parts::clean(cleaned = profile, how), domain_error);
     how.spikes = 1001;
-    CHECK_THROWS_AS(clean(cleaned = profile, how), domain_error);
+    CHECK_THROWS_AS(parts::clean(cleaned = profile, how), domain_error);
     how.spikes = 3;
-    CHECK_NOTHROW(clean(cleaned = profile, how));
+    CHECK_NOTHROW(parts::clean(cleaned = profile, how));
     for (const auto& [from, to] : {std::pair{-1e-6, 5e-6}, {5e-6, 5e-6}, {5e-6, 101e-6}, {5.1e-6, 5.9e-6}}) {
         how.crop = Crop<double>{from, to};
-        CHECK_THROWS_AS(clean(cleaned = profile, how), domain_error);
+        CHECK_THROWS_AS(parts::clean(cleaned = profile, how), domain_error);
     }
 }
 
@@ -181,11 +185,13 @@ TEST_CASE("A map is cropped along x and y, masked, freed of spikes and filled, i
     for (Eigen::Index k = 0; k < map.size(); ++k) map.heights.data()[k] = 1e-9 * std::sin(static_cast<double>(k * k));
     map.heights(10, 10) = 1e-6;  // masked
     map.heights(20, 20) = 1e-6;
-    Cleaning<double> how{
-        .crop = Crop<double>{5e-6, 34e-6, 8e-6, 52e-6}, .mask = PointMask::Ones(23, 30), .spikes = 20, .fill = true};
+    Cleaning<double> how{.crop = Crop<double>{5e-6, 34e-6, 8e-6, 52e-6},
+                         .mask = parts::PointMask::Ones(23, 30),
+                         .spikes = 20,
+                         .fill = true};
     how.mask(6, 5) = false;  // row 10 - 4, column 10 - 5
     HeightMap<double> cleaned = map;
-    const CleaningReport report = clean(cleaned, how);
+    const parts::CleaningReport report = parts::clean(cleaned, how);
     CHECK(report.columns_read == 40);
     CHECK(report.rows_read == 30);
     CHECK(report.columns == 30);
@@ -195,22 +201,22 @@ TEST_CASE("A map is cropped along x and y, masked, freed of spikes and filled, i
     CHECK(report.filled == 2);
     HeightMap<double> by_hand{map.heights.block(4, 5, 23, 30), 1e-6, 2e-6};
     by_hand.heights(6, 5) = std::nan("");
-    CHECK(find_spikes(by_hand, 20).removed == 1);
-    CHECK(fill_missing(by_hand).missing == 2);
+    CHECK(parts::find_spikes(by_hand, 20).removed == 1);
+    CHECK(parts::fill_missing(by_hand).missing == 2);
     CHECK(same(cleaned, by_hand));
     CHECK(std::abs(cleaned.heights(16, 15)) < 2e-9);
-    how.mask = PointMask::Ones(30, 23);
-    CHECK_THROWS_AS(clean(cleaned = map, how), domain_error);
+    how.mask = parts::PointMask::Ones(30, 23);
+    CHECK_THROWS_AS(parts::clean(cleaned = map, how), domain_error);
 }
 
 TEST_CASE("The points between two lengths") {
-    CHECK(points_between(0.0, 9e-6, 10, 1e-6)->count == 10);
-    CHECK(points_between(0.0, 10e-6, 10, 1e-6)->count == 10);  // the last point has a step of its own
-    CHECK_FALSE(points_between(0.0, 10.1e-6, 10, 1e-6));
-    CHECK_FALSE(points_between(3e-6, 2e-6, 10, 1e-6));
-    CHECK(points_between(2.2e-6, 2.8e-6, 10, 1e-6)->count == 0);
-    CHECK(points_between(2.2e-6, 4.8e-6, 10, 1e-6)->from == 3);
-    CHECK(points_between(2.2e-6, 4.8e-6, 10, 1e-6)->count == 2);
+    CHECK(parts::points_between(0.0, 9e-6, 10, 1e-6)->count == 10);
+    CHECK(parts::points_between(0.0, 10e-6, 10, 1e-6)->count == 10);  // the last point has a step of its own
+    CHECK_FALSE(parts::points_between(0.0, 10.1e-6, 10, 1e-6));
+    CHECK_FALSE(parts::points_between(3e-6, 2e-6, 10, 1e-6));
+    CHECK(parts::points_between(2.2e-6, 2.8e-6, 10, 1e-6)->count == 0);
+    CHECK(parts::points_between(2.2e-6, 4.8e-6, 10, 1e-6)->from == 3);
+    CHECK(parts::points_between(2.2e-6, 4.8e-6, 10, 1e-6)->count == 2);
 }
 
 }  // namespace prepare_test

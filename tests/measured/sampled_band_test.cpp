@@ -11,8 +11,8 @@ using namespace fstiff;
 
 namespace {
 
-SurfaceParameters<double> surface() {
-    SurfaceParameters<double> s;
+parts::SurfaceParameters<double> surface() {
+    parts::SurfaceParameters<double> s;
     s.set(Parameter::rms_height, {1e-6, 2e-7});
     s.set(Parameter::peak_radius, {2e-5, 0});
     s.set(Parameter::peak_density, {3e9, 0});
@@ -28,7 +28,7 @@ TEST_CASE("The band of a parameter is that of its distribution, within what so m
     const double s = std::sqrt(std::log1p(0.04));
     int outside = 0;
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-        const auto band = sampled_band(surface(), both, {.samples = 400, .seed = seed});
+        const auto band = parts::sampled_band(surface(), both, {.samples = 400, .seed = seed});
         REQUIRE(band.size() == 2);
         for (const auto& [z, sigma, d] :
              {std::tuple(-1.6448536, band[0].low, band[1].low), std::tuple(1.6448536, band[0].high, band[1].high)}) {
@@ -56,8 +56,8 @@ TEST_CASE("The same seed gives the same band, and what is not a number is counte
                                                 : x[0];
         return std::array<double, 3>{x[0], missing, std::numeric_limits<double>::quiet_NaN()};
     };
-    const auto first = sampled_band(surface(), some, {.samples = 30, .seed = 5, .progress = hook});
-    const auto second = sampled_band(surface(), some, {.samples = 30, .seed = 5});
+    const auto first = parts::sampled_band(surface(), some, {.samples = 30, .seed = 5, .progress = hook});
+    const auto second = parts::sampled_band(surface(), some, {.samples = 30, .seed = 5});
     CHECK((done.size() == 30 && done.front() == 0 && done.back() == 29));
     CHECK((first[0].low == second[0].low && first[0].high == second[0].high && first[0].failed == 0));
     CHECK((first[0].low < first[0].median && first[0].median < first[0].high));
@@ -66,14 +66,15 @@ TEST_CASE("The same seed gives the same band, and what is not a number is counte
 }
 
 TEST_CASE("No surfaces, surfaces out of range and values that change their number are refused") {
-    CHECK(test::refusal([] { (void)sampled_band(surface(), both, {.samples = 0}); }) ==
+    CHECK(test::refusal([] { (void)parts::sampled_band(surface(), both, {.samples = 0}); }) ==
           "samples = 0: must be at least 1");
-    SurfaceParameters<double> bad = surface();
+    parts::SurfaceParameters<double> bad = surface();
     bad.rms_height.value = -1;
-    CHECK(test::refusal([&] { (void)sampled_band(bad, both); }).starts_with("rms_height = -1: must be"));
+    CHECK(test::refusal([&] { (void)parts::sampled_band(bad, both); }).starts_with("rms_height = -1: must be"));
     std::size_t size = 0;
     CHECK(test::refusal([&] {
-              (void)sampled_band(surface(), [&](const auto&) { return std::vector<double>(++size); }, {.samples = 3});
+              (void)parts::sampled_band(surface(), [&](const auto&) { return std::vector<double>(++size); },
+                                        {.samples = 3});
           }) == "values of a drawn surface = 2: must be 1, as of the first");
 }
 

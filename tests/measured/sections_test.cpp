@@ -25,7 +25,7 @@ HeightMap<double> self_affine(double hurst, std::size_t columns, std::size_t row
 TEST_CASE("Sections are the rows and the columns of the map") {
     auto map = self_affine(0.5, 20, 16, 1, 1e-6, 2e-6);
     map.heights(3, 4) = missing;
-    const auto x = section(map, Direction::x, 3), y = section(map, Direction::y, 4);
+    const auto x = parts::section(map, parts::Direction::x, 3), y = parts::section(map, parts::Direction::y, 4);
     REQUIRE(x.size() == 20);
     REQUIRE(y.size() == 16);
     CHECK(x.spacing == 1e-6);
@@ -34,8 +34,10 @@ TEST_CASE("Sections are the rows and the columns of the map") {
     CHECK(y.heights[5] == map.heights(5, 4));
     CHECK(std::isnan(x.heights[4]));
     CHECK(std::isnan(y.heights[3]));
-    CHECK(test::refusal([&] { (void)section(map, Direction::x, 16); }) == "row = 16: must be between 0 and 15");
-    CHECK(test::refusal([&] { (void)section(map, Direction::y, -1); }) == "column = -1: must be between 0 and 19");
+    CHECK(test::refusal([&] { (void)parts::section(map, parts::Direction::x, 16); }) ==
+          "row = 16: must be between 0 and 15");
+    CHECK(test::refusal([&] { (void)parts::section(map, parts::Direction::y, -1); }) ==
+          "column = -1: must be between 0 and 19");
 }
 
 TEST_CASE("The mean structure function is that of all sections, whatever is missing and however high the map") {
@@ -45,20 +47,21 @@ TEST_CASE("The mean structure function is that of all sections, whatever is miss
     map.heights += offset;
     if (holes)
         for (Eigen::Index k = 0; k < map.size(); k += 5 + k % 7) map.heights.data()[k] = missing;
-    for (const Direction direction : {Direction::x, Direction::y}) {
-        const bool x = direction == Direction::x;
-        const auto measured = section_structure(map, direction);
+    for (const parts::Direction direction : {parts::Direction::x, parts::Direction::y}) {
+        const bool x = direction == parts::Direction::x;
+        const auto measured = parts::section_structure(map, direction);
         const auto& s = measured.structure_function;
         CHECK(measured.points == (x ? 64 : 48));
         CHECK(measured.spacing == (x ? 1e-6 : 3e-6));
-        REQUIRE(s.step == logarithmic_lags(x ? 16 : 12));
+        REQUIRE(s.step == parts::logarithmic_lags(x ? 16 : 12));
         double worst = 0;
         for (std::size_t k = 0; k < s.size(); ++k) {
             // section by section with the structure function of profiles: the independent code
             long double sum = 0, pairs = 0;
             for (Eigen::Index j = 0; j < (x ? map.rows() : map.columns()); ++j) {
-                const auto f = structure_function(x ? section(map, Direction::x, j) : section(map, Direction::y, j),
-                                                  std::span<const std::size_t>(&s.step[k], 1));
+                const auto f = structure_function(
+                    x ? parts::section(map, parts::Direction::x, j) : parts::section(map, parts::Direction::y, j),
+                    std::span<const std::size_t>(&s.step[k], 1));
                 sum += static_cast<long double>(f.value[0]) * static_cast<long double>(f.pairs[0]);
                 pairs += static_cast<long double>(f.pairs[0]);
             }
@@ -74,8 +77,8 @@ TEST_CASE("D along x and along y is 2 - H, and isotropic maps are not called ani
     for (const double hurst : {0.3, 0.5, 0.8}) {
         double worst = 0, mean = 0, square = 0;
         for (std::uint64_t seed = 1; seed <= 13; ++seed) {
-            const auto map = remove_form(self_affine(hurst, 256, 256, seed), MapForm::plane);
-            const auto fit = fit_directions(map);
+            const auto map = parts::remove_form(self_affine(hurst, 256, 256, seed), MapForm::plane);
+            const auto fit = parts::fit_directions(map);
             INFO(hurst << ", seed " << seed << ": " << fit.why_no_fit_x << fit.why_no_fit_y);
             REQUIRE(fit.x);
             REQUIRE(fit.y);
@@ -108,7 +111,7 @@ TEST_CASE("Isotropic maps whose windows fall apart are not called anisotropic") 
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         const auto map = self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .longest_wavelength = 32e-6, .seed = seed},
                                                  128, 128, 0.5e-6, 0.5e-6);
-        const auto fit = fit_directions(remove_form(map, MapForm::plane));
+        const auto fit = parts::fit_directions(parts::remove_form(map, MapForm::plane));
         REQUIRE(fit.x);
         REQUIRE(fit.y);
         apart += std::abs(fit.x->fractal.dimension - fit.y->fractal.dimension) > 0.12 ? 1 : 0;
@@ -122,7 +125,7 @@ TEST_CASE("A map that is stretched, or rougher along one side, is called anisotr
     // stretched: the same heights on another grid: S_x(t) = S_y(t/4), a level apart by 4^(2H)
     auto map = self_affine(0.6, 256, 256, 3);
     map.dx *= 4;
-    const auto stretched = fit_directions(remove_form(map, MapForm::plane));
+    const auto stretched = parts::fit_directions(parts::remove_form(map, MapForm::plane));
     CHECK(stretched.level_differs);
     CHECK(stretched.anisotropic());
     CHECK(std::abs(stretched.log_level_difference + 1.2 * std::log(4.0)) <= 4 * stretched.log_level_difference_error);
@@ -134,7 +137,7 @@ TEST_CASE("A map that is stretched, or rougher along one side, is called anisotr
             map.heights(j, i) =
                 rough.heights[static_cast<std::size_t>(i)] + smooth.heights[static_cast<std::size_t>(j)];
     map.dx = map.dy;
-    const auto ridged = fit_directions(map);
+    const auto ridged = parts::fit_directions(map);
     REQUIRE(ridged.x);
     REQUIRE(ridged.y);
     CHECK(ridged.dimension_differs);
@@ -143,15 +146,15 @@ TEST_CASE("A map that is stretched, or rougher along one side, is called anisotr
 
 TEST_CASE("A map turned by a right angle has its directions exchanged, another unit changes nothing") {
     const auto map = self_affine(0.5, 200, 160, 4, 1e-6, 1.5e-6);
-    const auto here = fit_directions(map);
+    const auto here = parts::fit_directions(map);
     REQUIRE(here.x);
     REQUIRE(here.y);
-    const auto turned = fit_directions(HeightMap<double>{map.heights.transpose(), map.dy, map.dx});
+    const auto turned = parts::fit_directions(HeightMap<double>{map.heights.transpose(), map.dy, map.dx});
     CHECK(test::relative_error(turned.x->fractal.dimension, here.y->fractal.dimension) <= 1e-12);
     CHECK(test::relative_error(turned.y->dimension_error, here.x->dimension_error) <= 1e-9);
     CHECK(test::relative_error(turned.log_level_difference, -here.log_level_difference) <= 1e-9);
     for (const double unit : {1e9, 1e-9}) {
-        const auto there = fit_directions(HeightMap<double>{map.heights * unit, map.dx * unit, map.dy * unit});
+        const auto there = parts::fit_directions(HeightMap<double>{map.heights * unit, map.dx * unit, map.dy * unit});
         CHECK(test::relative_error(there.x->fractal.dimension, here.x->fractal.dimension) <= 1e-10);
         CHECK(test::relative_error(there.y->fractal.roughness / unit, here.y->fractal.roughness) <= 1e-9);
         CHECK(test::relative_error(there.x->dimension_error, here.x->dimension_error) <= 1e-6);
@@ -162,31 +165,31 @@ TEST_CASE("A map turned by a right angle has its directions exchanged, another u
 
 TEST_CASE("Seed and resamples of the rows are those asked for") {
     const auto map = self_affine(0.5, 128, 128, 7);
-    const auto measured = section_structure(map, Direction::x, {.resamples = 50, .seed = 3});
+    const auto measured = parts::section_structure(map, parts::Direction::x, {.resamples = 50, .seed = 3});
     const std::vector<std::size_t> steps{1, 2, 4, 8};
     const auto a = measured.resample(steps);
     CHECK(a.rows() == 4);
     CHECK(a.cols() == 50);
     CHECK((a.array() == measured.resample(steps).array()).all());
-    CHECK(!section_structure(map, Direction::x, {.resamples = 0}).resample);
+    CHECK(!parts::section_structure(map, parts::Direction::x, {.resamples = 0}).resample);
     CHECK(measured.profiles == 128);
     CHECK(measured.apart == 1);
     // rows that are all alike have no spread
     HeightMap<double> ridges = map;
     for (Eigen::Index j = 0; j < 128; ++j) ridges.heights.row(j) = map.heights.row(0);
-    const auto same = section_structure(ridges, Direction::x).resample(steps);
+    const auto same = parts::section_structure(ridges, parts::Direction::x).resample(steps);
     CHECK((same.colwise() - same.col(0)).cwiseAbs().maxCoeff() <= 1e-12);
 }
 
 TEST_CASE("Maps without sections to fit say why") {
     const auto map = self_affine(0.5, 64, 64, 1);
-    CHECK(test::refusal([&] { (void)fit_directions(map, {.tip_radius = 1e-6}); }).find("tip radius = ") == 0);
-    CHECK(test::refusal([&] { (void)fit_directions(map, {.resamples = -1}); }).find("resamples = -1") == 0);
-    CHECK(test::refusal([&] { (void)fit_directions(self_affine(0.5, 12, 64, 1)); }).find("map of 12 x 64") == 0);
+    CHECK(test::refusal([&] { (void)parts::fit_directions(map, {.tip_radius = 1e-6}); }).find("tip radius = ") == 0);
+    CHECK(test::refusal([&] { (void)parts::fit_directions(map, {.resamples = -1}); }).find("resamples = -1") == 0);
+    CHECK(test::refusal([&] { (void)parts::fit_directions(self_affine(0.5, 12, 64, 1)); }).find("map of 12 x 64") == 0);
     // a plane sheet with ridges along y: nothing differs along them
     HeightMap<double> ridges = map;
     for (Eigen::Index j = 0; j < 64; ++j) ridges.heights.row(j) = map.heights.row(0);
-    const auto fit = fit_directions(ridges);
+    const auto fit = parts::fit_directions(ridges);
     CHECK(!fit.y);
     CHECK(!fit.why_no_fit_y.empty());
     CHECK(fit.dimension_difference == 0);
@@ -212,7 +215,7 @@ TEST_CASE("The interval of 95 % covers D along x and along y at every decimation
             for (Eigen::Index j = 0; j < part.rows(); ++j)
                 for (Eigen::Index i = 0; i < part.columns(); ++i)
                     part.heights(j, i) = whole.heights(j * step, i * step);
-            const auto fit = fit_directions(remove_form(part, MapForm::plane), {.resamples = 60});
+            const auto fit = parts::fit_directions(parts::remove_form(part, MapForm::plane), {.resamples = 60});
             for (const auto& one : {fit.x, fit.y}) {
                 if (!one) continue;
                 ++fitted;

@@ -14,8 +14,8 @@ using test::relative_error;
 
 namespace {
 
-SurfaceParameters<double> surface() {
-    SurfaceParameters<double> s;
+parts::SurfaceParameters<double> surface() {
+    parts::SurfaceParameters<double> s;
     s.set(Parameter::rms_height, {0.832e-6, 0});
     s.set(Parameter::peak_radius, {40e-6, 0});
     s.set(Parameter::peak_density, {500e6, 0});
@@ -42,7 +42,7 @@ TEST_CASE("Without errors the band is K itself") {
 }
 
 TEST_CASE("The band is that of a loop over the surfaces, and of its seed") {
-    SurfaceParameters<double> s = surface();
+    parts::SurfaceParameters<double> s = surface();
     for (const auto& [which, error] : {std::pair{Parameter::rms_height, 0.1e-6},
                                        {Parameter::peak_radius, 4e-6},
                                        {Parameter::peak_density, 100e6},
@@ -51,7 +51,7 @@ TEST_CASE("The band is that of a loop over the surfaces, and of its seed") {
                                        {Parameter::theta, 0.1}})
         s.find(which)->error = error;
     const auto band = stiffness_band(s, pressures, fractal, 112.6e9, {.samples = 101, .seed = 3});
-    SurfaceSampler<double> draw(s, 3);
+    parts::SurfaceSampler<double> draw(s, 3);
     std::vector<std::vector<double>> k(2);
     for (int n = 0; n < 101; ++n) {
         const auto x = draw();
@@ -70,10 +70,12 @@ TEST_CASE("The band is that of a loop over the surfaces, and of its seed") {
 }
 
 TEST_CASE("The band over the error of the density of peaks is that of its quantiles") {
-    SurfaceParameters<double> s = surface();
+    parts::SurfaceParameters<double> s = surface();
     s.peak_density.error = 100e6;
     // p and K are both proportional to D_p: at a pressure p of the surface with c D_p, K = c K_1(p/c) of the surface itself
-    const auto contact_of = [](const auto& drawn) { return GreenwoodWilliamson<double>(roughness_of(drawn), 112.6e9); };
+    const auto contact_of = [](const auto& drawn) {
+        return GreenwoodWilliamson<double>(detail::roughness_of(drawn), 112.6e9);
+    };
     const auto band = stiffness_band(s, pressures, contact_of, {.samples = 4001, .seed = 1});
     const GreenwoodWilliamson<double> one(Roughness<double>{0.832e-6, 40e-6, 500e6}, 112.6e9);
     const double s_log = std::sqrt(std::log1p(0.2 * 0.2));
@@ -89,14 +91,15 @@ TEST_CASE("The band over the error of the density of peaks is that of its quanti
 }
 
 TEST_CASE("Surfaces that do not reach a pressure are left out there, and what cannot be is refused") {
-    SurfaceParameters<double> s = surface();
+    parts::SurfaceParameters<double> s = surface();
     s.rms_height.error = 0.2e-6;
-    const auto at = stiffness_band(s, std::vector{1e-287, 1e6},
-                                   [](const auto& drawn) {
-                                       return RoughContact(roughness_of(drawn), PeakDistribution<double>(0.6, 1.1),
-                                                           HertzLaw<double>{}, 112.6e9);
-                                   },
-                                   {.samples = 50});
+    const auto at =
+        stiffness_band(s, std::vector{1e-287, 1e6},
+                       [](const auto& drawn) {
+                           return RoughContact(detail::roughness_of(drawn), PeakDistribution<double>(0.6, 1.1),
+                                               HertzLaw<double>{}, 112.6e9);
+                       },
+                       {.samples = 50});
     CHECK((at[0].failed > 0 && at[1].failed == 0));
 
     s.r.reset();

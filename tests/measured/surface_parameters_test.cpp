@@ -122,7 +122,7 @@ struct Scatter {
     Eigen::Array<double, 6, 1> stated = Eigen::Array<double, 6, 1>::Zero();
     Eigen::Array<double, 6, 6> correlation = Eigen::Array<double, 6, 6>::Zero();
 
-    void add(const SurfaceParameters<double>& s) {
+    void add(const parts::SurfaceParameters<double>& s) {
         const std::array<Measurement<double>, 6> all{s.rms_height,      s.peak_radius, s.peak_density,
                                                      s.max_peak_height, s.r.value(),   s.theta.value()};
         Eigen::Array<double, 6, 1> value;
@@ -145,7 +145,7 @@ struct Scatter {
 };
 
 /// What must hold of every result.
-void check_sound(const SurfaceParameters<double>& s) {
+void check_sound(const parts::SurfaceParameters<double>& s) {
     for (const auto& one : {s.rms_height, s.peak_radius, s.peak_density, s.max_peak_height}) {
         CHECK((std::isfinite(one.value) && one.value > 0));
         CHECK((std::isfinite(one.error) && one.error >= 0));
@@ -157,8 +157,8 @@ void check_sound(const SurfaceParameters<double>& s) {
         CHECK((s.r->value >= 0 && s.r->value < 1 && std::isfinite(s.r->error)));
         CHECK((s.theta->value > 0 && s.theta->value < pi / 2 && std::isfinite(s.theta->error)));
     }
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        for (std::size_t j = 0; j < surface_parameter_count; ++j) {
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < parts::surface_parameter_count; ++j) {
             CHECK(s.correlation[i][j] == s.correlation[j][i]);
             CHECK(std::abs(s.correlation[i][j]) <= 1);
             // no noise of rounding: either nothing, or what resamples of a surface can tell from nothing
@@ -182,7 +182,7 @@ TEST_CASE("A profile of known spectrum gives back sigma, R, D_p, r and theta") {
                                             .seed = 1};
     const auto profile = self_affine_profile(options, 30000, 1e-6);
     const auto truth = spectrum_of(options, 30000, 1, 1e-6);
-    const auto found = surface_parameters(profile);
+    const auto found = parts::surface_parameters(profile);
     check_sound(found);
     CHECK(deviations(found.rms_height, truth.sigma()) <= 4);
     CHECK(deviations(found.peak_radius, truth.radius()) <= 4);
@@ -198,11 +198,11 @@ TEST_CASE("A profile of known spectrum gives back sigma, R, D_p, r and theta") {
     CHECK(found.peak_radius.error <= 0.03 * found.peak_radius.value);
     CHECK(found.peak_density.error <= 0.06 * found.peak_density.value);
     // D and G are those of the fit, with its options
-    SurfaceParameterOptions<double> how;
+    parts::SurfaceParameterOptions<double> how;
     how.fit.resolution = 20e-6;
     how.fit.seed = 3;
     const auto fit = fit_fractal(profile, how.fit);
-    const auto fitted = surface_parameters(profile, how);
+    const auto fitted = parts::surface_parameters(profile, how);
     REQUIRE(fitted.fractal_dimension);
     CHECK(fitted.fractal_dimension->value == fit.fractal.dimension);
     CHECK(fitted.fractal_dimension->error == fit.dimension_error);
@@ -222,8 +222,8 @@ TEST_CASE("A map of known spectrum gives back sigma, R, D_p, r and theta") {
                                             .seed = 2};
     const auto map = self_affine_map(options, 320, 320, 1e-6, 1e-6);
     const auto truth = spectrum_of(options, 320, 320, 1e-6);
-    const auto summits = surface_parameters(map, {.peaks = PeakSource::summits});
-    const auto islands = surface_parameters(map);
+    const auto summits = parts::surface_parameters(map, {.peaks = parts::PeakSource::summits});
+    const auto islands = parts::surface_parameters(map);
     for (const auto& found : {summits, islands}) {
         check_sound(found);
         CHECK(deviations(found.rms_height, truth.sigma()) <= 4);
@@ -251,8 +251,8 @@ TEST_CASE("Every estimate is that of plain sums, whatever is missing and however
     if (holes)
         for (Eigen::Index k = 0; k < map.size(); k += 9 + k % 7) map.heights.data()[k] = missing;
     const PlainSums plain(map);
-    const auto found = surface_parameters(map, {.peaks = PeakSource::summits});
-    const auto islands = surface_parameters(map);
+    const auto found = parts::surface_parameters(map, {.peaks = parts::PeakSource::summits});
+    const auto islands = parts::surface_parameters(map);
     // heights are taken from a mean in double: 1e-16 of the offset, 1e-10 of the roughness
     const double tolerance = offset > 0 ? 1e-9 : 1e-12;
     for (const auto& one : {found, islands}) {
@@ -263,7 +263,7 @@ TEST_CASE("Every estimate is that of plain sums, whatever is missing and however
         CHECK(test::relative_error(one.theta->value, plain.theta()) <= tolerance);
     }
     // summits and islands by the code of their own layer
-    const auto areal = areal_statistics(map);
+    const auto areal = parts::areal_statistics(map);
     CHECK(found.peaks_counted == areal.summits);
     CHECK(test::relative_error(found.peak_density.value, areal.summit_density) <= 1e-13);
     CHECK(test::relative_error(found.peak_radius.value, 1 / areal.summit_curvature) <= tolerance);
@@ -280,7 +280,7 @@ TEST_CASE("Every estimate is that of plain sums, whatever is missing and however
         profile.heights.insert(profile.heights.end(), map.heights.row(j).begin(), map.heights.row(j).end());
         profile.heights.push_back(missing);
     }
-    const auto line = surface_parameters(profile);
+    const auto line = parts::surface_parameters(profile);
     check_sound(line);
     CHECK(test::relative_error(line.rms_height.value, plain.sigma()) <= tolerance);
     CHECK(test::relative_error(line.max_peak_height.value, static_cast<double>(plain.highest)) <= tolerance);
@@ -304,7 +304,7 @@ TEST_CASE("A Weierstrass-Mandelbrot profile has the mean squares of its waves, a
         const double a = std::pow(fractal.roughness, fractal.dimension - 1) * std::pow(wave, 2 - fractal.dimension);
         truth.add(a * a / 2, 1 / wave, step);
     }
-    const auto found = surface_parameters(wm.sample(30000, step));
+    const auto found = parts::surface_parameters(wm.sample(30000, step));
     check_sound(found);
     // 30 of the longest waves, of which the products of different ones average out as 1/30
     CHECK(test::relative_error(found.rms_height.value, truth.sigma()) <= 0.02);
@@ -315,7 +315,7 @@ TEST_CASE("A Weierstrass-Mandelbrot profile has the mean squares of its waves, a
     const std::size_t points = 1 << 15;
     const WeierstrassMandelbrot<double> whole(
         fractal, {.longest_wavelength = points * step, .shortest_wavelength = 2 * step, .gamma = gamma, .seed = 4});
-    const auto fitted = surface_parameters(whole.sample(points, step));
+    const auto fitted = parts::surface_parameters(whole.sample(points, step));
     REQUIRE(fitted.fractal_dimension);
     CHECK(std::abs(fitted.fractal_dimension->value - fractal.dimension) <=
           std::max(0.02, 3 * fitted.fractal_dimension->error));
@@ -326,7 +326,7 @@ TEST_CASE("A sine has the curvature and the peaks of a sine, and no r and theta"
     Profile<double> sine{{}, 2e-6};
     for (int i = 0; i < per_wave * waves + 2; ++i)
         sine.heights.push_back(3e-6 * std::sin(2 * pi * (i + 0.3) / per_wave));
-    const auto found = surface_parameters(sine);
+    const auto found = parts::surface_parameters(sine);
     check_sound(found);
     // the triples are those of 20 whole waves
     const double curvature = 3e-6 / std::sqrt(2.0) * (2 - 2 * std::cos(2 * pi / per_wave)) / (2e-6 * 2e-6);
@@ -348,9 +348,10 @@ TEST_CASE("The errors stated are the scatter of many surfaces") {
     const double hurst = GENERATE(0.3, 0.8);
     Scatter scatter;
     for (std::uint64_t seed = 1; seed <= 60; ++seed)
-        scatter.add(kind == 0 ? surface_parameters(short_profile(hurst, seed))
-                              : surface_parameters(short_map(hurst, seed),
-                                                   {.peaks = kind == 1 ? PeakSource::summits : PeakSource::islands}));
+        scatter.add(kind == 0 ? parts::surface_parameters(short_profile(hurst, seed))
+                              : parts::surface_parameters(
+                                    short_map(hurst, seed),
+                                    {.peaks = kind == 1 ? parts::PeakSource::summits : parts::PeakSource::islands}));
     Eigen::Array<double, 6, 1> least, most;
     least << 0.7, 0.7, 0.7, 0.3, 0.7, 0.7;
     // r carries what the long waves leave open of sigma, of the long side of chi^2
@@ -383,8 +384,8 @@ TEST_CASE("Waves longer than the profile: the errors of sigma and r hold what on
                                                     .exact_rms = false,
                                                     .seed = seed},
                                                    4096, 1e-6);
-        scatter.add(surface_parameters(
-            detrend(Profile<double>{{z.heights.begin(), z.heights.begin() + 1024}, 1e-6}, Form::line)));
+        scatter.add(parts::surface_parameters(
+            detail::detrend(Profile<double>{{z.heights.begin(), z.heights.begin() + 1024}, 1e-6}, Form::line)));
     }
     CAPTURE(scatter.ratio(0), scatter.ratio(1), scatter.ratio(2), scatter.ratio(4), scatter.ratio(5));
     for (const Eigen::Index i : {1, 2, 5}) {
@@ -398,12 +399,12 @@ TEST_CASE("Waves longer than the profile: the errors of sigma and r hold what on
 }
 
 TEST_CASE("D and G of a map are those of both directions, by weight") {
-    const auto map = remove_form(self_affine_map<double>({.hurst = 0.4, .rms = 1e-6, .seed = 6}, 128, 96, 1e-6, 1e-6),
-                                 MapForm::plane);
-    const auto fit = fit_directions(map);
+    const auto map = parts::remove_form(
+        self_affine_map<double>({.hurst = 0.4, .rms = 1e-6, .seed = 6}, 128, 96, 1e-6, 1e-6), MapForm::plane);
+    const auto fit = parts::fit_directions(map);
     REQUIRE(fit.x);
     REQUIRE(fit.y);
-    const auto found = surface_parameters(map);
+    const auto found = parts::surface_parameters(map);
     const double wx = std::pow(fit.x->dimension_error, -2), wy = std::pow(fit.y->dimension_error, -2);
     const double dx = fit.x->fractal.dimension, dy = fit.y->fractal.dimension;
     CHECK(test::relative_error(found.fractal_dimension->value, (wx * dx + wy * dy) / (wx + wy)) <= 1e-13);
@@ -420,10 +421,10 @@ TEST_CASE("D and G of a map are those of both directions, by weight") {
     // ridges along y: x alone
     HeightMap<double> ridges = map;
     for (Eigen::Index j = 0; j < ridges.rows(); ++j) ridges.heights.row(j) = map.heights.row(0);
-    const auto one = fit_directions(ridges);
+    const auto one = parts::fit_directions(ridges);
     REQUIRE(one.x);
     REQUIRE(!one.y);
-    const auto ridged = surface_parameters(ridges);
+    const auto ridged = parts::surface_parameters(ridges);
     CHECK(ridged.fractal_dimension->value == one.x->fractal.dimension);
     CHECK(ridged.fractal_dimension->error == one.x->dimension_error);
 }
@@ -440,7 +441,8 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
         // errors are differences between resamples: what is lost in them is 1e-2 of the value at most
         CHECK(test::relative_error(there.error / unit, here.error) <= 100 * tolerance);
     };
-    const auto compare = [&](const SurfaceParameters<double>& there, const SurfaceParameters<double>& here) {
+    const auto compare = [&](const parts::SurfaceParameters<double>& there,
+                             const parts::SurfaceParameters<double>& here) {
         same(there.rms_height, here.rms_height, height);
         same(there.max_peak_height, here.max_peak_height, height);
         same(there.peak_radius, here.peak_radius, length / height * length);
@@ -449,8 +451,8 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
         same(*there.theta, *here.theta, 1);
         CHECK(there.peaks_counted == here.peaks_counted);
         CHECK(there.blocks == here.blocks);
-        for (std::size_t i = 0; i < surface_parameter_count; ++i)
-            for (std::size_t j = 0; j < surface_parameter_count; ++j)
+        for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
+            for (std::size_t j = 0; j < parts::surface_parameter_count; ++j)
                 CHECK(std::abs(there.correlation[i][j] - here.correlation[i][j]) <= 1000 * tolerance);
         // the fit takes logarithms of lengths and heights
         REQUIRE(there.fractal_dimension);
@@ -462,26 +464,28 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
                                     1e-6);  // a band that holds a window of D
     Profile<double> profile{{wide.heights.begin(), wide.heights.end()}, 1e-6};
     profile.heights[100] = missing;
-    const auto line = surface_parameters(profile);
+    const auto line = parts::surface_parameters(profile);
     Profile<double> other = profile;
     other.spacing *= length;
     for (double& z : other.heights) z *= height;
-    const auto line_there = surface_parameters(other);
+    const auto line_there = parts::surface_parameters(other);
     compare(line_there, line);
     CHECK(test::relative_error(line_there.block_length / length, line.block_length) <= tolerance);
-    auto map = remove_form(self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .shortest_wavelength = 4e-6, .seed = 7},
+    auto map =
+        parts::remove_form(self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .shortest_wavelength = 4e-6, .seed = 7},
                                                    96, 64, 1e-6, 1e-6),
                            MapForm::plane);
     map.heights(5, 5) = missing;
     const HeightMap<double> map_there{map.heights * height, map.dx * length, map.dy * length};
-    for (const PeakSource peaks : {PeakSource::islands, PeakSource::summits})
-        compare(surface_parameters(map_there, {.peaks = peaks}), surface_parameters(map, {.peaks = peaks}));
+    for (const parts::PeakSource peaks : {parts::PeakSource::islands, parts::PeakSource::summits})
+        compare(parts::surface_parameters(map_there, {.peaks = peaks}),
+                parts::surface_parameters(map, {.peaks = peaks}));
 }
 
 TEST_CASE("The seed decides the errors, and nothing else") {
     const auto profile = short_profile(0.5, 8);
-    const auto a = surface_parameters(profile, {.seed = 1}), b = surface_parameters(profile, {.seed = 1}),
-               c = surface_parameters(profile, {.seed = 2});
+    const auto a = parts::surface_parameters(profile, {.seed = 1}), b = parts::surface_parameters(profile, {.seed = 1}),
+               c = parts::surface_parameters(profile, {.seed = 2});
     CHECK(a.seed == 1);
     CHECK(a.peak_radius.error == b.peak_radius.error);
     CHECK(a.correlation == b.correlation);
@@ -491,7 +495,7 @@ TEST_CASE("The seed decides the errors, and nothing else") {
 }
 
 TEST_CASE("The correlation of islands with the heights is nothing, not the rounding of constant columns") {
-    const auto found = surface_parameters(short_map(0.5, 9));
+    const auto found = parts::surface_parameters(short_map(0.5, 9));
     check_sound(found);
     for (const Parameter island : {Parameter::peak_radius, Parameter::peak_density})
         for (const Parameter other :
@@ -505,14 +509,14 @@ TEST_CASE("The correlation of islands with the heights is nothing, not the round
 TEST_CASE("A map that is not rough along its rows keeps the errors of its heights") {
     HeightMap<double> map = short_map(0.5, 10);
     for (Eigen::Index i = 1; i < map.columns(); ++i) map.heights.col(i) = map.heights.col(0);
-    const auto found = surface_parameters(map);
+    const auto found = parts::surface_parameters(map);
     check_sound(found);
     CHECK(!found.r);
     CHECK(found.why_no_peaks == "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta");
     CHECK(found.rms_height.error > 0.01 * found.rms_height.value);
     // tilted along x as well: straight, but for the rounding of the heights
     for (Eigen::Index i = 0; i < map.columns(); ++i) map.heights.col(i) += 1e-6 * static_cast<double>(i);
-    const auto tilted = surface_parameters(map);
+    const auto tilted = parts::surface_parameters(map);
     check_sound(tilted);
     CHECK(tilted.why_no_peaks.find("must be less than 1") != std::string::npos);
 }
@@ -523,7 +527,7 @@ TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is 
         const double base = 3e-6 * (k % 4);
         peaks.heights.insert(peaks.heights.end(), {base, base + 1e-6, base, missing});
     }
-    const auto found = surface_parameters(peaks);
+    const auto found = parts::surface_parameters(peaks);
     check_sound(found);
     CHECK(found.why_no_peaks == "theta = pi/2, must be less: every point stands above or below both of its neighbours");
     CHECK(found.peak_radius.error <= 1e-12 * found.peak_radius.value);  // all are alike
@@ -532,7 +536,7 @@ TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is 
 TEST_CASE("Small maps have the errors of their summits") {
     // tiles of 2 x 2 points: summits need neighbours in the tiles beside
     const auto map = self_affine_map<double>({.hurst = 0.2, .rms = 1e-6}, 8, 8, 1e-6, 1e-6);
-    const auto found = surface_parameters(map, {.peaks = PeakSource::summits});
+    const auto found = parts::surface_parameters(map, {.peaks = parts::PeakSource::summits});
     check_sound(found);
     CHECK(found.peaks_counted >= 2);
     CHECK(found.rms_height.error > 0.01 * found.rms_height.value);
@@ -540,15 +544,15 @@ TEST_CASE("Small maps have the errors of their summits") {
 }
 
 TEST_CASE("Surfaces without what it takes are refused in a sentence") {
-    const auto of_profile = [](Profile<double> profile, const SurfaceParameterOptions<double>& how = {}) {
-        return test::refusal([&] { (void)surface_parameters(profile, how); });
+    const auto of_profile = [](Profile<double> profile, const parts::SurfaceParameterOptions<double>& how = {}) {
+        return test::refusal([&] { (void)parts::surface_parameters(profile, how); });
     };
-    const auto of_map = [](HeightMap<double> map, const SurfaceParameterOptions<double>& how = {}) {
-        return test::refusal([&] { (void)surface_parameters(map, how); });
+    const auto of_map = [](HeightMap<double> map, const parts::SurfaceParameterOptions<double>& how = {}) {
+        return test::refusal([&] { (void)parts::surface_parameters(map, how); });
     };
     const Profile<double> profile = short_profile(0.5, 1);
     const HeightMap<double> map = short_map(0.5, 1, 32);
-    const SurfaceParameterOptions<double> summits{.peaks = PeakSource::summits};
+    const parts::SurfaceParameterOptions<double> summits{.peaks = parts::PeakSource::summits};
 
     CHECK(of_profile({std::vector<double>(100, 2e-6), 1e-6}) ==
           "profile of constant height = 2e-06: must be of varying height");
@@ -580,7 +584,7 @@ TEST_CASE("Surfaces without what it takes are refused in a sentence") {
     CHECK(of_map(map, {.tiles = 1}) == "tiles a side = 1: must be between 2 and 32");
     CHECK(of_map(map, {.resamples = 200000}) == "resamples = 200000: must be between 2 and 100000");
 
-    for (const auto& how : {SurfaceParameterOptions<double>{}, summits}) {
+    for (const auto& how : {parts::SurfaceParameterOptions<double>{}, summits}) {
         HeightMap<double> other = map;
         other.heights.setConstant(1e-6);
         CHECK(of_map(other, how) == "map of constant height = 1e-06: must be of varying height");
@@ -598,14 +602,14 @@ TEST_CASE("Surfaces without what it takes are refused in a sentence") {
             const HeightMap<double> extreme{map.heights * unit, 1e-6, 1e-6};
             const std::string sentence = of_map(extreme, how);
             CHECK((sentence.empty() || sentence.find("must be") != std::string::npos));
-            if (sentence.empty()) check_sound(surface_parameters(extreme, how));
+            if (sentence.empty()) check_sound(parts::surface_parameters(extreme, how));
         }
         // one peak: how much its radius varies cannot be known
         for (Eigen::Index j = 0; j < 32; ++j)
             for (Eigen::Index i = 0; i < 32; ++i)
                 other.heights(j, i) = -1e-8 * static_cast<double>((i - 14) * (i - 14) + (j - 17) * (j - 17));
         CHECK(of_map(other, how) ==
-              (how.peaks == PeakSource::summits
+              (how.peaks == parts::PeakSource::summits
                    ? "tiles of the map that hold summits = 1: must be at least 2 for the errors of R and D_p"
                    : "islands of the map where there are most = 1: must be at least 2 for the errors of R and D_p"));
         // everything in one tile
@@ -618,7 +622,7 @@ TEST_CASE("Surfaces without what it takes are refused in a sentence") {
 TEST_CASE("A profile of one peak has that peak, and says how little it knows of the density") {
     Profile<double> one{{}, 1e-6};
     for (int i = 0; i < 64; ++i) one.heights.push_back(1e-6 / (1 + 0.01 * (i - 30) * (i - 30)));
-    const auto found = surface_parameters(one);
+    const auto found = parts::surface_parameters(one);
     check_sound(found);
     CHECK(found.peaks_counted == 1);
     CHECK(found.peak_density.error >= found.peak_density.value);
@@ -628,11 +632,12 @@ TEST_CASE("A profile of one peak has that peak, and says how little it knows of 
 TEST_CASE("The errors of islands of a real map contain the difference of its halves") {
     const std::filesystem::path file = std::filesystem::path(FSTIFF_SURFACES) / "matrix-3.txt";
     if (!std::filesystem::exists(file)) SKIP_CASE("there is no " + file.string());
-    const auto map = remove_form(io::read_surface(file).map(), MapForm::plane);
+    const auto map = parts::remove_form(io::read_surface(file).map(), MapForm::plane);
     const auto half = [&](Eigen::Index top, Eigen::Index left, Eigen::Index rows, Eigen::Index columns) {
-        return surface_parameters(HeightMap<double>{map.heights.block(top, left, rows, columns), map.dx, map.dy});
+        return parts::surface_parameters(
+            HeightMap<double>{map.heights.block(top, left, rows, columns), map.dx, map.dy});
     };
-    const auto whole = surface_parameters(map);
+    const auto whole = parts::surface_parameters(map);
     check_sound(whole);
     double square = 0, stated = 0;  // of two pairs of halves, relative to R of the whole
     for (const auto& [a, b] : {std::pair{half(0, 0, 128, 256), half(128, 0, 128, 256)},
@@ -651,30 +656,30 @@ TEST_CASE("The errors of islands of a real map contain the difference of its hal
 }
 
 TEST_CASE("The fits and the islands behind the numbers are kept, and are those of their own functions") {
-    SurfaceParameterOptions<double> how;
+    parts::SurfaceParameterOptions<double> how;
     how.fit.resamples = 20;
     how.resamples = 20;
     const auto profile = self_affine_profile<double>({.hurst = 0.5, .rms = 1e-6, .seed = 3}, 4096, 1e-6);
-    const auto p = surface_parameters(profile, how);
+    const auto p = parts::surface_parameters(profile, how);
     INFO(p.why_no_dimension);
     REQUIRE((p.profile_fit && !p.map_fit && !p.islands));
     CHECK(p.profile_fit->fractal.dimension == fit_fractal(profile, how.fit).fractal.dimension);
     CHECK(p.profile_fit->fractal.dimension == p.fractal_dimension->value);
 
     const auto map = short_map(0.5, 4);
-    const auto m = surface_parameters(map, how);
+    const auto m = parts::surface_parameters(map, how);
     REQUIRE((!m.profile_fit && m.map_fit && m.islands));
-    const auto both = fit_directions(map, how.fit);
+    const auto both = parts::fit_directions(map, how.fit);
     CHECK((m.map_fit->x.has_value() == both.x.has_value() && m.map_fit->y.has_value() == both.y.has_value()));
     CHECK((m.map_fit->why_no_fit_x == both.why_no_fit_x && m.map_fit->why_no_fit_y == both.why_no_fit_y));
     const auto alone = island_curve(map);
     CHECK((m.islands->curve.density == alone.density && m.islands->curve.bearing_area == alone.bearing_area));
     CHECK((m.islands->density == m.peak_density.value && m.islands->radius == m.peak_radius.value));
-    how.peaks = PeakSource::summits;
-    CHECK(!surface_parameters(map, how).islands);
+    how.peaks = parts::PeakSource::summits;
+    CHECK(!parts::surface_parameters(map, how).islands);
 
     const auto flat =
-        surface_parameters(Profile<double>{{profile.heights.begin(), profile.heights.begin() + 20}, 1e-6}, how);
+        parts::surface_parameters(Profile<double>{{profile.heights.begin(), profile.heights.begin() + 20}, 1e-6}, how);
     CHECK(flat.profile_fit.has_value() == flat.why_no_dimension.empty());
 }
 

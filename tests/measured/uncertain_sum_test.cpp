@@ -11,8 +11,8 @@ using namespace fstiff;
 
 namespace {
 
-SurfaceParameters<double> face(double rms, double radius, double density, double dimension, double relative) {
-    SurfaceParameters<double> of;
+parts::SurfaceParameters<double> face(double rms, double radius, double density, double dimension, double relative) {
+    parts::SurfaceParameters<double> of;
     of.rms_height = {rms, relative * rms};
     of.peak_radius = {radius, 2 * relative * radius};
     of.peak_density = {density, relative * density};
@@ -23,12 +23,13 @@ SurfaceParameters<double> face(double rms, double radius, double density, double
     return of;
 }
 
-SpectralMoments<double> moments_of(const SurfaceParameters<double>& face) {
+SpectralMoments<double> moments_of(const parts::SurfaceParameters<double>& face) {
     return moments_of_peaks(face.rms_height.value, face.peak_radius.value, face.peak_density.value);
 }
 
-SurfaceParameters<double> sum_of(const SurfaceParameters<double>& a, const SurfaceParameters<double>& b) {
-    return uncertain_sum(a, moments_of(a), b, moments_of(b));
+parts::SurfaceParameters<double> sum_of(const parts::SurfaceParameters<double>& a,
+                                        const parts::SurfaceParameters<double>& b) {
+    return parts::uncertain_sum(a, moments_of(a), b, moments_of(b));
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ TEST_CASE("errors of a sum of two faces are those of its derivatives") {
     const double shared =
         -0.6 * (1e-6 * 2e-8 / sigma * R * R * R * 0.04 / 4e-10 + 6e-7 * 1.8e-8 / sigma * R * R * R * 0.06 / 25e-10);
     CHECK(std::abs(sum.correlation[0][1] - shared / (sum.rms_height.error * sum.peak_radius.error)) < 0.04);
-    const double share = share_of_face(rough_face(a, moments_of(a)), rough_face(b, moments_of(b)));
+    const double share = parts::share_of_face(parts::rough_face(a, moments_of(a)), parts::rough_face(b, moments_of(b)));
     CHECK(test::relative_error(sum.fractal_dimension->error, std::hypot(share * 0.004, (1 - share) * 0.006)) < 0.03);
     CHECK(sum.r);
     CHECK(sum.theta);
@@ -58,7 +59,7 @@ TEST_CASE("beside a face that is nearly smooth the errors stay") {
     const auto a = face(1e-6, 2e-5, 1e9, 1.3, 0.05);
     auto b = face(1e-15, 2e4, 1e9, 1.3, 0.05);
     const auto sum = sum_of(a, b);
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) {
         const auto which = static_cast<Parameter>(i);
         CHECK(test::relative_error(sum.find(which)->value, a.find(which)->value) < 1e-7);
         CHECK(test::relative_error(sum.find(which)->error, a.find(which)->error) < 0.05);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
-using Draw = std::array<double, surface_parameter_count>;
+using Draw = std::array<double, parts::surface_parameter_count>;
 
 std::size_t place(Parameter which) { return static_cast<std::size_t>(which); }
 
@@ -22,8 +22,8 @@ std::size_t place(Parameter which) { return static_cast<std::size_t>(which); }
 auto& at(auto& s, std::size_t i) { return *s.find(static_cast<Parameter>(i)); }
 
 /// Everything known, errors of 5 % and so small beside the ranges that nothing is cut off, a correlation of each kind.
-SurfaceParameters<double> surface() {
-    SurfaceParameters<double> s;
+parts::SurfaceParameters<double> surface() {
+    parts::SurfaceParameters<double> s;
     s.set(Parameter::rms_height, {1e-6, 5e-8});
     s.set(Parameter::peak_radius, {2e-5, 4e-6});
     s.set(Parameter::peak_density, {3e9, 1.5e9});
@@ -39,8 +39,8 @@ SurfaceParameters<double> surface() {
     return s;
 }
 
-std::vector<Draw> draws(const SurfaceParameters<double>& s, int count, std::uint64_t seed = 1) {
-    SurfaceSampler<double> sample(s, seed);
+std::vector<Draw> draws(const parts::SurfaceParameters<double>& s, int count, std::uint64_t seed = 1) {
+    parts::SurfaceSampler<double> sample(s, seed);
     std::vector<Draw> all;
     for (int k = 0; k < count; ++k) all.push_back(sample());
     return all;
@@ -53,28 +53,28 @@ double normal_part(const Draw& draw, std::size_t i) {
 
 struct Moments {
     Draw mean{}, deviation{};
-    std::array<Draw, surface_parameter_count> correlation{};
+    std::array<Draw, parts::surface_parameter_count> correlation{};
 };
 
 template <class Of>
 Moments moments(const std::vector<Draw>& all, const Of& of) {
     Moments m;
     const auto count = static_cast<double>(all.size());
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) {
         for (const auto& draw : all) m.mean[i] += of(draw, i) / count;
         for (const auto& draw : all) m.deviation[i] += std::pow(of(draw, i) - m.mean[i], 2) / (count - 1);
         m.deviation[i] = std::sqrt(m.deviation[i]);
     }
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        for (std::size_t j = 0; j < surface_parameter_count; ++j)
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < parts::surface_parameter_count; ++j)
             for (const auto& draw : all)
                 m.correlation[i][j] += (of(draw, i) - m.mean[i]) * (of(draw, j) - m.mean[j]) / m.deviation[i] /
                                        m.deviation[j] / (count - 1);
     return m;
 }
 
-std::string refusal_of(const SurfaceParameters<double>& s) {
-    return test::refusal([&] { (void)SurfaceSampler<double>(s, 1); });
+std::string refusal_of(const parts::SurfaceParameters<double>& s) {
+    return test::refusal([&] { (void)parts::SurfaceSampler<double>(s, 1); });
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ TEST_CASE("Many draws have the values, the errors and the correlation that were 
     const auto s = surface();
     const auto all = draws(s, count);
     const auto m = moments(all, normal_part);
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) {
         const double relative = at(s, i).error / at(s, i).value;
         const bool log = i < place(Parameter::fractal_dimension);
         const double centre = log ? std::log(at(s, i).value) : at(s, i).value;
@@ -103,7 +103,7 @@ TEST_CASE("Many draws have the values, the errors and the correlation that were 
         // four standard errors of a mean, of a standard deviation and of a correlation of that many normal numbers
         CHECK(std::abs(m.mean[i] - centre) <= 4 * spread / root);
         CHECK(std::abs(m.deviation[i] / spread - 1) <= 4 / (root * std::sqrt(2.0)));
-        for (std::size_t j = 0; j < surface_parameter_count; ++j) {
+        for (std::size_t j = 0; j < parts::surface_parameter_count; ++j) {
             const double c = s.correlation[i][j];
             CAPTURE(j, m.correlation[i][j], c);
             CHECK(std::abs(m.correlation[i][j] - c) <= 4 * (1 - c * c) / root + 1e-12);
@@ -132,15 +132,15 @@ TEST_CASE("Draws stay in the range of every parameter, however large the errors"
     at(s, place(Parameter::fractal_dimension)).value = 1.02;
     at(s, place(Parameter::r)).value = 0.0;
     at(s, place(Parameter::theta)).value = 1.5;
-    s.correlation = uncorrelated<double>();
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) at(s, i).error = i < 3 ? 5 * at(s, i).value : 0.5;
+    s.correlation = parts::uncorrelated<double>();
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) at(s, i).error = i < 3 ? 5 * at(s, i).value : 0.5;
     bool inside = true;
     double less = 0, below = 0;
     const int count = 20000;
     const auto all = draws(s, count);
     for (const auto& draw : all) {
-        for (std::size_t i = 0; i < surface_parameter_count; ++i)
-            inside = inside && parameter_in_range(static_cast<Parameter>(i), draw[i]) && std::isfinite(draw[i]);
+        for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
+            inside = inside && parts::parameter_in_range(static_cast<Parameter>(i), draw[i]) && std::isfinite(draw[i]);
         less += draw[place(Parameter::r)] < 0.5 ? 1.0 / count : 0;
         below += draw[0] < at(s, 0).value ? 1.0 / count : 0;
     }
@@ -152,7 +152,7 @@ TEST_CASE("Draws stay in the range of every parameter, however large the errors"
 
 TEST_CASE("Errors of 0 give the values, and what is not known stays 0") {
     auto s = surface();
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) at(s, i).error = 0;
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) at(s, i).error = 0;
     for (const auto& draw : draws(s, 10)) CHECK(draw == s.values());
     s = surface();
     at(s, place(Parameter::peak_radius)).error = 0;
@@ -168,7 +168,7 @@ TEST_CASE("Errors of 0 give the values, and what is not known stays 0") {
 
 TEST_CASE("Errors that are wholly correlated move together") {
     auto s = surface();
-    s.correlation = uncorrelated<double>();
+    s.correlation = parts::uncorrelated<double>();
     s.correlation[0][1] = s.correlation[1][0] = 1;
     s.correlation[3][4] = s.correlation[4][3] = -1;
     for (const auto& draw : draws(s, 100)) {
@@ -234,7 +234,7 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
           "correlation of a parameter with itself = 0.9: must be 1");
     // the first goes with the second, the second with the third, but the first against the third
     const std::string sentence = with([](auto& s) {
-        s.correlation = uncorrelated<double>();
+        s.correlation = parts::uncorrelated<double>();
         for (const auto& [i, j, c] : {std::tuple{0u, 1u, 0.9}, std::tuple{1u, 2u, 0.9}, std::tuple{0u, 2u, -0.9}})
             s.correlation[i][j] = s.correlation[j][i] = c;
     });
@@ -242,13 +242,13 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
 
     auto s = surface();  // so wide that hardly a draw lies between 1 and 2
     at(s, 3).error = 1e9;
-    SurfaceSampler<double> sample(s, 1);
+    parts::SurfaceSampler<double> sample(s, 1);
     CHECK(test::refusal([&] { (void)sample(); }) ==
           "errors so large that 1000 draws in a row leave the range of D, r or theta: must be smaller");
     s = surface();  // a spread of e^1000
     at(s, 0).error = 1e300;
     at(s, 0).value = 1e-300;
-    SurfaceSampler<double> wide(s, 1);
+    parts::SurfaceSampler<double> wide(s, 1);
     for (int k = 0; k < 100; ++k) {
         Draw draw{};
         if (const auto why = test::refusal([&] { draw = wide(); }); why.empty())
@@ -259,7 +259,7 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
 }
 
 TEST_CASE("A surface has its parameters by name and by Parameter") {
-    SurfaceParameters<double> found;
+    parts::SurfaceParameters<double> found;
     found.rms_height = {1e-6, 1e-7};
     found.peak_radius = {2e-5, 2e-6};
     found.peak_density = {3e9, 3e8};
@@ -275,23 +275,24 @@ TEST_CASE("A surface has its parameters by name and by Parameter") {
     CHECK(found.values() == Draw{1e-6, 2e-5, 3e9, 1.5, 0.25, 0.5});
     CHECK(refusal_of(found).empty());
     CHECK(test::refusal([] {
-              SurfaceParameters<double>().set(Parameter::offset, {1, 1});
+              parts::SurfaceParameters<double>().set(Parameter::offset, {1, 1});
           }) == "offset: is no parameter of a surface; must be one that SurfaceParameters holds");
 }
 
 TEST_CASE("A quantile lies between the values that stand beside it") {
     const std::vector<double> values{1, 2, 4, 8, 16};
     const std::span<const double> sorted(values);
-    CHECK(sorted_quantile(sorted, 0.0) == 1);
-    CHECK(sorted_quantile(sorted, 1.0) == 16);
-    CHECK(sorted_quantile(sorted, 0.5) == 4);
-    CHECK(sorted_quantile(sorted, 0.125) == 1.5);
-    CHECK(sorted_quantile(sorted, 0.8125) == 10);
-    CHECK(sorted_quantile(sorted.first(1), 0.3) == 1);
-    CHECK(test::refusal([&] { (void)sorted_quantile(sorted.first(0), 0.5); }) ==
+    CHECK(math::sorted_quantile(sorted, 0.0) == 1);
+    CHECK(math::sorted_quantile(sorted, 1.0) == 16);
+    CHECK(math::sorted_quantile(sorted, 0.5) == 4);
+    CHECK(math::sorted_quantile(sorted, 0.125) == 1.5);
+    CHECK(math::sorted_quantile(sorted, 0.8125) == 10);
+    CHECK(math::sorted_quantile(sorted.first(1), 0.3) == 1);
+    CHECK(test::refusal([&] { (void)math::sorted_quantile(sorted.first(0), 0.5); }) ==
           "values of a quantile = 0: must be at least 1");
-    CHECK(test::refusal([&] { (void)sorted_quantile(sorted, 1.1); }) == "probability = 1.1: must be between 0 and 1");
-    CHECK(test::refusal([&] { (void)sorted_quantile(sorted, nan_value); }) ==
+    CHECK(test::refusal([&] { (void)math::sorted_quantile(sorted, 1.1); }) ==
+          "probability = 1.1: must be between 0 and 1");
+    CHECK(test::refusal([&] { (void)math::sorted_quantile(sorted, nan_value); }) ==
           "probability = nan: must be between 0 and 1");
     // of many draws: the 5 % and 95 % quantiles of a lognormal number
     auto all = draws(surface(), 20000);
@@ -300,7 +301,7 @@ TEST_CASE("A quantile lies between the values that stand beside it") {
     std::sort(sigma.begin(), sigma.end());
     const double spread = std::sqrt(std::log1p(0.0025)), z = 1.6448536269514722;
     for (const double side : {-1.0, 1.0}) {
-        const double quantile = sorted_quantile(std::span<const double>(sigma), side < 0 ? 0.05 : 0.95);
+        const double quantile = math::sorted_quantile(std::span<const double>(sigma), side < 0 ? 0.05 : 0.95);
         // its standard error: sqrt(p(1-p)/n)/density
         const double error = std::sqrt(0.05 * 0.95 / 20000) / (std::exp(-z * z / 2) / std::sqrt(2 * pi));
         CHECK(std::abs(std::log(quantile / 1e-6) / spread - side * z) <= 4 * error);
@@ -308,20 +309,20 @@ TEST_CASE("A quantile lies between the values that stand beside it") {
 }
 
 TEST_CASE("Float draws are those of double, rounded") {
-    SurfaceParameters<float> s;
+    parts::SurfaceParameters<float> s;
     const auto exact = surface();
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
         s.set(static_cast<Parameter>(i),
               {static_cast<float>(at(exact, i).value), static_cast<float>(at(exact, i).error)});
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        for (std::size_t j = 0; j < surface_parameter_count; ++j)
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < parts::surface_parameter_count; ++j)
             s.correlation[i][j] = static_cast<float>(exact.correlation[i][j]);
-    SurfaceSampler<float> sample(s, 3);
-    SurfaceSampler<double> reference(exact, 3);
+    parts::SurfaceSampler<float> sample(s, 3);
+    parts::SurfaceSampler<double> reference(exact, 3);
     for (int k = 0; k < 100; ++k) {
         const auto a = sample();
         const auto b = reference();
-        for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
             CHECK(test::relative_error(static_cast<double>(a[i]), b[i]) <= 1e-5);
     }
 }

@@ -24,7 +24,7 @@ const auto fractal = [](double dimension) { return FractalLaw<double>(dimension)
 const std::vector<double> pressures{1e6, 1e7};
 
 /// K of \p surface by itself.
-double stiffness_of(const SurfaceParameters<double>& surface, double pressure) {
+double stiffness_of(const parts::SurfaceParameters<double>& surface, double pressure) {
     const RoughContact contact(Roughness<double>{surface.rms_height.value, surface.peak_radius.value,
                                                  surface.peak_density.value},
                                PeakDistribution<double>(surface.r->value, surface.theta->value), HertzLaw<double>{},
@@ -37,9 +37,9 @@ double stiffness_of(const SurfaceParameters<double>& surface, double pressure) {
 TEST_CASE("A band is widened by squares, and its parts are logarithms over K") {
     const double k = 2e14;
     const auto at = [&](double factor) { return k * factor; };
-    SampledBand<double> band{at(0.8), at(1.01), at(1.25), 0};
+    parts::SampledBand<double> band{at(0.8), at(1.01), at(1.25), 0};
     const std::vector<double> others{at(0.7), at(1.1), -1, 0, std::nan(""), std::numeric_limits<double>::infinity()};
-    const auto parts = widen(band, k, std::span<const double>(others));
+    const auto parts = parts::widen(band, k, std::span<const double>(others));
     CHECK(relative_error(parts.errors_low, std::log(0.8)) < 1e-13);
     CHECK(relative_error(parts.errors_high, std::log(1.25)) < 1e-13);
     CHECK(relative_error(parts.scale_low, std::log(0.7)) < 1e-13);
@@ -53,36 +53,36 @@ TEST_CASE("A band is widened by squares, and its parts are logarithms over K") {
 }
 
 TEST_CASE("Neighbours on one side widen that side, and a band of no surface stays none") {
-    SampledBand<double> band{0.9, 1, 1.1, 0};
+    parts::SampledBand<double> band{0.9, 1, 1.1, 0};
     const std::vector<double> above{1.2, 1.3};
-    const auto parts = widen(band, 1.0, std::span<const double>(above));
+    const auto parts = parts::widen(band, 1.0, std::span<const double>(above));
     CHECK(relative_error(band.low, 0.9) < 1e-15);
     CHECK(parts.scale_low == 0);
     CHECK(relative_error(parts.scale_high, std::log(1.3)) < 1e-15);
-    SampledBand<double> none;
-    CHECK(widen(none, 1.0, std::span<const double>(above)).scale_high == 0);
+    parts::SampledBand<double> none;
+    CHECK(parts::widen(none, 1.0, std::span<const double>(above)).scale_high == 0);
     CHECK(none.high == 0);
-    SampledBand<double> higher{1.05, 1.1, 1.2, 0};  // K is below the band: its low end stays
-    (void)widen(higher, 1.0, std::span<const double>(above));
+    parts::SampledBand<double> higher{1.05, 1.1, 1.2, 0};  // K is below the band: its low end stays
+    (void)parts::widen(higher, 1.0, std::span<const double>(above));
     CHECK(relative_error(higher.low, 1.05) < 1e-15);
-    SampledBand<double> huge{1, 1, 1e308, 0};
+    parts::SampledBand<double> huge{1, 1, 1e308, 0};
     const std::vector<double> far_above{1e300};
-    (void)widen(huge, 1.0, std::span<const double>(far_above));
+    (void)parts::widen(huge, 1.0, std::span<const double>(far_above));
     CHECK(huge.high == std::numeric_limits<double>::max() / 2);
 }
 
 TEST_CASE("The window of D moves it by 5 % and 95 % of its error, within its range") {
-    const auto [low, high] = dimensions_of_other_windows(1.5, 0.1);
+    const auto [low, high] = parts::dimensions_of_other_windows(1.5, 0.1);
     CHECK(relative_error(low, 1.5 - 0.16448536269514722) < 1e-14);
     CHECK(relative_error(high, 1.5 + 0.16448536269514722) < 1e-14);
-    CHECK(dimensions_of_other_windows(1.99, 0.1)[1] == 1.999);
-    CHECK(dimensions_of_other_windows(1.01, 0.1)[0] == 1.001);
+    CHECK(parts::dimensions_of_other_windows(1.99, 0.1)[1] == 1.999);
+    CHECK(parts::dimensions_of_other_windows(1.01, 0.1)[0] == 1.001);
 }
 
 TEST_CASE("The band of a measured surface is that of its errors, widened by K of its neighbours") {
     const Surface<double> surface = measure(trace());
     REQUIRE(surface.neighbours.size() == 2);
-    const BandOptions options{.samples = 60, .seed = 4};
+    const parts::BandOptions options{.samples = 60, .seed = 4};
     const auto found = stiffness_band(surface, pressures, hertz, 112.6e9, options);
     const auto errors = stiffness_band(uncertain<double>(surface), pressures, hertz, 112.6e9, options);
     REQUIRE(found.size() == 2);
@@ -110,7 +110,7 @@ TEST_CASE("A law of D has the part of its window, a lay ends the band higher, an
     Surface<double> surface = measure(trace());
     REQUIRE(surface.fractal_dimension);
     REQUIRE(surface.dimension_window_error > 0);
-    const BandOptions options{.samples = 20};
+    const parts::BandOptions options{.samples = 20};
     const auto of_fractal = stiffness_band(surface, pressures, fractal, 112.6e9, options);
     CHECK(of_fractal[0].parts.window_high - of_fractal[0].parts.window_low > 0);
     const auto plain = stiffness_band(surface, pressures, hertz, 112.6e9, options);

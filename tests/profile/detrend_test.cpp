@@ -60,7 +60,7 @@ TEST_CASE("Removing a form leaves what the normal equations in long double leave
         profile.heights[i] = 1e-6 * (rough(i) + tilt * (1 + (terms > 1 ? x : 0) + (terms > 2 ? x * x : 0)));
         if (gaps && (i % 17 == 3 || (i > 500 && i < 900))) profile.heights[i] = missing;
     }
-    const auto residual = detrend(profile, static_cast<Form>(terms)).heights;
+    const auto residual = detail::detrend(profile, static_cast<Form>(terms)).heights;
     const auto truth = slow(profile, static_cast<std::size_t>(terms));
     double worst = 0;
     for (std::size_t i = 0; i < 3000; ++i) {
@@ -77,32 +77,33 @@ TEMPLATE_TEST_CASE("A polynomial leaves nothing but rounding", "", float, double
         const T x = static_cast<T>(i) / 500;
         profile.heights[i] = 3 + 2 * x - 5 * x * x;
     }
-    const auto residual = detrend(profile, Form::parabola);
+    const auto residual = detail::detrend(profile, Form::parabola);
     for (const T z : residual.heights)
         REQUIRE(std::abs(z) <= 8 * std::numeric_limits<T>::epsilon());  // heights of 3 are rounded to 2 epsilon
-    CHECK(rms_height(detrend(profile, Form::line)) > T(0.1));
-    CHECK(detrend(profile, Form::none).heights == profile.heights);
-    CHECK(detrend(profile, Form::mean).spacing == profile.spacing);
+    CHECK(rms_height(detail::detrend(profile, Form::line)) > T(0.1));
+    CHECK(detail::detrend(profile, Form::none).heights == profile.heights);
+    CHECK(detail::detrend(profile, Form::mean).spacing == profile.spacing);
 }
 
 TEST_CASE("Removing a form twice changes nothing the second time") {
     Profile<double> profile{std::vector<double>(200), 1.0};
     for (std::size_t i = 0; i < 200; ++i) profile.heights[i] = rough(i) + 0.1 * static_cast<double>(i);
     for (const Form form : {Form::mean, Form::line, Form::parabola}) {
-        const auto once = detrend(profile, form), twice = detrend(once, form);
+        const auto once = detail::detrend(profile, form), twice = detail::detrend(once, form);
         for (std::size_t i = 0; i < 200; ++i) REQUIRE(std::abs(once.heights[i] - twice.heights[i]) < 1e-15);
     }
 }
 
 TEST_CASE("A form of more coefficients than points is refused") {
     const Profile<double> two{{1, missing, 2, missing}, 1.0};
-    CHECK(detrend(two, Form::line).present() == 2);
-    CHECK(test::refusal([&] { (void)detrend(two, Form::parabola); }).find("2 points: must be at least 3") !=
+    CHECK(detail::detrend(two, Form::line).present() == 2);
+    CHECK(test::refusal([&] { (void)detail::detrend(two, Form::parabola); }).find("2 points: must be at least 3") !=
           std::string::npos);
-    CHECK_FALSE(test::refusal([] { (void)detrend(Profile<double>{{}, 1.0}, Form::mean); }).empty());
-    CHECK_FALSE(test::refusal([] {
-                    (void)detrend(Profile<double>{{1, std::numeric_limits<double>::infinity()}, 1.0}, Form::mean);
-                }).empty());
+    CHECK_FALSE(test::refusal([] { (void)detail::detrend(Profile<double>{{}, 1.0}, Form::mean); }).empty());
+    CHECK_FALSE(
+        test::refusal([] {
+            (void)detail::detrend(Profile<double>{{1, std::numeric_limits<double>::infinity()}, 1.0}, Form::mean);
+        }).empty());
 }
 
 }  // namespace detrend_test

@@ -30,9 +30,9 @@ TEST_CASE("A profile that is long enough has the lambda_c of its Ra") {
                                                       {5e-6, 2.5e-3},      {30e-6, 8e-3},      {200e-6, 8e-3}};
     for (const auto& [ra, lambda_c] : rows) {
         CAPTURE(ra);
-        const auto chosen = roughness_cut_off(sine(ra, 40e-3), 2.5e-6);
+        const auto chosen = parts::roughness_cut_off(sine(ra, 40e-3), 2.5e-6);
         CHECK(chosen.lambda_c == lambda_c);
-        CHECK(chosen.reason == CutOffReason::roughness);
+        CHECK(chosen.reason == parts::CutOffReason::roughness);
         CHECK(std::abs(chosen.mean_deviation / ra - 1) <
               0.03);  // the sine passes all but 0.1 %; its samples are 20 a wave
     }
@@ -42,23 +42,23 @@ TEST_CASE("Waviness does not lengthen lambda_c, roughness that Ra(lambda_c) show
     Profile<double> wavy = sine(0.05e-6, 8e-3);
     for (std::size_t i = 0; i < wavy.size(); ++i)
         wavy.heights[i] += 20e-6 * std::sin(2 * numbers::pi_v<double> * static_cast<double>(i) / 16000);
-    CHECK(roughness_cut_off(wavy, 2.5e-6).lambda_c == 0.25e-3);
+    CHECK(parts::roughness_cut_off(wavy, 2.5e-6).lambda_c == 0.25e-3);
 }
 
 TEST_CASE("What the length or the step does not allow is told") {
-    const auto shorter = roughness_cut_off(sine(1e-6, 1.3e-3), 2.5e-6);  // five of 0.25 mm, not of 0.8
+    const auto shorter = parts::roughness_cut_off(sine(1e-6, 1.3e-3), 2.5e-6);  // five of 0.25 mm, not of 0.8
     CHECK(shorter.lambda_c == 0.25e-3);
-    CHECK(shorter.reason == CutOffReason::length);
-    CHECK(roughness_cut_off(sine(1e-6, 0.4e-3), 2.5e-6).lambda_c == 0.08e-3);  // exactly five
-    const auto none = roughness_cut_off(sine(1e-6, 0.399e-3), 2.5e-6);
+    CHECK(shorter.reason == parts::CutOffReason::length);
+    CHECK(parts::roughness_cut_off(sine(1e-6, 0.4e-3), 2.5e-6).lambda_c == 0.08e-3);  // exactly five
+    const auto none = parts::roughness_cut_off(sine(1e-6, 0.399e-3), 2.5e-6);
     CHECK_FALSE(none.lambda_c);
-    CHECK(none.reason == CutOffReason::too_short);
-    const auto coarse = roughness_cut_off(sine(0.015e-6, 8e-3, 2e-6, 50e-6), 10e-6);  // 30 lambda_s is 0.3 mm
+    CHECK(none.reason == parts::CutOffReason::too_short);
+    const auto coarse = parts::roughness_cut_off(sine(0.015e-6, 8e-3, 2e-6, 50e-6), 10e-6);  // 30 lambda_s is 0.3 mm
     CHECK(coarse.lambda_c == 0.8e-3);
-    CHECK(coarse.reason == CutOffReason::step);
-    const auto hopeless = roughness_cut_off(sine(0.015e-6, 1.3e-3, 10e-6, 50e-6), 50e-6);
+    CHECK(coarse.reason == parts::CutOffReason::step);
+    const auto hopeless = parts::roughness_cut_off(sine(0.015e-6, 1.3e-3, 10e-6, 50e-6), 50e-6);
     CHECK_FALSE(hopeless.lambda_c);
-    CHECK(hopeless.reason == CutOffReason::too_coarse);
+    CHECK(hopeless.reason == parts::CutOffReason::too_coarse);
 }
 
 }  // namespace roughness_cut_off_test

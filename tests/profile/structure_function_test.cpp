@@ -38,7 +38,7 @@ double slow(const Profile<double>& profile, std::size_t n) {
 }
 
 StructureFunction<double> at(const Profile<double>& profile, std::vector<std::size_t> lags,
-                             Divisor divisor = Divisor::pairs) {
+                             parts::Divisor divisor = parts::Divisor::pairs) {
     return structure_function(profile, std::span<const std::size_t>(lags), divisor);
 }
 
@@ -66,10 +66,10 @@ TEST_CASE("A tilt of 1e6 times the roughness costs ten digits of sixteen and no 
     for (std::size_t i = 0; i < tilted.size(); ++i)
         tilted.heights[i] += 1e6 * sigma * static_cast<double>(i) / 20000;  // rounds the data themselves to 1e-10 sigma
     const std::vector<std::size_t> lags{1, 5, 50, 500, 5000};
-    const auto a = at(detrend(plain, Form::line), lags), b = at(detrend(tilted, Form::line), lags);
+    const auto a = at(detail::detrend(plain, Form::line), lags), b = at(detail::detrend(tilted, Form::line), lags);
     // against the same doubles detrended in long double the data's own rounding does not count
     Profile<long double> wide{{tilted.heights.begin(), tilted.heights.end()}, 1e-7L};
-    const auto truth = structure_function(detrend(wide, Form::line), std::span<const std::size_t>(lags));
+    const auto truth = structure_function(detail::detrend(wide, Form::line), std::span<const std::size_t>(lags));
     for (std::size_t k = 0; k < lags.size(); ++k) {
         CAPTURE(lags[k]);
         CHECK(test::relative_error(b.value[k], static_cast<double>(truth.value[k])) < 1e-10);
@@ -99,13 +99,13 @@ TEMPLATE_TEST_CASE("A sine has the structure function 2 a^2 sin^2(pi tau/lambda)
 
 TEST_CASE("The divisor as printed is one pair short") {
     const auto profile = walk(100, 3);
-    const auto ours = at(profile, {1, 10, 90}), printed = at(profile, {1, 10, 90}, Divisor::paper);
+    const auto ours = at(profile, {1, 10, 90}), printed = at(profile, {1, 10, 90}, parts::Divisor::paper);
     for (std::size_t k = 0; k < 3; ++k) {
         const auto pairs = static_cast<double>(ours.pairs[k]);
         CHECK(ours.pairs[k] == 100 - ours.step[k]);
         CHECK(test::relative_error(printed.value[k], ours.value[k] * pairs / (pairs - 1)) < 1e-15);
     }
-    CHECK(at(profile, {99}, Divisor::paper).size() == 0);  // one pair, divided by none
+    CHECK(at(profile, {99}, parts::Divisor::paper).size() == 0);  // one pair, divided by none
     CHECK(at(profile, {99}).size() == 1);
 }
 
@@ -133,15 +133,15 @@ TEST_CASE("The structure function scales with the unit of length") {
 }
 
 TEST_CASE("Logarithmic lags rise from 1, hold every small lag and end at the longest at the latest") {
-    const auto lags = logarithmic_lags(1000);
+    const auto lags = parts::logarithmic_lags(1000);
     CHECK(lags.front() == 1);
     CHECK(lags.back() <= 1000);
     CHECK(lags.back() > 940);  // a twelfth of an octave
     for (std::size_t k = 1; k < lags.size(); ++k) REQUIRE(lags[k] > lags[k - 1]);
     for (std::size_t n = 1; n <= 8; ++n) CHECK(std::find(lags.begin(), lags.end(), n) != lags.end());
     CHECK(lags.size() < 100);
-    CHECK(logarithmic_lags(0).empty());
-    CHECK(logarithmic_lags(1) == std::vector<std::size_t>{1});
+    CHECK(parts::logarithmic_lags(0).empty());
+    CHECK(parts::logarithmic_lags(1) == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("A lag outside the profile is refused") {

@@ -38,7 +38,7 @@ TEST_CASE("The least curvature of a sine is -(a/h^2) 4 sin^2(pi n h/lambda) n^-2
         const double nh = static_cast<double>(n) * 1e-7,
                      sine = std::sin(std::numbers::pi * static_cast<double>(n) / 100);
         // three heights round to 1e-16 of 3 nm each, against a difference of 1.2e-11 m at the shortest
-        CHECK(test::relative_error(*min_curvature(profile, n), -3e-9 * 4 * sine * sine / (nh * nh)) < 1e-12);
+        CHECK(test::relative_error(*detail::min_curvature(profile, n), -3e-9 * 4 * sine * sine / (nh * nh)) < 1e-12);
     }
 }
 
@@ -46,47 +46,47 @@ TEST_CASE("What a parabolic tip has drawn is at no scale sharper than the tip") 
     const double spacing = 1e-9, radius = 40e-9;
     auto z = test::fractional_brownian(2048, 0.5, 3);
     for (double& v : z) v *= 1e-9;  // far sharper than the tip at one sample
-    REQUIRE(*min_curvature(Profile<double>{z, spacing}, 1) < -10 / radius);
+    REQUIRE(*detail::min_curvature(Profile<double>{z, spacing}, 1) < -10 / radius);
     const Profile<double> trace{dilated(z, spacing, radius), spacing};
-    for (const std::size_t n : logarithmic_lags(256)) {
+    for (const std::size_t n : parts::logarithmic_lags(256)) {
         CAPTURE(n);
-        CHECK(*min_curvature(trace, n) > -1 / radius * (1 + 1e-6));  // rounding: 1e-16 of 1e-7 m over (1 nm)^2
+        CHECK(*detail::min_curvature(trace, n) > -1 / radius * (1 + 1e-6));  // rounding: 1e-16 of 1e-7 m over (1 nm)^2
     }
-    CHECK(*min_curvature(trace, 1) < -0.99 / radius);  // and it has peaks that are the tip
+    CHECK(*detail::min_curvature(trace, 1) < -0.99 / radius);  // and it has peaks that are the tip
     // the cut-off is where the curvature has fallen to half of it, on both sides of the step
-    const double cutoff = tip_cutoff(trace, radius);
+    const double cutoff = detail::tip_cutoff(trace, radius);
     const auto reliable = static_cast<std::size_t>(std::lround(cutoff / spacing / 2));
-    CHECK(*min_curvature(trace, reliable) > -0.5 / radius);
-    const auto lags = logarithmic_lags(256);
+    CHECK(*detail::min_curvature(trace, reliable) > -0.5 / radius);
+    const auto lags = parts::logarithmic_lags(256);
     const auto here = std::find(lags.begin(), lags.end(), reliable);
     REQUIRE(here != lags.begin());
     REQUIRE(here != lags.end());
-    CHECK(*min_curvature(trace, *(here - 1)) <= -0.5 / radius);
+    CHECK(*detail::min_curvature(trace, *(here - 1)) <= -0.5 / radius);
 }
 
 TEST_CASE("A blunt tip leaves nothing, a point everything, and the unit of length does not matter") {
     auto z = test::fractional_brownian(1024, 0.5, 4);
     const Profile<double> profile{z, 1.0};
-    CHECK(tip_cutoff(profile, 1e9) == std::numeric_limits<double>::infinity());
-    CHECK(tip_cutoff(profile, 1e-9) == 0);
-    const double cutoff = tip_cutoff(profile, 5.0);
+    CHECK(detail::tip_cutoff(profile, 1e9) == std::numeric_limits<double>::infinity());
+    CHECK(detail::tip_cutoff(profile, 1e-9) == 0);
+    const double cutoff = detail::tip_cutoff(profile, 5.0);
     CHECK(cutoff > 2);
     CHECK(cutoff < 256);
     for (const double unit : {1e-9, 1e9}) {
         Profile<double> scaled{z, unit};
         for (double& v : scaled.heights) v *= unit;
-        CHECK(test::relative_error(tip_cutoff(scaled, 5.0 * unit) / unit, cutoff) < 1e-14);
+        CHECK(test::relative_error(detail::tip_cutoff(scaled, 5.0 * unit) / unit, cutoff) < 1e-14);
     }
 }
 
 TEST_CASE("Missing points drop their triples, and what is out of range is refused") {
     const Profile<double> profile{{0, 1, 0, missing, 5, 0}, 1.0};
-    CHECK(*min_curvature(profile, 1) == -2.0);
-    CHECK(*min_curvature(profile, 2) == 1.25);  // 0, 0, 5 over 2^2
-    CHECK_FALSE(min_curvature(profile, 3).has_value());
-    CHECK(test::refusal([&] { (void)min_curvature(profile, 0); }).find("step of the curvature") == 0);
-    CHECK(test::refusal([&] { (void)tip_cutoff(profile, 0.0); }).find("tip radius = 0") == 0);
-    CHECK(test::refusal([&] { (void)tip_cutoff(profile, missing); }).find("tip radius") == 0);
+    CHECK(*detail::min_curvature(profile, 1) == -2.0);
+    CHECK(*detail::min_curvature(profile, 2) == 1.25);  // 0, 0, 5 over 2^2
+    CHECK_FALSE(detail::min_curvature(profile, 3).has_value());
+    CHECK(test::refusal([&] { (void)detail::min_curvature(profile, 0); }).find("step of the curvature") == 0);
+    CHECK(test::refusal([&] { (void)detail::tip_cutoff(profile, 0.0); }).find("tip radius = 0") == 0);
+    CHECK(test::refusal([&] { (void)detail::tip_cutoff(profile, missing); }).find("tip radius") == 0);
 }
 
 }  // namespace tip_cutoff_test

@@ -56,7 +56,8 @@ double largest_change(const std::vector<double>& a, const std::vector<double>& b
 
 /// Sk, Spk, Svk, Smr1, Smr2 of Gaussian heights of the rms 1 um, for which any share of peaks will do.
 std::string gaussian_core(char letter) {
-    const double share = 0.0907, z = normal_quantile(1 - share), peak = 2 / share * (normal_density(z) - z * share);
+    const double share = 0.0907, z = math::normal_quantile(1 - share),
+                 peak = 2 / share * (math::normal_density(z) - z * share);
     const std::string name(1, letter), length = std::to_string(peak);
     return name + "k = \"" + std::to_string(2 * z) + " um\"\n" + name + "pk = \"" + length + " um\"\n" + name + "vk = \"" +
            length + " um\"\n" + name + "mr1 = 0.0907\n" + name + "mr2 = 0.9093\n";
@@ -67,7 +68,7 @@ template <class F>
 std::string list(const F& f) {
     std::string text = "bearing_curve = [";
     for (int i = 0; i < 1001; ++i)
-        text += (i ? ", \"" : "\"") + std::to_string(f(normal_quantile((i + 0.5) / 1001))) + " um\"";
+        text += (i ? ", \"" : "\"") + std::to_string(f(math::normal_quantile((i + 0.5) / 1001))) + " um\"";
     return text + "]\n";
 }
 
@@ -87,8 +88,8 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     const double skewness = -1, kurtosis = 4.5;
     const auto found = stiffnesses(numbers + "skewness = -1\nkurtosis = 4.5\n"), gaussian = stiffnesses(numbers);
     const double modulus = 205e9 / (2 * (1 - 0.3 * 0.3));
-    const auto curve = bearing_of_moments(skewness, kurtosis);
-    const auto law = hybrid_of_band(band_of_moments(moments_of_gradient(1e-6, 0.1, 8.0), 0.8), curve, modulus);
+    const auto curve = parts::bearing_of_moments(skewness, kurtosis);
+    const auto law = hybrid_of_band(band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 8.0), 0.8), curve, modulus);
     CHECK(largest_change(found, {law.stiffness(10e6), law.stiffness(100e6), law.stiffness(1e9)}) < 1e-12);
     CHECK(found[0] > 1.5 * gaussian[0]);  // flattened peaks are stiffer, most at light loads
     CHECK(found[0] / gaussian[0] > found[2] / gaussian[2]);

@@ -86,7 +86,7 @@ TEST_CASE("The Hurst exponent is the written one, 2 - D, or 0.8, and wide enough
     face.rms_gradient = 0.1;
     face.alpha = 60;
     face.widest_band = 20;  // alpha = 60 within a band of 20 takes a greater H
-    const double least = least_hurst(spectral_moments(face), 20.0);
+    const double least = parts::least_hurst(spectral_moments(face), 20.0);
     REQUIRE(least > 0.63);
     CHECK(hurst_exponent(face) == least);
 }

@@ -24,7 +24,8 @@ struct Expected {
     std::string cells, good, bad;
 };
 Expected expected(const scene::LawOption& row) {
-    const std::string low = fstiff::shortest_text(row.low), high = fstiff::shortest_text(row.high), key(row.key);
+    const std::string low = fstiff::parts::shortest_text(row.low), high = fstiff::parts::shortest_text(row.high),
+                      key(row.key);
     switch (row.field.index()) {
         case 0: return {"true or false, or 1 or 0 | ", "false", "0.5"};
         case 1:
@@ -60,7 +61,7 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
 }
 
 TEST_CASE("The table of laws is in the order of their names") {
-    for (const auto& [law, word] : fstiff::names<fstiff::LawName>) {
+    for (const auto& [law, word] : fstiff::names<fstiff::parts::LawName>) {
         CHECK(scene::find_law(law).which == law);
         CHECK(scene::find_law(word) == &scene::find_law(law));
     }

@@ -34,7 +34,7 @@ std::string profile_text() {
                               {.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 400e-6, .shortest_wavelength = 16e-6});
 }
 
-void check_measured(const nlohmann::json& surface, const fstiff::SurfaceParameters<double>& expected) {
+void check_measured(const nlohmann::json& surface, const fstiff::parts::SurfaceParameters<double>& expected) {
     const auto same = [&](const char* name, const fstiff::Measurement<double>& measured) {
         INFO(name);
         CHECK(surface[name]["value"] == measured.value);
@@ -74,22 +74,24 @@ std::string refused(const std::string& line, const std::string& bytes) {
 TEST_CASE("What is measured of a file is what the headers measure, to the last digit") {
     SECTION("of a map") {
         const std::string text = map_text();
-        const auto map = fstiff::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
-        check_measured(test::measured("--lambda-s none", text)["surface"], fstiff::surface_parameters(map));
-        fstiff::SurfaceParameterOptions<double> summits;
-        summits.peaks = fstiff::PeakSource::summits;
+        const auto map =
+            fstiff::parts::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
+        check_measured(test::measured("--lambda-s none", text)["surface"], fstiff::parts::surface_parameters(map));
+        fstiff::parts::SurfaceParameterOptions<double> summits;
+        summits.peaks = fstiff::parts::PeakSource::summits;
         check_measured(test::measured("--lambda-s none --peaks summits", text)["surface"],
-                       fstiff::surface_parameters(map, summits));
+                       fstiff::parts::surface_parameters(map, summits));
     }
     SECTION("of a profile") {
         const std::string text = profile_text();
-        const auto profile = fstiff::level(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
-        fstiff::SurfaceParameterOptions<double> how;
+        const auto profile =
+            fstiff::parts::level(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
+        fstiff::parts::SurfaceParameterOptions<double> how;
         how.seed = how.fit.seed = 7;
         how.resamples = 100;
         check_measured(test::measured("--lambda-s none --lambda-c none", text,
                                       {.input = {}, .resamples = 100, .seed = 7})["surface"],
-                       fstiff::surface_parameters(profile, how));
+                       fstiff::parts::surface_parameters(profile, how));
     }
 }
 

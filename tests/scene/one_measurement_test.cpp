@@ -150,7 +150,7 @@ bool is_measured(const std::filesystem::path& path) {
 }
 
 /// K of \p curve and its band are those of \p found.
-void require_same_band(const scene::Curve& curve, const std::vector<WidenedBand<double>>& found) {
+void require_same_band(const scene::Curve& curve, const std::vector<parts::WidenedBand<double>>& found) {
     REQUIRE(curve.states.size() == found.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
         CHECK(same(curve.states[i].stiffness.value, found[i].stiffness));

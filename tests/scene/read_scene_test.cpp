@@ -62,7 +62,7 @@ std::string trace(const test::Folder& folder, const std::string& name, int point
     std::uint64_t state = 7;
     double z = phase;
     for (int i = 0; i < points; ++i) {
-        z = 0.9 * z + fstiff::normal_pair<double>(state).real();
+        z = 0.9 * z + fstiff::math::normal_pair<double>(state).real();
         text += scene::exact(i * 0.5) + " " + scene::exact(z + std::sin(0.02 * i)) + "\n";
     }
     return folder.write(name, text);
@@ -123,7 +123,7 @@ TEST_CASE("Without a band nothing is measured behind other lambda_s, and all els
     CHECK(banded.face.neighbours.size() == 2);
     CHECK(plain.face.neighbours.empty());
     CHECK(plain.face.parameters.values() == banded.face.parameters.values());
-    for (const fstiff::ParameterRow& row : fstiff::surface_parameter_table) {
+    for (const fstiff::parts::ParameterRow& row : fstiff::parts::surface_parameter_table) {
         const auto* one = plain.face.parameters.find(row.parameter);
         const auto* other = banded.face.parameters.find(row.parameter);
         REQUIRE(!one == !other);
@@ -298,7 +298,7 @@ TEST_CASE("Percents and counts are shown without an exponent") {
 }
 
 TEST_CASE("What is not known to a factor of two is said once") {
-    fstiff::SurfaceParameters<double> values;
+    fstiff::parts::SurfaceParameters<double> values;
     values.set(Parameter::rms_height, {1e-6, 1e-7});
     values.set(Parameter::peak_radius, {40e-6, 72e-6});
     values.set(Parameter::peak_density, {5e8, 2e8});

@@ -47,20 +47,21 @@ void check_same_rows(const scene::Results& a, const scene::Results& b) { CHECK(t
 TEST_CASE("The inputs that a scene records make the same scene again, for random numbers in random units") {
     std::uint64_t state = 5;
     const auto random = [&](double from, double to) {
-        return from * std::pow(to / from, 0.5 + 0.5 * std::tanh(fstiff::normal_pair<double>(state).real()));
+        return from * std::pow(to / from, 0.5 + 0.5 * std::tanh(fstiff::math::normal_pair<double>(state).real()));
     };
     for (int k = 0; k < 12; ++k) {
         const bool fine = k % 2 == 0;
         const auto quantity = [&](double metres) {
-            return fine ? fstiff::shortest_text(metres * 1e9) + " nm" : fstiff::shortest_text(metres * 1e3) + " mm";
+            return fine ? fstiff::parts::shortest_text(metres * 1e9) + " nm"
+                        : fstiff::parts::shortest_text(metres * 1e3) + " mm";
         };
         std::string text = "name = \"random " + std::to_string(k) + "\"\n[surface]\nrms_height = \"" +
                            quantity(random(1e-7, 3e-6)) + "\"\npeak_radius = \"" + quantity(random(1e-5, 1e-4)) +
-                           "\"\npeak_density = \"" + fstiff::shortest_text(random(100, 1000)) +
-                           " /mm^2\"\nfractal_dimension = " + fstiff::shortest_text(random(1.1, 1.8)) +
+                           "\"\npeak_density = \"" + fstiff::parts::shortest_text(random(100, 1000)) +
+                           " /mm^2\"\nfractal_dimension = " + fstiff::parts::shortest_text(random(1.1, 1.8)) +
                            "\nerrors = { rms_height = \"" + quantity(1e-8) + "\" }\n" + rest +
                            "laws = [\"fractal\", \"greenwood_williamson\"]\nnominal_area = \"" +
-                           fstiff::shortest_text(random(1, 100)) +
+                           fstiff::parts::shortest_text(random(1, 100)) +
                            " mm^2\"\n[uncertainty]\nsamples = 20\nseed = " + std::to_string(k) +
                            "\n[output]\nquantities = [\"stiffness\", \"contacts\"]\n";
         INFO(text);

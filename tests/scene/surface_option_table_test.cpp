@@ -21,7 +21,7 @@
 namespace surface_option_table_test {
 
 namespace scene = fstiff::scene;
-using fstiff::NamedEnum;
+using fstiff::parts::NamedEnum;
 using scene::Lengths;
 using scene::SurfaceOptionRow;
 using test::contains;
@@ -48,7 +48,7 @@ struct PutOther {
 template <NamedEnum Enum>
 std::string words() {
     std::string all;
-    for (const std::string_view word : fstiff::choices<Enum>())
+    for (const std::string_view word : fstiff::parts::choices<Enum>())
         all += (all.empty() ? "`\"" : ", `\"") + std::string(word) + "\"`";
     return all;
 }

@@ -88,13 +88,14 @@ TEST_CASE("The side of the error is not taken from a skewness that is zero withi
 }
 
 TEST_CASE("The accuracy of hybrid is one number, that of docs/validation.md") {
-    const std::string percent = std::to_string(fstiff::hybrid_accuracy_percent) + " %";
+    const std::string percent = std::to_string(fstiff::parts::hybrid_accuracy_percent) + " %";
     std::ifstream table(FSTIFF_SCENES "/../bench/map_validation.csv");
     int points = 0, within = 0;
     for (std::string line; std::getline(table, line);) {
         if (!line.starts_with("hybrid,")) continue;
         ++points;
-        within += std::abs(std::stod(line.substr(line.rfind(',') + 1)) - 1) <= fstiff::hybrid_accuracy_percent / 100.0;
+        within +=
+            std::abs(std::stod(line.substr(line.rfind(',') + 1)) - 1) <= fstiff::parts::hybrid_accuracy_percent / 100.0;
     }
     CHECK(points == 750);
     CHECK(within >= 0.96 * points);
@@ -151,7 +152,8 @@ TEST_CASE("A profile across grooves is told to be no measure of K, and its band 
     const auto scene_of_profile = [&](const char* name) {
         std::string rows;
         for (std::size_t i = 0; i < profile.size(); ++i)
-            rows += fstiff::shortest_text(double(i) * 4) + "," + fstiff::shortest_text(profile.heights[i] * 1e6) + "\n";
+            rows += fstiff::parts::shortest_text(double(i) * 4) + "," +
+                    fstiff::parts::shortest_text(profile.heights[i] * 1e6) + "\n";
         folder.write(std::string(name) + ".csv", rows);
         return read("[surface]\nfrom = \"" + folder / name + ".csv\"\nunits = \"um\"\n[material.upper]\n"
                     "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\npressures = [\"10 MPa\"]\n"
@@ -169,7 +171,7 @@ TEST_CASE("A profile across grooves is told to be no measure of K, and its band 
         profile.heights[i] += x * x / 1600 * 1e-6;
     }
     CHECK_FALSE(advice_of(profile).law);
-    CHECK(advice_of(profile).findings.front().finding == fstiff::Finding::profile_with_lay);
+    CHECK(advice_of(profile).findings.front().finding == fstiff::parts::Finding::profile_with_lay);
     scene::Scene turned = scene_of_profile("turned");
     CHECK(turned.has_lay);
     const scene::Results with = scene::compute(turned);

@@ -40,7 +40,7 @@ inline Heights gaussian_map(Eigen::Index points, double rolloff, double cut, dou
 /// Without the overtones above \p cut waves a side, by exp(-(q/cut)^8): so that the grid resolves what a function of each
 /// height by itself has made.
 inline Heights without_overtones(Heights z, double cut = 40) {
-    fstiff::detail::LineTransform<double> line(static_cast<std::size_t>(z.rows()), fstiff::Edges::periodic);
+    fstiff::parts::LineTransform<double> line(static_cast<std::size_t>(z.rows()), fstiff::Edges::periodic);
     const auto both = [&](auto&& call) {
         for (int side = 0; side < 2; ++side) {
             for (Eigen::Index j = 0; j < z.rows(); ++j) {
@@ -73,7 +73,7 @@ Heights ridges(Eigen::Index points, const Along& along) {
 /// \p count Gaussian hills of random heights up to \p height, of the width 0.012.
 inline Heights particles(Heights z, int count, double height, std::uint64_t seed) {
     std::uint64_t state = seed;
-    const auto uniform = [&state] { return static_cast<double>(fstiff::splitmix64(state) >> 11) * 0x1p-53; };
+    const auto uniform = [&state] { return static_cast<double>(fstiff::math::splitmix64(state) >> 11) * 0x1p-53; };
     const double step = 1.0 / static_cast<double>(z.rows());
     for (int n = 0; n < count; ++n) {
         const double x = uniform(), y = uniform(), high = height * uniform();

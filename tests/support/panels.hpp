@@ -10,7 +10,7 @@ namespace test {
 /// int_from^to f by Gauss-Legendre panels of 20 points in u, x = from + (to - from) u^2: takes a root at the lower end.
 template <class F>
 double panels(double from, double to, int count, const F& f) {
-    const auto& rule = fstiff::GaussLegendre<double, 20>::get();
+    const auto& rule = fstiff::math::GaussLegendre<double, 20>::get();
     double sum = 0;
     for (int panel = 0; panel < count; ++panel)
         for (std::size_t i = 0; i < 20; ++i) {

@@ -13,11 +13,11 @@ namespace bearing_family_test {
 using namespace fstiff;
 
 /// Skewness and kurtosis of the curve by Simpson's rule.
-std::array<double, 4> moments_of(const BearingSlope<double>& curve) {
+std::array<double, 4> moments_of(const parts::BearingSlope<double>& curve) {
     std::array<double, 5> sum{};
     const double step = 1.0 / 512;
     for (int i = -4096; i <= 4096; ++i) {
-        const double z = i * step, weight = (i % 2 == 0 ? 2 : 4) * step / 3 * normal_density(z);
+        const double z = i * step, weight = (i % 2 == 0 ? 2 : 4) * step / 3 * math::normal_density(z);
         double power = weight;
         for (double& one : sum) one += power, power *= curve.height(z);
     }
@@ -25,33 +25,34 @@ std::array<double, 4> moments_of(const BearingSlope<double>& curve) {
 }
 
 TEST_CASE("A bearing curve of the core of a Gaussian surface is that surface") {
-    const double share = 0.0907, z = normal_quantile(1 - share), sigma = 2e-6;
-    const double Spk = 2 / share * sigma * (normal_density(z) - z * share);
-    const MaterialRatio<double> core{2 * z * sigma, Spk, Spk, share, 1 - share};
-    const auto curve = bearing_of_core(core);
+    const double share = 0.0907, z = math::normal_quantile(1 - share), sigma = 2e-6;
+    const double Spk = 2 / share * sigma * (math::normal_density(z) - z * share);
+    const parts::MaterialRatio<double> core{2 * z * sigma, Spk, Spk, share, 1 - share};
+    const auto curve = parts::bearing_of_core(core);
     for (const double center : {-3.0, 0.0, 1.4, 3.3})
         CHECK(test::relative_error(curve.slope(center, 0.5), sigma) < 1e-10);
 }
 
 TEST_CASE("A bearing curve has the core that it was made of") {
-    const MaterialRatio<double> core{1.0, 0.2, 1.5, 0.06, 0.82};
-    const auto curve = bearing_of_core(core);
-    const double z1 = normal_quantile(1 - core.peak_share), z2 = normal_quantile(1 - core.core_and_peak_share);
+    const parts::MaterialRatio<double> core{1.0, 0.2, 1.5, 0.06, 0.82};
+    const auto curve = parts::bearing_of_core(core);
+    const double z1 = math::normal_quantile(1 - core.peak_share),
+                 z2 = math::normal_quantile(1 - core.core_and_peak_share);
     CHECK(std::abs(curve.height(z1)) < 1e-12);
     CHECK(std::abs(curve.height(z2) + core.core_height) < 1e-12);
     double peaks = 0, valleys = 0;
     for (int i = 0; i < 200000; ++i) {
-        const double t = (i + 0.5) / 200000, h = curve.height(normal_quantile(1 - t));
+        const double t = (i + 0.5) / 200000, h = curve.height(math::normal_quantile(1 - t));
         peaks += std::max(h, 0.0) / 200000;
         valleys += std::max(-core.core_height - h, 0.0) / 200000;
     }
     CHECK(test::relative_error(peaks, core.reduced_peak_height * core.peak_share / 2) < 1e-4);
     CHECK(test::relative_error(valleys, core.reduced_valley_depth * (1 - core.core_and_peak_share) / 2) < 1e-4);
     CHECK(curve.slope(3, 0.3) < 0.3 * curve.slope(-3, 0.3));
-    CHECK(bearing_of_core(MaterialRatio<double>{1, 0, 0, 0, 1}).knots().size() == 2);
-    CHECK_THROWS_AS(bearing_of_core(MaterialRatio<double>{0, 1, 1, 0.1, 0.9}), domain_error);
-    CHECK_THROWS_AS(bearing_of_core(MaterialRatio<double>{1, 1, 1, 0.9, 0.1}), domain_error);
-    CHECK_THROWS_AS(bearing_of_core(MaterialRatio<double>{1, -1, 1, 0.1, 0.9}), domain_error);
+    CHECK(parts::bearing_of_core(parts::MaterialRatio<double>{1, 0, 0, 0, 1}).knots().size() == 2);
+    CHECK_THROWS_AS(parts::bearing_of_core(parts::MaterialRatio<double>{0, 1, 1, 0.1, 0.9}), domain_error);
+    CHECK_THROWS_AS(parts::bearing_of_core(parts::MaterialRatio<double>{1, 1, 1, 0.9, 0.1}), domain_error);
+    CHECK_THROWS_AS(parts::bearing_of_core(parts::MaterialRatio<double>{1, -1, 1, 0.1, 0.9}), domain_error);
 }
 
 TEST_CASE("A bearing curve of skewness and kurtosis has them, and no impossible ones are taken") {
@@ -59,7 +60,7 @@ TEST_CASE("A bearing curve of skewness and kurtosis has them, and no impossible 
              {0, 3}, {0, 1.8}, {0, 5}, {0.5, 3.4}, {1, 4.8}, {-0.5, 3.1}, {-1, 4.5}, {-1.7, 7}, {1, 3}, {2, 8}, {-0.8, 2.4},
              {0.001, 3.02222290919315}, {-0.01, 3}, {0.1, 3.0178}, {0.05, 3.003}, {1e-4, 2.99}, {2.9, 20}}) {
         CAPTURE(skewness, kurtosis);
-        const auto curve = bearing_of_moments(skewness, kurtosis);
+        const auto curve = parts::bearing_of_moments(skewness, kurtosis);
         const auto m = moments_of(curve);
         CHECK(std::abs(m[0]) < 1e-4);
         CHECK(std::abs(m[1] - 1) < 1e-4);
@@ -68,19 +69,19 @@ TEST_CASE("A bearing curve of skewness and kurtosis has them, and no impossible 
     }
     // the lognormal with (q - 1)(q + 2)^2 = 1 is between both families
     const double q = 1.1, s = std::sqrt(std::log(q)), skewness = (q + 2) * std::sqrt(q - 1);
-    const auto curve = bearing_of_moments(skewness, q * q * q * q + 2 * q * q * q + 3 * q * q - 3 + 1e-6);
+    const auto curve = parts::bearing_of_moments(skewness, q * q * q * q + 2 * q * q * q + 3 * q * q - 3 + 1e-6);
     for (const double z : {-2.0, 0.0, 2.0})
         CHECK(std::abs(curve.height(z) - (std::exp(s * z) / std::sqrt(q) - 1) / std::sqrt(q - 1)) < 1e-3);
     // next to a Gaussian and to the lognormal of the same skewness there is a curve everywhere
     for (const double s : {0.0, 1e-6, 1e-3, 0.02, 0.1, 0.4, 1.6, 2.5})
         for (const double excess : {-0.1, -0.01, -1e-3, -1e-5, 0.0, 1e-5, 1e-3, 0.01, 0.1}) {
             CAPTURE(s, excess);
-            CHECK_NOTHROW(bearing_of_moments(s, std::max(3 + excess, least_kurtosis(s))));
-            CHECK_NOTHROW(bearing_of_moments(-s, 3 + excess + 16 * s * s / 9));
+            CHECK_NOTHROW(parts::bearing_of_moments(s, std::max(3 + excess, parts::least_kurtosis(s))));
+            CHECK_NOTHROW(parts::bearing_of_moments(-s, 3 + excess + 16 * s * s / 9));
         }
-    CHECK_THROWS_AS(bearing_of_moments(1.0, 1.9), domain_error);
-    CHECK_THROWS_AS(bearing_of_moments(6.0, 60.0), domain_error);
-    CHECK_THROWS_AS(bearing_of_moments(0.0, 200.0), domain_error);
+    CHECK_THROWS_AS(parts::bearing_of_moments(1.0, 1.9), domain_error);
+    CHECK_THROWS_AS(parts::bearing_of_moments(6.0, 60.0), domain_error);
+    CHECK_THROWS_AS(parts::bearing_of_moments(0.0, 200.0), domain_error);
 }
 
 }  // namespace bearing_family_test

@@ -23,44 +23,44 @@ constexpr double infinite = std::numeric_limits<double>::infinity(),
 }  // namespace
 
 TEST_CASE("The rows stand in the order of the parameters, the surface first", "[contact_parameter]") {
-    for (std::size_t i = 0; i < parameter_table.size(); ++i) {
-        const ParameterRow& row = parameter_table[i];
+    for (std::size_t i = 0; i < parts::parameter_table.size(); ++i) {
+        const parts::ParameterRow& row = parts::parameter_table[i];
         INFO(row.key);
-        CHECK(index_of(row.parameter) == i);
-        CHECK(&row_of(row.parameter) == &row);
+        CHECK(parts::index_of(row.parameter) == i);
+        CHECK(&parts::row_of(row.parameter) == &row);
         CHECK(name_of(row.parameter) == row.key);
-        CHECK(find_named<Parameter>(row.key) == row.parameter);
+        CHECK(parts::find_named<Parameter>(row.key) == row.parameter);
         CHECK(row.shown_factor > 0);
         CHECK(row.unit.empty() == row.shown_unit.empty());
-        for (std::size_t j = 0; j < i; ++j) CHECK(row.short_name != parameter_table[j].short_name);
+        for (std::size_t j = 0; j < i; ++j) CHECK(row.short_name != parts::parameter_table[j].short_name);
     }
-    CHECK(surface_parameter_count == 6);
-    CHECK(parameter_table[surface_parameter_count].parameter == Parameter::effective_modulus);
+    CHECK(parts::surface_parameter_count == 6);
+    CHECK(parts::parameter_table[parts::surface_parameter_count].parameter == Parameter::effective_modulus);
 }
 
 TEST_CASE("Headings and ranges of parameters as sentences", "[contact_parameter]") {
-    CHECK(row_of(Parameter::peak_density).heading() == "D_p [1/mm²]");
-    CHECK(row_of(Parameter::fractal_dimension).heading() == "D");
-    CHECK(row_of(Parameter::rms_height).range() == "finite and greater than 0");
-    CHECK(row_of(Parameter::fractal_dimension).range() == "between 1 and 2, both excluded");
-    CHECK(row_of(Parameter::r).range() == "at least 0 and less than 1");
-    CHECK(row_of(Parameter::theta).range() == "between 0 and pi/2, both excluded");
-    CHECK(row_of(Parameter::offset).range() == "finite");
-    CHECK(row_of(Parameter::r).starting_range() == "between 0 and 1, both excluded, to start a fit from");
-    CHECK(row_of(Parameter::peak_radius).starting_range() == "finite and greater than 0 to start a fit from");
-    CHECK(row_of(Parameter::offset).starting_range() == "finite");
+    CHECK(parts::row_of(Parameter::peak_density).heading() == "D_p [1/mm²]");
+    CHECK(parts::row_of(Parameter::fractal_dimension).heading() == "D");
+    CHECK(parts::row_of(Parameter::rms_height).range() == "finite and greater than 0");
+    CHECK(parts::row_of(Parameter::fractal_dimension).range() == "between 1 and 2, both excluded");
+    CHECK(parts::row_of(Parameter::r).range() == "at least 0 and less than 1");
+    CHECK(parts::row_of(Parameter::theta).range() == "between 0 and pi/2, both excluded");
+    CHECK(parts::row_of(Parameter::offset).range() == "finite");
+    CHECK(parts::row_of(Parameter::r).starting_range() == "between 0 and 1, both excluded, to start a fit from");
+    CHECK(parts::row_of(Parameter::peak_radius).starting_range() == "finite and greater than 0 to start a fit from");
+    CHECK(parts::row_of(Parameter::offset).starting_range() == "finite");
 }
 
 TEMPLATE_TEST_CASE("Values in and out of the range of each parameter", "[contact_parameter]", float, double,
                    long double) {
     using T = TestType;
     using Limits = std::numeric_limits<T>;
-    const auto in = [](Parameter which, T x) { return parameter_in_range(which, x); };
-    for (const ParameterRow& row : parameter_table) {
+    const auto in = [](Parameter which, T x) { return parts::parameter_in_range(which, x); };
+    for (const parts::ParameterRow& row : parts::parameter_table) {
         INFO(row.key);
         for (const T bad : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) {
             CHECK(!in(row.parameter, bad));
-            CHECK(!ParameterScale<T>(row.parameter).inside(bad));
+            CHECK(!parts::ParameterScale<T>(row.parameter).inside(bad));
         }
     }
     for (const Parameter one :
@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("Values in and out of the range of each parameter", "[contact
     CHECK(!in(Parameter::fractal_dimension, T(1)));
     CHECK(!in(Parameter::fractal_dimension, T(2)));
     CHECK(in(Parameter::r, T(0)));
-    CHECK(!ParameterScale<T>(Parameter::r).inside(T(0)));
+    CHECK(!parts::ParameterScale<T>(Parameter::r).inside(T(0)));
     CHECK(in(Parameter::r, 1 - Limits::epsilon()));
     CHECK(!in(Parameter::r, T(1)));
     CHECK(!in(Parameter::r, -Limits::min()));
@@ -87,18 +87,18 @@ TEMPLATE_TEST_CASE("Values in and out of the range of each parameter", "[contact
 }
 
 TEST_CASE("The variable of a fit: closed forms, there and back, and its slope", "[contact_parameter]") {
-    CHECK(ParameterScale<double>(Parameter::offset).variable(-3e5) == -3e5);
-    CHECK(test::ulps(ParameterScale<double>(Parameter::rms_height).variable(1e-6), std::log(1e-6)) <= 1);
-    CHECK(ParameterScale<double>(Parameter::fractal_dimension).variable(1.5) == 0);
-    CHECK(test::relative_error(ParameterScale<double>(Parameter::r).variable(0.75), std::log(3.0)) < 1e-15);
-    CHECK(test::relative_error(ParameterScale<double>(Parameter::theta).value(std::log(2.0)),
+    CHECK(parts::ParameterScale<double>(Parameter::offset).variable(-3e5) == -3e5);
+    CHECK(test::ulps(parts::ParameterScale<double>(Parameter::rms_height).variable(1e-6), std::log(1e-6)) <= 1);
+    CHECK(parts::ParameterScale<double>(Parameter::fractal_dimension).variable(1.5) == 0);
+    CHECK(test::relative_error(parts::ParameterScale<double>(Parameter::r).variable(0.75), std::log(3.0)) < 1e-15);
+    CHECK(test::relative_error(parts::ParameterScale<double>(Parameter::theta).value(std::log(2.0)),
                                numbers::pi_v<double> / 3) < 1e-15);
     const std::vector<std::pair<Parameter, double>> values{
         {Parameter::rms_height, 8e-7}, {Parameter::peak_density, 5e8}, {Parameter::fractal_dimension, 1.01},
         {Parameter::r, 0.999},         {Parameter::theta, 1.2},        {Parameter::offset, -2e5}};
     for (const auto& [which, x] : values) {
         INFO(name_of(which));
-        const ParameterScale<double> scale(which);
+        const parts::ParameterScale<double> scale(which);
         const double u = scale.variable(x);
         CHECK(test::relative_error(scale.value(u), x) < 1e-14);  // ln x rounds by 14 ulp of 1 at 1e-6
         const double step = which == Parameter::offset ? 1.0 : 1e-5;
@@ -106,11 +106,11 @@ TEST_CASE("The variable of a fit: closed forms, there and back, and its slope", 
         CHECK(test::relative_error(scale.slope(x), difference) < 1e-8);  // step^2/6 and 1e-16/step
     }
     for (const double far : {-800.0, 800.0}) {  // stays within its ends where exp leaves the range of numbers
-        const double d = ParameterScale<double>(Parameter::fractal_dimension).value(far);
+        const double d = parts::ParameterScale<double>(Parameter::fractal_dimension).value(far);
         CHECK((d >= 1 && d <= 2));
     }
-    CHECK(!parameter_in_range(Parameter::offset, infinite));
-    CHECK(!parameter_in_range(Parameter::r, nan_value));
+    CHECK(!parts::parameter_in_range(Parameter::offset, infinite));
+    CHECK(!parts::parameter_in_range(Parameter::r, nan_value));
 }
 
 }  // namespace contact_parameter_test

@@ -15,9 +15,9 @@ TEST_CASE("moments of peaks, peaks of moments") {
     CHECK(test::relative_error(moments.m2, 0.065370275044115236) < 1e-14);
     CHECK(test::relative_error(moments.m4, 490473852.12340519) > 1e-4);
     CHECK(test::relative_error(moments.m4, 490873852.12340519) < 1e-14);
-    CHECK(test::relative_error(peak_radius_of(moments), 3e-5) < 1e-14);
-    CHECK(test::relative_error(peak_density_of(moments), 2.3e8) < 1e-14);
-    const auto stated = moments_of_gradient(1e-6, 0.1, 8.24);
+    CHECK(test::relative_error(parts::peak_radius_of(moments), 3e-5) < 1e-14);
+    CHECK(test::relative_error(parts::peak_density_of(moments), 2.3e8) < 1e-14);
+    const auto stated = parts::moments_of_gradient(1e-6, 0.1, 8.24);
     CHECK(test::relative_error(stated.bandwidth(), 8.24) < 1e-14);
     CHECK(test::relative_error(stated.m2, 0.005) < 1e-15);
 }

@@ -20,38 +20,38 @@ TEST_CASE("The nesting index of a length is the least of the series that is as l
         };
         for (int i = 0; i + 1 < 6; ++i) {
             CAPTURE(decade, digits[i]);
-            CHECK(nesting_index(index(digits[i])) == index(digits[i]));
-            CHECK(nesting_index(index(digits[i]) * (1 + 5e-7)) == index(digits[i]));
-            CHECK(nesting_index(index(digits[i]) * (1 + 5e-6)) == index(digits[i + 1]));
+            CHECK(parts::nesting_index(index(digits[i])) == index(digits[i]));
+            CHECK(parts::nesting_index(index(digits[i]) * (1 + 5e-7)) == index(digits[i]));
+            CHECK(parts::nesting_index(index(digits[i]) * (1 + 5e-6)) == index(digits[i + 1]));
         }
-        if (decade > -15) CHECK(nesting_index(index("1") * (1 - 1e-12)) == index("1"));
+        if (decade > -15) CHECK(parts::nesting_index(index("1") * (1 - 1e-12)) == index("1"));
     }
     for (const double length : {0., -1., 1e-16, 2e6, std::nan("")})
-        CHECK_THROWS_AS(nesting_index(length), domain_error);
+        CHECK_THROWS_AS(parts::nesting_index(length), domain_error);
 }
 
 TEST_CASE("For every step of the standard's table lambda_s is the one of its row") {
-    for (const CutOffRow& row : cut_off_table) {
-        CHECK(shortest_lambda_s(row.max_step) == row.lambda_s);
-        CHECK(lambda_s_of_tip(row.tip_radius) == row.lambda_s);
-        CHECK(row.lambda_c / row.lambda_s >= min_ratio_of_cut_offs);
+    for (const parts::CutOffRow& row : parts::cut_off_table) {
+        CHECK(parts::shortest_lambda_s(row.max_step) == row.lambda_s);
+        CHECK(parts::lambda_s_of_tip(row.tip_radius) == row.lambda_s);
+        CHECK(row.lambda_c / row.lambda_s >= parts::min_ratio_of_cut_offs);
     }
     // the smallest ratio, of two rounded lengths
-    CHECK(test::ulps(cut_off_table[0].lambda_c / cut_off_table[0].lambda_s, 32.) <= 2);
+    CHECK(test::ulps(parts::cut_off_table[0].lambda_c / parts::cut_off_table[0].lambda_s, 32.) <= 2);
 }
 
 TEST_CASE("The resolution and the tip lengthen lambda_s, and never shorten it") {
-    CHECK(shortest_lambda_s(10e-9) == 50e-9);  // of an atomic force microscope
-    CHECK(shortest_lambda_s(10e-9, 0.3e-6) == 0.5e-6);
-    CHECK(shortest_lambda_s(10e-9, 1e-9) == 50e-9);
-    CHECK(shortest_lambda_s(10e-9, 0., 2e-6) == 2.5e-6);
-    CHECK(shortest_lambda_s(10e-9, 0., 4e-6) == 8e-6);
-    CHECK(shortest_lambda_s(10e-9, 0., 7e-6) == 25e-6);
-    CHECK(shortest_lambda_s(10e-9, 0., 20e-6) == 50e-6);
-    CHECK(shortest_lambda_s(10e-9, 0., 10e-9) == 50e-9);  // 1.25 times 10 nm is less than five steps
-    CHECK(shortest_lambda_s(2e-6, 0., 2e-6) == 10e-6);
-    CHECK(shortest_lambda_s(1e-6f) == 5e-6f);
-    CHECK_THROWS_AS(shortest_lambda_s(0.), domain_error);
+    CHECK(parts::shortest_lambda_s(10e-9) == 50e-9);  // of an atomic force microscope
+    CHECK(parts::shortest_lambda_s(10e-9, 0.3e-6) == 0.5e-6);
+    CHECK(parts::shortest_lambda_s(10e-9, 1e-9) == 50e-9);
+    CHECK(parts::shortest_lambda_s(10e-9, 0., 2e-6) == 2.5e-6);
+    CHECK(parts::shortest_lambda_s(10e-9, 0., 4e-6) == 8e-6);
+    CHECK(parts::shortest_lambda_s(10e-9, 0., 7e-6) == 25e-6);
+    CHECK(parts::shortest_lambda_s(10e-9, 0., 20e-6) == 50e-6);
+    CHECK(parts::shortest_lambda_s(10e-9, 0., 10e-9) == 50e-9);  // 1.25 times 10 nm is less than five steps
+    CHECK(parts::shortest_lambda_s(2e-6, 0., 2e-6) == 10e-6);
+    CHECK(parts::shortest_lambda_s(1e-6f) == 5e-6f);
+    CHECK_THROWS_AS(parts::shortest_lambda_s(0.), domain_error);
 }
 
 }  // namespace nesting_indices_test

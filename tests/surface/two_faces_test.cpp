@@ -17,7 +17,8 @@ namespace {
 RoughFace<double> face_of(const BandSpectrum<double>& band, double rho1, double rho2) {
     const SpectralMoments<double> moments{band.m0(), band.m2(), band.m4()};
     const auto peaks = PeakDistribution<double>::from_autocorrelation(rho1, rho2);
-    RoughFace<double> face{{band.rms_height(), peak_radius_of(moments), peak_density_of(moments), 1e-6}, moments};
+    RoughFace<double> face{{band.rms_height(), parts::peak_radius_of(moments), parts::peak_density_of(moments), 1e-6},
+                           moments};
     face.r = peaks.r();
     face.theta = peaks.theta();
     return face;
@@ -45,7 +46,7 @@ TEST_CASE("r and theta of two faces sampled at one step are those of the added a
         const double curvature = sigma * std::sqrt(6 - 8 * rho1 + 2 * rho2) / (step * step);
         const SpectralMoments<double> moments{sigma * sigma, sigma * sigma * 2 * (1 - rho1) / (step * step),
                                               curvature * curvature};
-        RoughFace<double> one{{sigma, peak_radius_of(moments), peak_density_of(moments)}, moments};
+        RoughFace<double> one{{sigma, parts::peak_radius_of(moments), parts::peak_density_of(moments)}, moments};
         one.r = peaks.r(), one.theta = peaks.theta();
         return one;
     };
@@ -65,13 +66,13 @@ TEST_CASE("D and G of two faces touch the added structure functions at the dista
     const auto sum = sum_of_faces(a, b);
     const double lag = 1 / std::sqrt(sum.roughness.peak_density), step = 1e-4;
     const auto log_s = [&](double at) {
-        return std::log(structure_function_at(at, Fractal<double>{1.3, 1e-13}) +
-                        structure_function_at(at, Fractal<double>{1.6, 3e-10}));
+        return std::log(parts::structure_function_at(at, Fractal<double>{1.3, 1e-13}) +
+                        parts::structure_function_at(at, Fractal<double>{1.6, 3e-10}));
     };
     const double slope = (log_s(lag * std::exp(step)) - log_s(lag * std::exp(-step))) / (2 * step);
     CHECK(test::relative_error(4 - 2 * *sum.fractal_dimension, slope) < 1e-8);  // of differences over 2e-4
     const Fractal<double> of_sum{*sum.fractal_dimension, *sum.fractal_roughness};
-    CHECK(std::abs(std::log(structure_function_at(lag, of_sum)) - log_s(lag)) < 1e-12);
+    CHECK(std::abs(std::log(parts::structure_function_at(lag, of_sum)) - log_s(lag)) < 1e-12);
     b.fractal_roughness.reset();
     const auto without = sum_of_faces(a, b);
     CHECK(!without.fractal_roughness);
@@ -103,8 +104,8 @@ TEST_CASE("two equal faces, and one beside a face that is nearly smooth") {
     CHECK(test::relative_error(*one.fractal_dimension, 1.3) < 1e-8);
     RoughFace<double> near_one = a;
     near_one.fractal_dimension = 1.002, near_one.fractal_roughness = 1e-300;  // G of half the heights is 1e-450
-    CHECK(!scaled(near_one, 0.5).fractal_roughness);
-    CHECK(sum_of_faces(scaled(near_one, 0.5), a).fractal_dimension);
+    CHECK(!parts::scaled(near_one, 0.5).fractal_roughness);
+    CHECK(sum_of_faces(parts::scaled(near_one, 0.5), a).fractal_dimension);
     CHECK_THROWS_AS(sum_of_faces(a.roughness, Roughness<double>{1e-6, -1, 1e9}), domain_error);
 }
 

@@ -19,10 +19,10 @@ TEST_CASE("The Gaussian order of a map: scores of ranks, equal heights equal, mi
     map.dx = map.dy = 1e-6;
     map.heights.resize(4, 4);
     map.heights << 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 10, 11, 12, 13, std::numeric_limits<double>::quiet_NaN();
-    const auto order = gaussian_order(map);
+    const auto order = parts::gaussian_order(map);
     CHECK(std::isnan(order.map.heights(3, 3)));
-    CHECK(order.map.heights(0, 0) == order.rms_height * normal_quantile(0.5 / 15));
-    CHECK(order.map.heights(2, 0) == order.rms_height * normal_quantile(9.5 / 15));
+    CHECK(order.map.heights(0, 0) == order.rms_height * math::normal_quantile(0.5 / 15));
+    CHECK(order.map.heights(2, 0) == order.rms_height * math::normal_quantile(9.5 / 15));
     CHECK(order.map.heights(2, 1) == order.map.heights(2, 0));
     CHECK(order.rms_height == rms_height(map));
     CHECK(order.curve.knots().size() == 13);
@@ -31,17 +31,17 @@ TEST_CASE("The Gaussian order of a map: scores of ranks, equal heights equal, mi
 
 TEST_CASE("A monotone function of a map leaves its Gaussian order, and becomes its bearing curve") {
     HeightMap<double> map = test::half_space_map("gaussian");
-    const auto order = gaussian_order(map);
+    const auto order = parts::gaussian_order(map);
     HeightMap<double> bent = map;
     bent.heights = (map.heights * (1 / order.rms_height)).exp();
-    const auto of_bent = gaussian_order(bent);
+    const auto of_bent = parts::gaussian_order(bent);
     const double apart = (of_bent.map.heights / of_bent.rms_height - order.map.heights / order.rms_height).abs().maxCoeff();
     CHECK(apart < 1e-13);
     for (const double score : {-3.0, -0.4, 0.0, 1.0, 3.5})
         CHECK(test::relative_error(of_bent.curve.height(score), std::exp(order.curve.height(score) / order.rms_height)) <
               3e-3);  // straight between knots: 1/512 in the middle, more in the tails
     map.heights.setConstant(2);
-    CHECK_THROWS_AS(gaussian_order(map), domain_error);
+    CHECK_THROWS_AS(parts::gaussian_order(map), domain_error);
 }
 
 }  // namespace gaussian_order_test

@@ -36,32 +36,32 @@ TEST_CASE("dR/dK agrees with differences") {
                 difference([&](Real80 x) { return reflection<Real80>(x, wide, Real80(omega)); }, k, Real80(1e-3) * k);
             INFO("K " << k << " z " << media.incident << " " << media.beyond);
             // the difference itself loses eps R/(K dR/dK): up to 1e-12 where R hardly changes
-            CHECK(std::abs(reflection_slope(k, media, omega) - static_cast<double>(truth)) * k <=
+            CHECK(std::abs(parts::reflection_slope(k, media, omega) - static_cast<double>(truth)) * k <=
                   1e-12 * std::abs(static_cast<double>(truth)) * k + 1e-15);
         }
-    CHECK(reflection_slope(0.0, pairs[0], omega) == 0);
+    CHECK(parts::reflection_slope(0.0, pairs[0], omega) == 0);
 }
 
 TEST_CASE("dK/dR agrees with differences and is the inverse of dR/dK") {
     const double omega = 2 * std::numbers::pi * 7e6;
     for (const auto& media : pairs) {
-        const double welded = welded_reflection(media);
+        const double welded = parts::welded_reflection(media);
         for (const double share : {0.01, 0.1, 0.5, 0.9, 0.99, 0.9999}) {
             const double r = welded + share * (1 - welded);
             const Impedances<Real80> wide{media.incident, media.beyond};
             const Real80 step = 1e-4L * std::min<Real80>(1 - Real80(r), Real80(r) - Real80(welded));
             const Real80 truth = difference(
                 [&](Real80 x) { return stiffness_from_reflection<Real80>(x, wide, Real80(omega)); }, r, step);
-            const auto k = measured_stiffness(r, 0.01, media, omega);
+            const auto k = parts::measured_stiffness(r, 0.01, media, omega);
             INFO("R " << r << " z " << media.incident << " " << media.beyond);
             // r + step is rounded to 1e-19, which the division by the step enlarges
             CHECK(test::relative_error(k.slope, static_cast<double>(truth)) <
                   1e-12 + 1e-18 / static_cast<double>(step));
-            const auto exact = measured_stiffness<Real80>(r, 0.01L, wide, Real80(omega));
+            const auto exact = parts::measured_stiffness<Real80>(r, 0.01L, wide, Real80(omega));
             if (r > welded + 1e-3) CHECK(test::ulps(k.slope, static_cast<double>(exact.slope)) <= 16);
             // R in double moves by an ulp: its effect on the slopes is that over the distance to both ends
             const double loss = 1e-15 / std::min(1 - r, r - welded);
-            CHECK(test::relative_error(k.slope * reflection_slope(k.value, media, omega), 1.0) < 10 * loss);
+            CHECK(test::relative_error(k.slope * parts::reflection_slope(k.value, media, omega), 1.0) < 10 * loss);
             CHECK(k.error == -0.01 * k.slope);
             CHECK(k.value == stiffness_from_reflection(r, media, omega));
         }
@@ -70,7 +70,7 @@ TEST_CASE("dK/dR agrees with differences and is the inverse of dR/dK") {
 
 TEST_CASE("the relative error of K is least at R = 1/sqrt(3) for like media, 2.598 times that of R") {
     const auto relative = [](double r) {
-        const auto k = measured_stiffness(r, 1.0, {46e6, 46e6}, 4.4e7);
+        const auto k = parts::measured_stiffness(r, 1.0, {46e6, 46e6}, 4.4e7);
         return k.error / k.value;
     };
     const double best = 1 / std::sqrt(3.0);
@@ -85,7 +85,7 @@ TEST_CASE("the error of K is the spread of K from scattered R") {
     const double omega = 4.4e7, r = 0.8, error = 0.002;
     double sum = 0, squares = 0;
     const int count = 20000;
-    const auto k = measured_stiffness(r, error, media, omega);
+    const auto k = parts::measured_stiffness(r, error, media, omega);
     for (int i = 0; i < count; ++i) {
         const double x = stiffness_from_reflection(r + error * normal(), media, omega) / k.value - 1;
         sum += x;
@@ -98,7 +98,9 @@ TEST_CASE("the error of K is the spread of K from scattered R") {
 
 TEST_CASE("K is bounded where two errors of R reach neither 1 nor the welded joint") {
     const Impedances<double> media{46e6, 23e6};  // welded: R = 1/3
-    const auto bounded = [&](double r, double error) { return measured_stiffness(r, error, media, 4.4e7).bounded; };
+    const auto bounded = [&](double r, double error) {
+        return parts::measured_stiffness(r, error, media, 4.4e7).bounded;
+    };
     CHECK(bounded(0.9, 0.049));
     CHECK_FALSE(bounded(0.9, 0.051));
     CHECK(bounded(0.4, 0.033));
@@ -108,7 +110,7 @@ TEST_CASE("K is bounded where two errors of R reach neither 1 nor the welded joi
 
 TEST_CASE("propagation refuses what has no error") {
     const auto call = [](double r, double error) {
-        return test::refusal([&] { static_cast<void>(measured_stiffness(r, error, {46e6, 46e6}, 4.4e7)); });
+        return test::refusal([&] { static_cast<void>(parts::measured_stiffness(r, error, {46e6, 46e6}, 4.4e7)); });
     };
     CHECK(call(0.5, -1).find("reflection_error = -1") == 0);
     CHECK(call(1, 0.1).find("reflection = 1") == 0);
@@ -124,9 +126,9 @@ TEST_CASE("The error of R is that of K carried on, and back again") {
             const double change =
                 (reflection(k * (1 - 1e-3), media, omega) - reflection(k * (1 + 1e-3), media, omega)) / 2;
             CHECK(std::abs(r.error - change) < 1e-5 * change + 4e-15);
-            const double c = welded_reflection(media);
+            const double c = parts::welded_reflection(media);
             if (r.value < c + 1e-3 || r.value > 1 - 1e-6) continue;
-            const auto back = measured_stiffness(r.value, r.error, media, omega);
+            const auto back = parts::measured_stiffness(r.value, r.error, media, omega);
             // R is rounded, and near the weld or 1 its last digit moves K and the slope
             const double lost = 1e-13 / std::min(r.value - c, 1 - r.value);
             CHECK(std::abs(back.value - k) < lost * k);

@@ -15,7 +15,7 @@ TEST_CASE("The ends of the range of K reflect as they should") {
     for (const Impedances<double> media : {Impedances<double>{46e6, 46e6}, {46e6, 40e6}, {17e6, 46e6}}) {
         const auto range = resolvable_stiffness(media, omega);
         REQUIRE(range);
-        const double weld = welded_reflection(media);
+        const double weld = parts::welded_reflection(media);
         CHECK((range->low < range->high && range->max_reflection == 0.99));
         CHECK(range->min_reflection == (1.01 * weld > 0.1 ? 1.01 * weld : 0.1));
         CHECK(relative_error(reflection(range->low, media, omega), 0.99) < 1e-14);

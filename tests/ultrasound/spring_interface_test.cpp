@@ -69,14 +69,14 @@ TEMPLATE_TEST_CASE("the reflection keeps its stated accuracy over every stiffnes
                 if (ratio == 1) worst = std::max(worst, ulps(fstiff::reflection(k, media.incident, omega), truth));
                 const std::complex<Wide> passed = Wide(2) / (1 + Wide(media.beyond) / media.incident +
                                                              std::complex<Wide>(0, Wide(omega) * media.beyond / k));
-                worst_complex = std::max({worst_complex, ulps(fstiff::complex_reflection(k, media, omega), wave),
-                                          ulps(fstiff::complex_transmission(k, media, omega), passed)});
+                worst_complex = std::max({worst_complex, ulps(fstiff::parts::complex_reflection(k, media, omega), wave),
+                                          ulps(fstiff::parts::complex_transmission(k, media, omega), passed)});
             }
         }
     }
     CAPTURE(worst, worst_complex);
-    CHECK(worst <= fstiff::spring_interface_ulps);
-    CHECK(worst_complex <= fstiff::spring_interface_ulps);
+    CHECK(worst <= fstiff::parts::spring_interface_ulps);
+    CHECK(worst_complex <= fstiff::parts::spring_interface_ulps);
 }
 
 TEMPLATE_TEST_CASE("the transmitted energy is accurate where 1 - R^2 has no digits left", "[ultrasound]", float,
@@ -91,11 +91,11 @@ TEMPLATE_TEST_CASE("the transmitted energy is accurate where 1 - R^2 has no digi
             const Wide z1 = media.incident, z2 = media.beyond, x = Wide(omega) * z1 * z2 / k;
             const Wide truth = 4 * z1 * z2 / ((z1 + z2) * (z1 + z2) + x * x);
             if (truth > std::numeric_limits<T>::min())
-                worst = std::max(worst, ulps(fstiff::transmitted_energy(k, media, omega), truth));
+                worst = std::max(worst, ulps(fstiff::parts::transmitted_energy(k, media, omega), truth));
         }
     }
     CAPTURE(worst);
-    CHECK(worst <= fstiff::spring_interface_ulps);
+    CHECK(worst <= fstiff::parts::spring_interface_ulps);
 }
 
 TEMPLATE_TEST_CASE("the stiffness keeps its stated accuracy between the welded joint and the open gap", "[ultrasound]",
@@ -123,7 +123,7 @@ TEMPLATE_TEST_CASE("the stiffness keeps its stated accuracy between the welded j
     }
     CAPTURE(worst);
     CHECK(samples > 150);
-    CHECK(worst <= fstiff::spring_interface_ulps);
+    CHECK(worst <= fstiff::parts::spring_interface_ulps);
 }
 
 TEMPLATE_TEST_CASE("a reflection turned into a stiffness and back returns", "[ultrasound]", float, double,
@@ -131,13 +131,13 @@ TEMPLATE_TEST_CASE("a reflection turned into a stiffness and back returns", "[ul
     using T = TestType;
     for (const double ratio : {1.0, 1.5, 37.0}) {
         const Impedances<T> media{T(46e6), T(46e6 * ratio)};
-        const T welded = fstiff::welded_reflection(media);
+        const T welded = fstiff::parts::welded_reflection(media);
         for (int i = 1; i < 100; ++i) {
             const T r = welded + (1 - welded) * T(i) / 100;
             const T k = fstiff::stiffness_from_reflection(r, media, T(4.4e7));
             CAPTURE(ratio, r, k);
             // dR/R = -dK/K (1-R^2)(R^2-W^2)/(R^2 (1-W^2)): never amplified, so the two bounds add.
-            CHECK(test::ulps(fstiff::reflection(k, media, T(4.4e7)), r) <= 2 * fstiff::spring_interface_ulps);
+            CHECK(test::ulps(fstiff::reflection(k, media, T(4.4e7)), r) <= 2 * fstiff::parts::spring_interface_ulps);
         }
     }
 }
@@ -151,14 +151,14 @@ TEMPLATE_TEST_CASE("Pythagorean stiffnesses give rational reflections", "[ultras
     CHECK(test::ulps(fstiff::stiffness_from_reflection(T(5) / 8, T(2), T(4)), 4 * std::sqrt(T(39)) / 5) <= 4);
     // z1 = 3, z2 = 1, omega = 1, K = 1: R = (2+3i)/(4+3i), |R|^2 = 13/25; T = 6/(4+3i).
     const Impedances<T> unlike{3, 1};
-    const auto r = fstiff::complex_reflection(T(1), unlike, T(1));
-    const auto t = fstiff::complex_transmission(T(1), unlike, T(1));
+    const auto r = fstiff::parts::complex_reflection(T(1), unlike, T(1));
+    const auto t = fstiff::parts::complex_transmission(T(1), unlike, T(1));
     CHECK(test::ulps(r.real(), T(17) / 25) <= 4);
     CHECK(test::ulps(r.imag(), T(6) / 25) <= 4);
     CHECK(test::ulps(t.real(), T(24) / 25) <= 4);
     CHECK(test::ulps(t.imag(), -T(18) / 25) <= 4);
     CHECK(test::ulps(fstiff::reflection(T(1), unlike, T(1)), std::sqrt(T(13)) / 5) <= 2);
-    CHECK(test::ulps(fstiff::transmitted_energy(T(1), unlike, T(1)), T(12) / 25) <= 4);
+    CHECK(test::ulps(fstiff::parts::transmitted_energy(T(1), unlike, T(1)), T(12) / 25) <= 4);
     CHECK(test::ulps(fstiff::stiffness_from_reflection(std::sqrt(T(13)) / 5, unlike, T(1)), T(1)) <= 6);
 }
 
@@ -172,12 +172,12 @@ TEMPLATE_TEST_CASE("energy, traction and the spring law hold for the complex amp
             const T z1 = media.incident, z2 = media.beyond;
             for (int i = -60; i <= 60; ++i) {
                 const T k = T(1e15) * std::exp2(T(i));
-                const Complex r = fstiff::complex_reflection(k, media, omega),
-                              t = fstiff::complex_transmission(k, media, omega);
+                const Complex r = fstiff::parts::complex_reflection(k, media, omega),
+                              t = fstiff::parts::complex_transmission(k, media, omega);
                 CAPTURE(ratio, z1, z2, k, r.real(), r.imag());
                 CHECK(std::abs(std::norm(r) + z2 / z1 * std::norm(t) - 1) <= 16 * eps);
                 CHECK(test::ulps(std::abs(r), fstiff::reflection(k, media, omega)) <= 12);
-                CHECK(test::ulps(z2 / z1 * std::norm(t), fstiff::transmitted_energy(k, media, omega)) <= 16);
+                CHECK(test::ulps(z2 / z1 * std::norm(t), fstiff::parts::transmitted_energy(k, media, omega)) <= 16);
                 // Traction: z1 (1 - R) = z2 T. Jump: 1 + R = T (1 + i omega z2/K).
                 CHECK(std::abs(z1 * (T(1) - r) - z2 * t) <= 16 * eps * (z1 + z2 * std::abs(t)));
                 const Complex jump = t * Complex(1, omega * z2 / k);
@@ -194,22 +194,22 @@ TEMPLATE_TEST_CASE("the limits are an open gap and a welded joint", "[ultrasound
         const Impedances<T> media{T(46e6), T(46e6) / T(ratio)};
         CAPTURE(ratio);
         CHECK(fstiff::reflection(T(0), media, T(4e7)) == 1);
-        CHECK(fstiff::complex_reflection(T(0), media, T(4e7)) == std::complex<T>(1, 0));
-        CHECK(std::abs(fstiff::complex_transmission(T(0), media, T(4e7))) == 0);
-        CHECK(fstiff::transmitted_energy(T(0), media, T(4e7)) == 0);
-        CHECK(test::ulps(fstiff::welded_reflection(media), T(ratio - 1) / T(ratio + 1)) <= 8);  // z2 is rounded
-        CHECK(test::ulps(fstiff::reflection(largest, media, T(4e7)), fstiff::welded_reflection(media)) <= 2);
+        CHECK(fstiff::parts::complex_reflection(T(0), media, T(4e7)) == std::complex<T>(1, 0));
+        CHECK(std::abs(fstiff::parts::complex_transmission(T(0), media, T(4e7))) == 0);
+        CHECK(fstiff::parts::transmitted_energy(T(0), media, T(4e7)) == 0);
+        CHECK(test::ulps(fstiff::parts::welded_reflection(media), T(ratio - 1) / T(ratio + 1)) <= 8);  // z2 is rounded
+        CHECK(test::ulps(fstiff::reflection(largest, media, T(4e7)), fstiff::parts::welded_reflection(media)) <= 2);
         CHECK(std::isfinite(fstiff::reflection(least, media, least)));
     }
     CHECK(fstiff::reflection(largest, T(1), T(1)) <= 2 / largest);
     // Products and sums of impedances that T cannot hold.
-    CHECK(test::ulps(fstiff::welded_reflection(Impedances<T>{largest, largest / 3}), T(0.5)) <= 4);
+    CHECK(test::ulps(fstiff::parts::welded_reflection(Impedances<T>{largest, largest / 3}), T(0.5)) <= 4);
     CHECK(test::ulps(fstiff::reflection(largest, {largest, largest}, T(2)), 1 / std::sqrt(T(2))) <= 4);
     CHECK(test::ulps(fstiff::stiffness_from_reflection(T(3) / 5, {largest / 4, largest / 4}, T(1)), largest / 6) <= 4);
 }
 
 TEST_CASE("steel at 7 MHz gives the published pairs of reflection and stiffness", "[ultrasound]") {
-    const double z = fstiff::acoustic_impedance(7850.0, 5900.0), omega = fstiff::angular_frequency(7e6);
+    const double z = fstiff::acoustic_impedance(7850.0, 5900.0), omega = fstiff::parts::angular_frequency(7e6);
     CHECK(test::relative_error(z, 46.315e6) < 1e-15);
     CHECK(test::relative_error(omega, 43982297.150257105) < 1e-15);
     // K in GPa/um, given to three or four digits: half a unit of the last digit is the tolerance.
@@ -230,10 +230,10 @@ TEST_CASE("the unit of length does not change the reflection", "[ultrasound]") {
     for (const double unit : {1e9, 1e-9}) {
         const double scale = unit * unit;
         const Impedances<double> scaled{media.incident * scale, media.beyond * scale};
-        CHECK(test::ulps(fstiff::reflection(k * scale, scaled, omega), r) <= 2 * fstiff::spring_interface_ulps);
+        CHECK(test::ulps(fstiff::reflection(k * scale, scaled, omega), r) <= 2 * fstiff::parts::spring_interface_ulps);
         CHECK(test::ulps(fstiff::stiffness_from_reflection(r, scaled, omega),
                          fstiff::stiffness_from_reflection(r, media, omega) * scale) <=
-              4 * fstiff::spring_interface_ulps);
+              4 * fstiff::parts::spring_interface_ulps);
     }
 }
 
@@ -248,17 +248,17 @@ TEMPLATE_TEST_CASE("arguments out of range are refused by name", "[ultrasound]",
         CHECK(has(refusal([&] { (void)fstiff::reflection(T(1), bad, T(1)); }), "impedance = "));
         CHECK(has(refusal([&] { (void)fstiff::reflection(T(1), Impedances<T>{1, bad}, T(1)); }), "impedance = "));
         CHECK(has(refusal([&] { (void)fstiff::reflection(T(1), T(1), bad); }), "angular_frequency = "));
-        CHECK(has(refusal([&] { (void)fstiff::transmitted_energy(bad, {1, 2}, T(1)); }), "stiffness = "));
-        CHECK(has(refusal([&] { (void)fstiff::complex_reflection(bad, {1, 2}, T(1)); }), "stiffness = "));
-        CHECK(has(refusal([&] { (void)fstiff::complex_transmission(T(1), {bad, 2}, T(1)); }), "impedance = "));
-        CHECK(has(refusal([&] { (void)fstiff::welded_reflection(Impedances<T>{bad, 2}); }), "impedance = "));
+        CHECK(has(refusal([&] { (void)fstiff::parts::transmitted_energy(bad, {1, 2}, T(1)); }), "stiffness = "));
+        CHECK(has(refusal([&] { (void)fstiff::parts::complex_reflection(bad, {1, 2}, T(1)); }), "stiffness = "));
+        CHECK(has(refusal([&] { (void)fstiff::parts::complex_transmission(T(1), {bad, 2}, T(1)); }), "impedance = "));
+        CHECK(has(refusal([&] { (void)fstiff::parts::welded_reflection(Impedances<T>{bad, 2}); }), "impedance = "));
         CHECK(has(refusal([&] { (void)fstiff::stiffness_from_reflection(bad, T(1), T(1)); }), "reflection = "));
         CHECK(has(refusal([&] { (void)fstiff::stiffness_from_reflection(T(0.5), bad, T(1)); }), "impedance = "));
         CHECK(
             has(refusal([&] { (void)fstiff::stiffness_from_reflection(T(0.5), T(1), bad); }), "angular_frequency = "));
         CHECK(has(refusal([&] { (void)fstiff::acoustic_impedance(bad, T(1)); }), "density = "));
         CHECK(has(refusal([&] { (void)fstiff::acoustic_impedance(T(1), bad); }), "velocity = "));
-        CHECK(has(refusal([&] { (void)fstiff::angular_frequency(bad); }), "frequency = "));
+        CHECK(has(refusal([&] { (void)fstiff::parts::angular_frequency(bad); }), "frequency = "));
     }
     CHECK(refusal([&] { (void)fstiff::reflection(T(1), T(0), T(1)); }) ==
           "impedance = 0: must be finite and greater than 0");

@@ -21,7 +21,7 @@
 
 #include <algorithm>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// The ellipse of contact of two principal curvatures.
 template <Real T = double>
@@ -30,8 +30,6 @@ struct HertzEllipse {
     T size_factor;      ///< F1: sqrt(a b) over that of a sphere of curvature sqrt(k1 k2) under the same load
     T approach_factor;  ///< F2: omega over that of the same sphere under the same load
 };
-
-namespace detail {
 
 /// B and D of the parameter 1 - s^2.
 template <Real T>
@@ -57,8 +55,6 @@ template <Real T>
     return {complete - d, d};
 }
 
-}  // namespace detail
-
 /// Ellipse of the ratio k2/k1 \p curvature_ratio. \throws domain_error unless 0 < curvature_ratio <= 1.
 template <Real T>
 [[nodiscard]] HertzEllipse<T> hertz_ellipse(T curvature_ratio) {
@@ -67,14 +63,14 @@ template <Real T>
     T log_s = target * 2 / 3;
     for (int i = 0; i < 10; ++i) {
         const T s = std::exp(log_s), m = (1 - s) * (1 + s);
-        const auto [b, d] = detail::associate_integrals(s);
+        const auto [b, d] = associate_integrals(s);
         const T slope = m < T(1e-4) ? T(1.5) : 2 - (b / d - s * s * d / b) / m;
         const T step = (2 * log_s + std::log(d / b) - target) / slope;
         log_s = (std::min)(log_s - step, T(0));
         if (std::abs(step) < std::sqrt(std::numeric_limits<T>::epsilon()) * T(0.1)) break;
     }
     const T s = std::exp(log_s), pi = numbers::pi_v<T>;
-    const auto [b, d] = detail::associate_integrals(s);
+    const auto [b, d] = associate_integrals(s);
     const T size = std::cbrt(4 / pi * std::sqrt(s * b * d));
     return {s, size, 2 / pi * std::sqrt(s) * (b + d) / size};
 }
@@ -103,4 +99,4 @@ template <Real T>
             numbers::pi_v<T> * radius * ellipse.size_factor * ellipse.size_factor / f2, ellipse.axis_ratio};
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -22,7 +22,7 @@
 
 #include <algorithm>
 
-namespace fstiff {
+namespace fstiff::detail {
 
 /// q = 1 - cos(pi l_t/l) of eq. (3.4), formed as 2 sin^2(pi l_t/(2l)): no digits are lost for small l_t/l.
 /// \throws domain_error unless l > 0 and 0 <= l_t <= l.
@@ -40,7 +40,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T fractal_stiffness_from_area(T area, T fractal_dimension) {
     require(area >= 0 && area <= (std::numeric_limits<T>::max)(), "area", area, "finite and not negative");
-    return 2 * fractal_stiffness_factor(fractal_dimension) * numbers::inv_sqrtpi_v<T> * std::sqrt(area);
+    return 2 * parts::fractal_stiffness_factor(fractal_dimension) * numbers::inv_sqrtpi_v<T> * std::sqrt(area);
 }
 
 /// One asperity of base diameter l on a surface {D, G}.
@@ -49,7 +49,7 @@ class FractalAsperity {
 public:
     /// \throws domain_error for D, G or l out of range, or an asperity whose height or radius T cannot hold.
     FractalAsperity(const Fractal<T>& fractal, T base_diameter) : base_(base_diameter) {
-        require_fractal_dimension(fractal.dimension);
+        parts::require_fractal_dimension(fractal.dimension);
         require_positive("fractal_roughness", fractal.roughness);
         require_positive("base_diameter", base_diameter);
         constexpr T pi = numbers::pi_v<T>;
@@ -114,7 +114,7 @@ class AsperityFamily {
 public:
     /// \throws domain_error unless 1 < D < 2, G > 0 and 0 < q <= 2.
     AsperityFamily(const Fractal<T>& fractal, T truncation_share) : fractal_(fractal), share_(truncation_share) {
-        require_fractal_dimension(fractal.dimension);
+        parts::require_fractal_dimension(fractal.dimension);
         require_positive("fractal_roughness", fractal.roughness);
         require(truncation_share > 0 && truncation_share <= 2, "truncation_share", truncation_share,
                 "greater than 0 and at most 2");
@@ -140,8 +140,9 @@ public:
     /// k_n/E, eq. (3.10), the derivative of load
     [[nodiscard]] T stiffness(T approach) const {
         constexpr T pi = numbers::pi_v<T>;
-        return held(fractal_stiffness_factor(fractal_.dimension) / pi * std::sqrt(share_) * base_diameter(approach),
-                    approach);
+        return held(
+            parts::fractal_stiffness_factor(fractal_.dimension) / pi * std::sqrt(share_) * base_diameter(approach),
+            approach);
     }
     /// a, eq. (3.12)
     [[nodiscard]] T area(T approach) const {
@@ -165,4 +166,4 @@ private:
     T share_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::detail

@@ -30,21 +30,19 @@ concept AsperityLaw = requires(const Law& law, const Omega& omega, const Radius&
     law.area(omega, radius);
 };
 
+namespace parts {
+
 /// omega^(omega/2) R^(radius/2): the powers of a law, doubled.
 struct HalfPowers {
     int omega, radius;
     [[nodiscard]] constexpr bool operator==(const HalfPowers&) const = default;
 };
 
-namespace detail {
-
 /// Whether the integrals over heights and curvatures, that of the slope of the load too, have one dimension.
 [[nodiscard]] constexpr bool reduces_to_one_dimension(HalfPowers load, HalfPowers stiffness, HalfPowers area) {
     const auto offered = [](HalfPowers p) { return p.omega >= 0 && p.omega <= 3 && p.radius >= 0 && p.radius <= 2; };
     return offered(load) && offered({load.omega - 2, load.radius}) && offered(stiffness) && offered(area);
 }
-
-}  // namespace detail
 
 /// A law whose load, stiffness and area are each a constant factor times half-integer powers of omega and R, such that
 /// the integrals over the peaks reduce to one dimension: omega up to 3/2 (of the load from 1 on), R up to 1.
@@ -57,7 +55,7 @@ concept PowerLaw = requires(const Law& law) {
     { Law::stiffness_powers } -> std::convertible_to<HalfPowers>;
     { Law::area_powers } -> std::convertible_to<HalfPowers>;
 }
-&&detail::reduces_to_one_dimension(Law::load_powers, Law::stiffness_powers, Law::area_powers);
+&&parts::reduces_to_one_dimension(Law::load_powers, Law::stiffness_powers, Law::area_powers);
 
 /// The elastic laws by their factors, and any of them copied into one type.
 template <Real T = double>
@@ -113,30 +111,32 @@ template <Real T>
     return 1 / ((2 - fractal_dimension) * (3 - fractal_dimension));
 }
 
+}  // namespace parts
+
 /// Hertz: the stiffness is the derivative of the load. There is no D.
 template <Real T = double>
-struct HertzLaw : ElasticLaw<T> {
-    constexpr HertzLaw() : ElasticLaw<T>(T(4) / 3, T(2), T(0), T(0)) {}
+struct HertzLaw : parts::ElasticLaw<T> {
+    constexpr HertzLaw() : parts::ElasticLaw<T>(T(4) / 3, T(2), T(0), T(0)) {}
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
 template <Real T = double>
-struct FractalLaw : ElasticLaw<T> {
+struct FractalLaw : parts::ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalLaw(T fractal_dimension)
-        : ElasticLaw<T>(T(4) / 3, 2 * fractal_stiffness_factor(fractal_dimension), T(0),
-                                  log_stiffness_factor_slope(fractal_dimension)) {}
+        : parts::ElasticLaw<T>(T(4) / 3, 2 * parts::fractal_stiffness_factor(fractal_dimension), T(0),
+                                  parts::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
 template <Real T = double>
-struct FractalConsistentLaw : ElasticLaw<T> {
+struct FractalConsistentLaw : parts::ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalConsistentLaw(T fractal_dimension)
-        : ElasticLaw<T>(4 * fractal_stiffness_factor(fractal_dimension) / 3,
-                                  2 * fractal_stiffness_factor(fractal_dimension),
-                                  log_stiffness_factor_slope(fractal_dimension),
-                                  log_stiffness_factor_slope(fractal_dimension)) {}
+        : parts::ElasticLaw<T>(4 * parts::fractal_stiffness_factor(fractal_dimension) / 3,
+                                  2 * parts::fractal_stiffness_factor(fractal_dimension),
+                                  parts::log_stiffness_factor_slope(fractal_dimension),
+                                  parts::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 }  // namespace fstiff

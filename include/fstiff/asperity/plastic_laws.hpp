@@ -53,7 +53,7 @@ struct PlasticMaterial {
 template <Real T = double>
 class PlasticLaw {
 public:
-    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
 
     /// Takes the hardness H and the effective modulus E [Pa]. \throws domain_error unless both are finite and positive.
     constexpr PlasticLaw(T hardness, T effective_modulus)
@@ -89,7 +89,7 @@ private:
     T hardness_, load_factor_;
 };
 
-namespace detail {
+namespace parts {
 
 /// \p law at each of \p omega, numbers or an Eigen array of them: a law in pieces has no common formula.
 template <class Omega, class Law>
@@ -128,23 +128,25 @@ struct UnloadsElastically {
     }
 };
 
-}  // namespace detail
-
 /// How the hardness falls as a contact grows, in JacksonGreenLaw.
 enum class HardnessLaw {
     cosine,   ///< H_G/Y = 2.84 - 0.92 (1 - cos(pi a/R))
     exponent  ///< H_G/Y = 2.84 (1 - exp(-0.82 (a/R)^-0.7)), of 2005
 };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<HardnessLaw> = name_list<HardnessLaw>({{HardnessLaw::cosine, "cosine"},
-                                                                   {HardnessLaw::exponent, "2005"}});
+inline constexpr auto names<parts::HardnessLaw> = name_list<parts::HardnessLaw>({{parts::HardnessLaw::cosine, "cosine"},
+                                                                   {parts::HardnessLaw::exponent, "2005"}});
 
 /// One asperity by Jackson and Green: elastic, then elastic-plastic, with a hardness that falls as the contact grows.
 template <Real T = double>
-class JacksonGreenLaw : public detail::UnloadsElastically<JacksonGreenLaw<T>> {
+class JacksonGreenLaw : public parts::UnloadsElastically<JacksonGreenLaw<T>> {
 public:
     /// \throws domain_error naming the constant of the material that is out of range.
-    explicit JacksonGreenLaw(const PlasticMaterial<T>& material, HardnessLaw hardness_law = HardnessLaw::cosine)
+    explicit JacksonGreenLaw(const PlasticMaterial<T>& material,
+                             parts::HardnessLaw hardness_law = parts::HardnessLaw::cosine)
         : hardness_law_(hardness_law) {
         material.validate();
         const T C = T(1.295) * std::exp(T(0.736) * material.poisson_ratio);
@@ -171,7 +173,7 @@ public:
         if (s < begin) return T(4) / 3 * omega * std::sqrt(radius * omega);
         const T critical_load = T(4) / 3 * radius * radius * critical_strain_ * critical_strain_ * critical_strain_;
         const T a_over_R = std::sqrt(area_of(omega, radius) / numbers::pi_v<T>) / radius;
-        const T hardness = hardness_law_ == HardnessLaw::cosine
+        const T hardness = hardness_law_ == parts::HardnessLaw::cosine
                                ? T(2.84) - T(0.92) * (1 - std::cos(numbers::pi_v<T> * a_over_R))
                                : T(2.84) * -std::expm1(T(-0.82) * std::pow(a_over_R, T(-0.7)));
         return critical_load * (std::exp(-std::pow(s, T(5) / 12) / 4) * s * std::sqrt(s) -
@@ -181,13 +183,13 @@ public:
 private:
     static constexpr T begin = T(1.9);
 
-    HardnessLaw hardness_law_;
+    parts::HardnessLaw hardness_law_;
     T critical_strain_{}, hardness_factor_{}, exponent_{};
 };
 
 /// One asperity by Kogut and Etsion: elastic, two elastic-plastic ranges, then fully plastic.
 template <Real T = double>
-class KogutEtsionLaw : public detail::UnloadsElastically<KogutEtsionLaw<T>> {
+class KogutEtsionLaw : public parts::UnloadsElastically<KogutEtsionLaw<T>> {
 public:
     /// \throws domain_error naming the constant of the material that is out of range.
     explicit KogutEtsionLaw(const PlasticMaterial<T>& material) {

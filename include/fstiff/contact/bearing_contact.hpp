@@ -26,9 +26,7 @@
 
 #include <memory>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::parts {
 
 /// d_g/sigma of Persson's contact over ln p, by cubics between knots, up to 2 E g and down to where it is \p furthest.
 template <Real T>
@@ -36,7 +34,7 @@ class PerssonSeparation {
 public:
     PerssonSeparation(const PerssonContact<T>& of, T rms_height, T furthest)
         : last_(std::log(2 * of.effective_modulus() * of.rms_gradient())) {
-        const auto& rule = GaussLegendre<T, 4>::get();
+        const auto& rule = math::GaussLegendre<T, 4>::get();
         const auto rise = [&](T places) {  // the slope of d times width
             const T p = std::exp(last_ - width * places);
             return width * p / of.stiffness(p) / rms_height;
@@ -77,11 +75,9 @@ private:
     std::vector<Knot> knots_;
 };
 
-}  // namespace detail
-
 /// The crowded contact of a surface with a bearing curve, or without one.
 template <Real T = double>
-class BearingContact : public SlopeContact<BearingContact<T>, T> {
+class BearingContact : public detail::SlopeContact<BearingContact<T>, T> {
 public:
     /// Contact of a Gaussian surface: Persson's.
     BearingContact(PerssonContact<T> gaussian)  // NOLINT(google-explicit-constructor): one is the other
@@ -96,7 +92,7 @@ public:
         // all in contact: P = 1, d = 0
         last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;
         bearing_ = std::make_shared<const Bearing>(
-            Bearing{std::move(curve), detail::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height});
+            Bearing{std::move(curve), parts::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height});
     }
 
     /// The contact of a surface \p factor times as high: K under p is that of this one under p/factor.
@@ -122,11 +118,11 @@ public:
 
     /// K [Pa/m] and dK/dp [1/m]: by the chain rule, with d rho/dp as the difference between pressures 1.5 % below and
     /// above. \throws domain_error as stiffness.
-    [[nodiscard]] PerssonStiffness<T> stiffness_and_slope(T pressure) const {
+    [[nodiscard]] detail::PerssonStiffness<T> stiffness_and_slope(T pressure) const {
         if (is_plain()) return gaussian_.stiffness_and_slope(pressure);
         const T rho = local_scale(pressure), apart = T(1) / 64;
         const T change = std::log(local_scale(pressure * (1 + apart)) / local_scale(pressure * (1 - apart))) / (2 * apart);
-        const PerssonStiffness<T> at = gaussian_.stiffness_and_slope(pressure / rho);
+        const detail::PerssonStiffness<T> at = gaussian_.stiffness_and_slope(pressure / rho);
         return {at.stiffness, at.slope * (1 - change) / rho};
     }
 
@@ -218,7 +214,7 @@ private:
 
     struct Bearing {
         BearingSlope<T> curve;
-        detail::PerssonSeparation<T> separation;
+        parts::PerssonSeparation<T> separation;
         T rms_height;  ///< of the curve [m]
     };
 
@@ -230,7 +226,7 @@ private:
 
 /// \p Of is the contact of the Gaussian surface: HybridContact of its peaks and its spectrum.
 template <Real T, Contact<T> Of>
-class ScaledContact : public SlopeContact<ScaledContact<T, Of>, T> {
+class ScaledContact : public detail::SlopeContact<ScaledContact<T, Of>, T> {
 public:
     ScaledContact(Of of, BearingContact<T> bearing) : of_(std::move(of)), bearing_(std::move(bearing)) {}
 
@@ -276,7 +272,7 @@ public:
     }
 
     [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
-    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(of_) || bearing_.has_kinks(); }
+    [[nodiscard]] bool has_kinks() const { return parts::has_kinks(of_) || bearing_.has_kinks(); }
     [[nodiscard]] const Of& gaussian() const { return of_; }
     [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
 
@@ -288,4 +284,4 @@ private:
 template <class Of, class Bearing>
 ScaledContact(Of, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<Of>().rms_height())>, Of>;
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -3,7 +3,7 @@
 /// \file
 /// Boundary elements of a map as a contact: its states at pressures and at separations, with the error of the grid.
 ///
-///     const fstiff::BoundaryElementContact contact(map, 112e9, {.points = 256});
+///     const fstiff::parts::BoundaryElementContact contact(map, 112e9, {.points = 256});
 ///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7});
 ///
 /// The separation is the mean gap of the deformed faces. At a separation the pressure is sought by Newton's method,
@@ -29,7 +29,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// The elastic half space, or one with a hardness, solved on a map.
 template <Real T = double>
@@ -43,7 +43,7 @@ public:
         map.require_whole("before boundary elements");
         require_positive("effective_modulus", effective_modulus);
         if (options.hardness != T(0)) require_positive("hardness", options.hardness);
-        map_ = detail::map_for_truth(map, options.points);
+        map_ = map_for_truth(map, options.points);
     }
 
     /// The state under \p pressure [Pa], of all quantities but those that a hardness leaves unknown; out of reach where
@@ -77,7 +77,7 @@ public:
         };
         const T most = options_.hardness > T(0) ? std::log(options_.hardness) - T(1e-6) : std::log(T(1e3) * modulus_);
         const T guess = std::log(modulus_ * rms_height_ / std::sqrt(area_)) - 3 * separation / rms_height_;
-        const auto found = newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
+        const auto found = math::newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
         if (!found.converged())
             return ContactPoint<T>::out_of_reach("separation = " + shortest_text(separation) +
                                                  ": must be that of some pressure (m)");
@@ -112,4 +112,4 @@ private:
     HeightMap<T> map_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -10,6 +10,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// A contact in the scalar T with states at a pressure [Pa] and at a separation [m], thrown out of or with a status: what
 /// curves, bands and means over shifts ask for.
 template <class C, class T>
@@ -21,15 +23,19 @@ concept HasStates = requires(const C& contact, T x, Quantity wanted) {
     { contact.rms_height() } -> std::convertible_to<T>;
 };
 
+}  // namespace parts
+
 /// One that can be tabulated and fitted: log p with its slope and log K against the separation over the rms height,
 /// without interaction.
 template <class C, class T>
-concept Contact = HasStates<C, T> && requires(const C& contact, T x) {
-    { contact.log_pressure(x) } -> std::same_as<LogSlope<T>>;
+concept Contact = parts::HasStates<C, T> && requires(const C& contact, T x) {
+    { contact.log_pressure(x) } -> std::same_as<parts::LogSlope<T>>;
     { contact.log_stiffness(x) } -> std::same_as<Estimate<T>>;
     { contact.interaction() } -> std::convertible_to<Interaction<T>>;
     { contact.bulk_compliance() } -> std::convertible_to<T>;
 };
+
+namespace parts {
 
 /// One whose K is a constant times -dp/dd, so that one table by separation serves both; of any other contact K has a
 /// table of its own, and with interaction K itself is in series with the bulk.
@@ -47,8 +53,6 @@ template <Real T>
     return point.state;
 }
 
-namespace detail {
-
 /// Whether K(p) of \p contact has kinks, as that of a map where another summit touches.
 template <class C>
 [[nodiscard]] bool has_kinks(const C& contact) {
@@ -58,5 +62,6 @@ template <class C>
         return false;
 }
 
-}  // namespace detail
+}  // namespace parts
+
 }  // namespace fstiff

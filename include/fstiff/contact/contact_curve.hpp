@@ -19,6 +19,8 @@
 
 namespace fstiff {
 
+namespace detail {
+
 /// What can be asked for its point at a pressure.
 template <class C, class T>
 concept HasPressures = Real<T> && requires(const C& contact, T pressure, Quantity wanted) {
@@ -31,9 +33,11 @@ concept HasSeparations = Real<T> && requires(const C& contact, T separation, Qua
     { contact.point_at_separation(separation, wanted) } -> std::same_as<ContactPoint<T>>;
 };
 
+}  // namespace detail
+
 /// The states of \p contact under \p pressures [Pa], a container such as std::vector<double> or std::span<const
 /// double>. \throws domain_error for a pressure that is not finite and greater than 0.
-template <class Pressures, HasPressures<typename Pressures::value_type> Contact>
+template <class Pressures, detail::HasPressures<typename Pressures::value_type> Contact>
 [[nodiscard]] auto curve_at_pressures(const Contact& contact, const Pressures& pressures,
                                       Quantity wanted = Quantity::all) {
     using T = typename Pressures::value_type;
@@ -46,7 +50,7 @@ template <class Pressures, HasPressures<typename Pressures::value_type> Contact>
 
 /// The states of \p contact at \p separations [m] of the mean planes.
 /// \throws domain_error for a separation that is not finite.
-template <class Separations, HasSeparations<typename Separations::value_type> Contact>
+template <class Separations, detail::HasSeparations<typename Separations::value_type> Contact>
 [[nodiscard]] auto curve_at_separations(const Contact& contact, const Separations& separations,
                                         Quantity wanted = Quantity::all) {
     using T = typename Separations::value_type;

@@ -25,6 +25,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// How exact the contact integrals are to be.
 template <Real T = double>
 struct IntegralOptions {
@@ -42,8 +44,6 @@ struct ContactIntegrals {
     T log_scale{};
 };
 
-namespace detail {
-
 /// Logarithm of the factor that every integral over the peaks at \p eta leaves out.
 template <Real T>
 [[nodiscard]] T log_scale_at(T eta) {
@@ -56,10 +56,10 @@ template <Real T>
 template <Real T>
 class PeakIntegrator {
 public:
-    using S = Tabulated<T>;
+    using S = math::Tabulated<T>;
 
     /// \throws domain_error for a tolerance out of its range.
-    PeakIntegrator(const PowerSet& minus_two_b, const PeakDistribution<T>& peaks, T tolerance)
+    PeakIntegrator(const detail::PowerSet& minus_two_b, const PeakDistribution<T>& peaks, T tolerance)
         : minus_two_b_(minus_two_b),
           tolerance_(checked(tolerance)),
           // few nodes: the fitted steps scatter more
@@ -72,7 +72,7 @@ public:
         require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
         problem_.move_to(static_cast<S>(eta));
         sums_.clear();
-        const PeakSums<S> sums = sums_.result(visit_nodes(problem_, log_accuracy_, sums_));
+        const detail::PeakSums<S> sums = sums_.result(detail::visit_nodes(problem_, log_accuracy_, sums_));
         const T floor = (std::max)(eta, T(0));
         std::array<Estimate<T>, 4> of_power{};
         // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error
@@ -82,7 +82,7 @@ public:
         const T root_c = static_cast<T>(std::sqrt(problem_.c));
         T factor = static_cast<T>(1 / (2 * problem_.theta));  // c^a / (2 theta)
         for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
-            if (minus_two_b_[i] == absent) continue;
+            if (minus_two_b_[i] == detail::absent) continue;
             const T value = factor * static_cast<T>(sums.value[i]);
             of_power[i] = {value, value * (static_cast<T>(sums.relative_error[i]) + least), sums.nodes};
         }
@@ -96,14 +96,12 @@ private:
         return tolerance;
     }
 
-    PowerSet minus_two_b_;
+    detail::PowerSet minus_two_b_;
     T tolerance_;
     S log_accuracy_;
-    PeakProblem<S> problem_;
-    PeakAccumulator<S> sums_;
+    detail::PeakProblem<S> problem_;
+    detail::PeakAccumulator<S> sums_;
 };
-
-}  // namespace detail
 
 /// The contact integrals of one density of peaks, at separation after separation: less work for each than by the
 /// functions below. Does not allocate; not to be shared by threads.
@@ -119,7 +117,7 @@ public:
     /// neither under- nor overflow. \throws domain_error unless |eta| <= 1e6.
     [[nodiscard]] ContactIntegrals<T> operator()(T eta) {
         const auto j = integrate_(eta);
-        return {j[0], j[3], j[1], j[2], detail::log_scale_at(eta)};
+        return {j[0], j[3], j[1], j[2], log_scale_at(eta)};
     }
 
 private:
@@ -131,32 +129,34 @@ private:
                 when(Quantity::pressure, 1)};
     }
 
-    detail::PeakIntegrator<T> integrate_;
+    parts::PeakIntegrator<T> integrate_;
 };
+
+}  // namespace parts
 
 /// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as ContactIntegrator.
 template <Real T>
-[[nodiscard]] ContactIntegrals<T> contact_integrals(const PeakDistribution<T>& peaks, T eta,
+[[nodiscard]] parts::ContactIntegrals<T> contact_integrals(const PeakDistribution<T>& peaks, T eta,
                                                     Quantity wanted = Quantity::all,
-                                                    const IntegralOptions<T>& options = {}) {
-    const ContactIntegrals<T> j = ContactIntegrator<T>(peaks, wanted, options)(eta);
-    const T scale = detail::gaussian((std::max)(eta, T(0)));
+                                                    const parts::IntegralOptions<T>& options = {}) {
+    const parts::ContactIntegrals<T> j = parts::ContactIntegrator<T>(peaks, wanted, options)(eta);
+    const T scale = math::gaussian((std::max)(eta, T(0)));
     return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};
 }
 
 /// J[a,b] at the separation \p eta. \throws domain_error unless a is 0, 1/2, 1 or 3/2, b 0, -1/2 or -1, and as above.
 template <Real T>
 [[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
-                                           const IntegralOptions<T>& options = {}) {
-    const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
-    return j[static_cast<std::size_t>(2 * a)] * detail::gaussian((std::max)(eta, T(0)));
+                                           const parts::IntegralOptions<T>& options = {}) {
+    const auto j = parts::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
+    return j[static_cast<std::size_t>(2 * a)] * math::gaussian((std::max)(eta, T(0)));
 }
 
-namespace detail {
+namespace parts {
 
 template <std::size_t N, Real T>
 T box_rule(T a, T b, const PeakDistribution<T>& peaks, T eta) {
-    const auto& rule = GaussLegendre<T, N>::get();
+    const auto& rule = math::GaussLegendre<T, N>::get();
     constexpr T half = 4;
     const T half_height = half + ((std::max)(eta, T(0)) - eta) / 2;
     T sum = 0;
@@ -172,8 +172,6 @@ T box_rule(T a, T b, const PeakDistribution<T>& peaks, T eta) {
     return sum * half * half_height;
 }
 
-}  // namespace detail
-
 /// J[a,b] by the paper's rule, for comparison only: 50 x 50 Gauss-Legendre points on 0 <= t <= 8, eta <= zeta <=
 /// max(eta, 0) + 8 (remark below eq. (4.3); the box is this project's). 1e-5 to 2e-3 on tests/data/integrals_plain.csv,
 /// no digit for r near 1 or theta near pi/2; the error covers the difference from contact_integral().
@@ -182,11 +180,13 @@ template <Real T>
 [[nodiscard]] Estimate<T> paper_integral(T a, T b, const PeakDistribution<T>& peaks, T eta) {
     static_cast<void>(detail::one_power(a, b));
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
-    const T value = detail::box_rule<50>(a, b, peaks, eta);
-    const T coarse = detail::box_rule<25>(a, b, peaks, eta);
+    const T value = box_rule<50>(a, b, peaks, eta);
+    const T coarse = box_rule<25>(a, b, peaks, eta);
     const T own = std::abs(value - coarse) + (T(2e-10) + 100 * std::numeric_limits<T>::epsilon()) * value;
     const Estimate<T> truth = contact_integral(a, b, peaks, eta);
     return {value, (std::max)(own, std::abs(value - truth.value) + truth.error), 2500 + 625};
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

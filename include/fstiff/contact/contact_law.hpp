@@ -34,21 +34,21 @@ namespace detail {
 /// \throws domain_error unless \p a and \p b, the sizes of two arrays, are equal.
 inline void require_same_size(Eigen::Index a, Eigen::Index b) {
     if (a != b)
-        throw domain_error(Refusal{.parameter = "batch",
+        throw domain_error(parts::Refusal{.parameter = "batch",
                                    .reason = "the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
                                              " elements: must have the same number"});
 }
 
 /// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
 /// where fewer are left, so that a result does not depend on where its element stands; the others go through \p one.
-template <class Pieces, ReadableReal T, std::size_t N, class FourAt, class OneAt>
+template <class Pieces, parts::ReadableReal T, std::size_t N, class FourAt, class OneAt>
 void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                const FourAt& four, const OneAt& one) {
     const auto put = [&out](Eigen::Index i, const std::array<T, N>& value) {
         for (std::size_t n = 0; n < N; ++n) out[n][i] = value[n];
     };
     const Eigen::Index count = x.size();
-    if constexpr (!four_at_once<T>) {
+    if constexpr (!math::four_at_once<T>) {
         for (Eigen::Index i = 0; i < count; ++i) put(i, one(x[i]));
     } else {
         T given[4], found[N][4];
@@ -82,7 +82,7 @@ void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x
 
 namespace detail {
 
-template <ReadableReal T>
+template <parts::ReadableReal T>
 void require_range(const LawRange<T>& range) {
     require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
             "finite and greater than 0, and no denormal number");
@@ -93,7 +93,7 @@ void require_range(const LawRange<T>& range) {
 }  // namespace detail
 
 /// p(d), K(d) and d(p), K(p) of a contact from tables, in nanoseconds. Threads may share one.
-template <ReadableReal T = double>
+template <parts::ReadableReal T = double>
 class ContactLaw {
 public:
     struct AtSeparation {
@@ -126,7 +126,7 @@ public:
         law.tables_.outside = range.outside;
         if (range.outside == OutsideRange::exact)
             law.exact_ = [contact](T x, bool is_pressure) {
-                constexpr bool proportional = ProportionalContact<Model, T>;
+                constexpr bool proportional = parts::ProportionalContact<Model, T>;
                 constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
                                             (proportional ? Quantity::none : Quantity::loading_stiffness);
                 const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
@@ -138,12 +138,12 @@ public:
     }
     /// Tabulates states at pressures [Pa] whose K need not be -dp/dd; the error of the separation is relative to \p
     /// rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
-    [[nodiscard]] static ContactLaw tabulate_points(const std::function<LawPoint<T>(T pressure)>& law,
+    [[nodiscard]] static ContactLaw tabulate_points(const std::function<detail::LawPoint<T>(T pressure)>& law,
                                                     std::type_identity_t<T> rms_height, const LawRange<T>& range) {
         detail::require_range(range);
         require_positive("rms_height", rms_height);
         if (range.outside == OutsideRange::exact)
-            detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
+            parts::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
         ContactLaw made;
         made.tables_ = detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, T(0), rms_height)
                            .tabulate(range.min_pressure, range.max_pressure);
@@ -252,7 +252,7 @@ public:
     /// The same law with another policy. \throws domain_error for exact unless the law has it: the model is not there.
     [[nodiscard]] ContactLaw with(OutsideRange outside) const {
         if (outside == OutsideRange::exact && !exact_)
-            detail::refuse("outside", "exact", "asked for when the law is tabulated; its model is not kept else");
+            parts::refuse("outside", "exact", "asked for when the law is tabulated; its model is not kept else");
         ContactLaw other = *this;
         other.tables_.outside = outside;
         if (outside != OutsideRange::exact) other.exact_ = nullptr;
@@ -264,7 +264,7 @@ public:
     [[nodiscard]] std::string to_text() const {
         require_filled();
         if (outside() == OutsideRange::exact)
-            detail::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
+            parts::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
         return detail::law_text(tables_);
     }
     /// Lines may end in LF or CRLF. \throws domain_error for text that to_text did not write.
@@ -299,7 +299,7 @@ private:
     }
     FSTIFF_COLD AtPressure outside_pressure(T pressure, bool with_slope) const {
         require_filled();
-        if (!detail::is_nan(pressure)) {
+        if (!math::is_nan(pressure)) {
             if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
             if (tables_.outside == OutsideRange::clamp) {
                 const bool below = pressure < tables_.min_pressure;
@@ -317,7 +317,7 @@ private:
     }
     FSTIFF_COLD Whole outside_separation(T separation) const {
         require_filled();
-        if (!detail::is_nan(separation)) {
+        if (!math::is_nan(separation)) {
             if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
             if (tables_.outside == OutsideRange::clamp) {
                 const Whole end = separation < tables_.closest() ? tables_.at_closest() : tables_.at_furthest();
@@ -331,14 +331,14 @@ private:
     }
     void require_filled() const {
         if (empty())
-            throw domain_error(Refusal{.parameter = "contact law",
+            throw domain_error(parts::Refusal{.parameter = "contact law",
                                        .reason = "is empty; must be tabulated or read from text to be evaluated"});
     }
     /// Value and bounds with the digits that tell them apart.
     [[noreturn]] static void refuse(std::string_view name, T value, T low, T high, const char* unit) {
-        detail::refuse(
-            name, shortest_text(value),
-            "between " + shortest_text(low) + " and " + shortest_text(high) + unit + ", the range of the law");
+        parts::refuse(name, parts::shortest_text(value),
+                      "between " + parts::shortest_text(low) + " and " + parts::shortest_text(high) + unit +
+                          ", the range of the law");
     }
 
     template <class FourAt>

@@ -27,6 +27,8 @@ struct ContactState {
     Estimate<T> loading_stiffness;   ///< -dp/dd [Pa/m]: K where the stiffness of the law is the slope of its load
 };
 
+namespace parts {
+
 /// Whether every value and error of \p state may be doubled: the tangential stiffness is up to 4/3 of K.
 template <Real T>
 [[nodiscard]] bool in_range(const ContactState<T>& state) {
@@ -35,6 +37,8 @@ template <Real T>
         if (!std::isfinite(2 * one->value) || !std::isfinite(2 * one->error)) return false;
     return true;
 }
+
+}  // namespace parts
 
 /// Whether a point has a state, and if not, why.
 enum class PointStatus {
@@ -53,7 +57,7 @@ struct ContactPoint {
     [[nodiscard]] bool ok() const { return status == PointStatus::ok; }
 
     [[nodiscard]] static ContactPoint of(const ContactState<T>& state) {
-        return {in_range(state) ? PointStatus::ok : PointStatus::beyond_numbers, state, {}};
+        return {parts::in_range(state) ? PointStatus::ok : PointStatus::beyond_numbers, state, {}};
     }
     [[nodiscard]] static ContactPoint out_of_reach(std::string reason) {
         ContactPoint point{PointStatus::out_of_reach, {}, std::move(reason)};
@@ -62,6 +66,8 @@ struct ContactPoint {
     }
 };
 
+namespace parts {
+
 /// A decreasing function of eta as its logarithm, so that its tail does not underflow.
 template <Real T = double>
 struct LogSlope {
@@ -69,8 +75,6 @@ struct LogSlope {
     T slope;  ///< d log f/d eta, < 0
     T error;  ///< relative error of f
 };
-
-namespace detail {
 
 inline constexpr int min_eta = -1000;  ///< separations that are searched for a pressure
 
@@ -155,7 +159,7 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
         return std::pair(f.log - target, f.slope);
     };
     // closer than the rounding of the logarithms tells apart is not asked for
-    const auto found = newton_bracketed(residual, T(min_eta), highest, guess, 16 * rounding);
+    const auto found = math::newton_bracketed(residual, T(min_eta), highest, guess, 16 * rounding);
     if (!found.converged())
         return {{}, false, log_slope(highest, false).log - target, log_slope(T(min_eta), false).log - target};
     at = log_slope(found.root, false);
@@ -173,5 +177,6 @@ template <Real T>
                       "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law");
 }
 
-}  // namespace detail
+}  // namespace parts
+
 }  // namespace fstiff

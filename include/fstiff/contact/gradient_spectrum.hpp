@@ -46,7 +46,7 @@ std::vector<GradientPiece<S>> gradient_pieces(const BandSpectrum<T>& band) {
     }
     // G^2 = from^2 + 2 pi C0 (q^a - qr^a)/a with a = 2 - 2H; ln(q/qr) for a = 0
     const S a = 2 - 2 * H, ratio = std::log(q2 / qr);
-    const S rise = 2 * pi * C0 * std::pow(qr, a) * power_integral(a, ratio);
+    const S rise = 2 * pi * C0 * std::pow(qr, a) * parts::power_integral(a, ratio);
     const S to = std::sqrt(from * from + rise);
     if (a * ratio < S(1e-8))  // the power is 1/a: as if a = 0, to 1e-8 a ratio
         pieces.push_back({from, to, std::log(qr), ratio / rise, S(0)});

@@ -20,11 +20,11 @@ namespace fstiff {
 
 /// The contact of peaks of one radius, which Hertz pressed: RoughContact with SingleRadius.
 template <Real T = double>
-struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, SingleRadius<T>> {
+struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>> {
     /// \throws domain_error naming the parameter that is out of range.
     GreenwoodWilliamson(const Roughness<T>& surface, std::type_identity_t<T> effective_modulus,
-                        Heights heights = Heights::gaussian, const RoughContactOptions<T>& options = {})
-        : RoughContact<T, HertzLaw<T>, SingleRadius<T>>(surface, SingleRadius<T>{heights}, HertzLaw<T>{},
+                        parts::Heights heights = parts::Heights::gaussian, const RoughContactOptions<T>& options = {})
+        : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>>(surface, parts::SingleRadius<T>{heights}, HertzLaw<T>{},
                                                         effective_modulus, options) {}
 };
 

@@ -20,7 +20,7 @@
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// From the summits of a map to its crowded contact.
 template <Real T = double>
@@ -117,4 +117,4 @@ template <Real T>
     return HandOver<T>(low, std::move(ratios), std::log(crowded.stiffness(std::exp(low))), alone);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

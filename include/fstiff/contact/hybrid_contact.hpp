@@ -24,6 +24,8 @@
 
 namespace fstiff {
 
+namespace detail {
+
 /// (a^5 + b^5)^(1/5), without overflow: of laws that are each below the truth where they fail.
 template <Real T = double>
 struct FifthPowers {
@@ -35,20 +37,22 @@ struct FifthPowers {
     }
 };
 
+}  // namespace detail
+
 /// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one
 /// K under a pressure of two functions, and calls those that it needs.
-template <Real T, Contact<T> Peaks, class Join = FifthPowers<T>>
-class HybridContact : public SlopeContact<HybridContact<T, Peaks, Join>, T> {
+template <Real T, Contact<T> Peaks, class Join = detail::FifthPowers<T>>
+class HybridContact : public detail::SlopeContact<HybridContact<T, Peaks, Join>, T> {
 public:
     /// \throws domain_error when \p peaks has an interaction, or does not reach 2 E g.
-    HybridContact(Peaks peaks, BearingContact<T> crowded, Join join = {})
+    HybridContact(Peaks peaks, parts::BearingContact<T> crowded, Join join = {})
         : peaks_(std::move(peaks)), crowded_(std::move(crowded)), join_(std::move(join)) {
         if (peaks_.interaction().reading != InteractionReading::none)
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
     }
     /// Contact of a Gaussian surface, without a bearing curve.
     HybridContact(Peaks peaks, PerssonContact<T> crowded)
-        : HybridContact(std::move(peaks), BearingContact<T>(std::move(crowded))) {}
+        : HybridContact(std::move(peaks), parts::BearingContact<T>(std::move(crowded))) {}
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.
     [[nodiscard]] T stiffness(T pressure) const {
@@ -61,7 +65,7 @@ public:
     /// \throws domain_error unless it is positive and within the reach of both laws: at most 0.75 E g.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         crowded_.require_compared(pressure);
-        const bool stiff = has(wanted, Quantity::stiffness | Quantity::loading_stiffness);
+        const bool stiff = parts::has(wanted, Quantity::stiffness | Quantity::loading_stiffness);
         const Quantity of_peaks = stiff ? wanted | Quantity::stiffness : wanted;
         ContactState<T> state = peaks_.at_pressure(pressure, of_peaks);
         if (stiff) {
@@ -72,9 +76,9 @@ public:
             state.stiffness =
                 state.loading_stiffness = {K, (share + 80 * std::numeric_limits<T>::epsilon()) * K, evaluations};
         }
-        if (!has(wanted, Quantity::stiffness)) state.stiffness = {};
-        if (!has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = {};
-        state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        if (!parts::has(wanted, Quantity::stiffness)) state.stiffness = {};
+        if (!parts::has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = {};
+        state.separation = parts::has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height();
         return state;
     }
@@ -101,7 +105,7 @@ public:
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
     /// \throws domain_error unless 0 < eta and its pressure is within reach.
-    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
         const std::vector<T>& at = knots();
         const auto beyond = std::upper_bound(at.begin(), at.end(), eta * rms_height()) - at.begin();
@@ -111,9 +115,9 @@ public:
     }
 
     [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }
-    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(peaks_) || crowded_.has_kinks(); }
+    [[nodiscard]] bool has_kinks() const { return parts::has_kinks(peaks_) || crowded_.has_kinks(); }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
-    [[nodiscard]] const BearingContact<T>& crowded() const { return crowded_; }
+    [[nodiscard]] const parts::BearingContact<T>& crowded() const { return crowded_; }
 
 private:
     static constexpr int e_folds = 24;  ///< of pressure below 2 E g: 4e-11 of it
@@ -133,7 +137,7 @@ private:
     }
 
     Peaks peaks_;
-    BearingContact<T> crowded_;
+    parts::BearingContact<T> crowded_;
     Join join_;
     /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of
     /// them publishes its own: std::call_once would need the threads library, which the target does not link.

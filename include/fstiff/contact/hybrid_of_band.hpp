@@ -30,6 +30,8 @@
 
 namespace fstiff {
 
+namespace detail {
+
 /// alpha at which the band is cut whose peaks carry light loads.
 template <Real T>
 inline constexpr T alpha_of_hills = T(6);
@@ -41,7 +43,9 @@ template <Real T>
                                                          std::type_identity_t<T> effective_modulus) {
     band.validate();
     const SpectralMoments<T> m = band.moments();
-    return {{.rms_height = band.rms_height(), .peak_radius = peak_radius_of(m), .peak_density = peak_density_of(m)},
+    return {{.rms_height = band.rms_height(),
+             .peak_radius = parts::peak_radius_of(m),
+             .peak_density = parts::peak_density_of(m)},
             PeakDistribution<T>::isotropic(m.bandwidth()),
             HertzLaw<T>{},
             effective_modulus};
@@ -54,7 +58,7 @@ public:
     /// \throws domain_error as peaks_of_band and cut_at_bandwidth.
     BandHills(const BandSpectrum<T>& band, std::type_identity_t<T> effective_modulus,
               std::type_identity_t<T> alpha = alpha_of_hills<T>)
-        : hills_(peaks_of_band(cut_at_bandwidth(band, alpha), effective_modulus)),
+        : hills_(peaks_of_band(parts::cut_at_bandwidth(band, alpha), effective_modulus)),
           summits_(peaks_of_band(band, effective_modulus)),
           closing_(effective_modulus * band.rms_gradient() / std::sqrt(T(2))),
           most_(hills_.at_separation(-900 * hills_.rms_height(), Quantity::pressure).pressure.value) {}
@@ -71,7 +75,7 @@ public:
         return of_whole_band(state, state.pressure.value, wanted);
     }
     /// log(p/Pa) and its slope against eta. \throws domain_error as RoughContact.
-    [[nodiscard]] LogSlope<T> log_pressure(T eta) const { return hills_.log_pressure(eta); }
+    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const { return hills_.log_pressure(eta); }
 
     /// A/A0 under \p pressure [Pa]: within 5 % of boundary elements for p/(E g) from 0.001 to 0.75.
     [[nodiscard]] T real_area_fraction(T pressure) const {
@@ -86,9 +90,9 @@ public:
 private:
     [[nodiscard]] ContactState<T> of_whole_band(ContactState<T> state, T pressure, Quantity wanted) const {
         const T share = real_area_fraction(pressure);
-        if (has(wanted, Quantity::real_area))
+        if (parts::has(wanted, Quantity::real_area))
             state.real_area_fraction = {share, 8 * std::numeric_limits<T>::epsilon() * share, 0};
-        if (has(wanted, Quantity::contacts))
+        if (parts::has(wanted, Quantity::contacts))
             state.contact_density = summits_.at_pressure(pressure, Quantity::contacts).contact_density;
         return state;
     }
@@ -98,29 +102,35 @@ private:
     T most_;     ///< [Pa]; beyond, K of the hills stays: it is 0.002 of Persson's and less there, whose fifth power counts
 };
 
+}  // namespace detail
+
 /// \p gamma is that of PerssonContact. \throws domain_error as PerssonContact and BandHills.
 template <Real T>
-[[nodiscard]] HybridContact<T, BandHills<T>> hybrid_of_band(const BandSpectrum<T>& band,
+[[nodiscard]] HybridContact<T, detail::BandHills<T>> hybrid_of_band(const BandSpectrum<T>& band,
                                                             std::type_identity_t<T> effective_modulus,
                                                             std::type_identity_t<T> gamma = T(0.45)) {
-    return {BandHills<T>(band, effective_modulus), PerssonContact<T>(band, effective_modulus, gamma)};
+    return {detail::BandHills<T>(band, effective_modulus), PerssonContact<T>(band, effective_modulus, gamma)};
 }
+
+namespace detail {
 
 /// Score of a height beyond which no bearing curve was compared: it is taken for this one.
 template <Real T>
 inline constexpr T highest_score = T(4);
 
+}  // namespace detail
+
 /// The same of a surface whose heights, over their rms, have the bearing curve \p curve. The moments of the band are
 /// those of the surface. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] ScaledContact<T, HybridContact<T, BandHills<T>>> hybrid_of_band(const BandSpectrum<T>& band,
-                                                                              const BearingSlope<T>& curve,
-                                                                              std::type_identity_t<T> effective_modulus,
-                                                                              std::type_identity_t<T> gamma = T(0.45)) {
-    HybridContact<T, BandHills<T>> gaussian = hybrid_of_band(band, effective_modulus, gamma);
+[[nodiscard]] parts::ScaledContact<T, HybridContact<T, detail::BandHills<T>>> hybrid_of_band(
+    const BandSpectrum<T>& band, const parts::BearingSlope<T>& curve, std::type_identity_t<T> effective_modulus,
+    std::type_identity_t<T> gamma = T(0.45)) {
+    HybridContact<T, detail::BandHills<T>> gaussian = hybrid_of_band(band, effective_modulus, gamma);
     const T sigma = band.rms_height();
-    const BearingSlope<T> heights = curve.between(-highest_score<T>, highest_score<T>).scaled(sigma);
-    BearingContact<T> crowded(gaussian.crowded().gaussian(), heights, sigma);
+    const parts::BearingSlope<T> heights =
+        curve.between(-detail::highest_score<T>, detail::highest_score<T>).scaled(sigma);
+    parts::BearingContact<T> crowded(gaussian.crowded().gaussian(), heights, sigma);
     return {std::move(gaussian), std::move(crowded)};
 }
 

@@ -32,6 +32,8 @@ inline constexpr auto names<InteractionReading> = name_list<InteractionReading>(
     {InteractionReading::as_printed, "as_printed"},
 });
 
+namespace parts {
+
 /// L = sqrt(A0) [m], as the paper has it. \throws domain_error unless the nominal area [m^2] is finite and positive.
 template <Real T>
 [[nodiscard]] T interaction_length_of_area(T nominal_area) {
@@ -45,6 +47,8 @@ template <Real T>
     require_positive("peak_density", peak_density);
     return 1 / std::sqrt(peak_density);
 }
+
+}  // namespace parts
 
 /// How peaks feel one another by (4.11), and over which length.
 template <Real T = double>

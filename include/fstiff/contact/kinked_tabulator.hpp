@@ -21,18 +21,16 @@
 
 #include <functional>
 
-namespace fstiff {
+namespace fstiff::detail {
 
 /// The state of a law at one pressure.
-template <ReadableReal T>
+template <parts::ReadableReal T>
 struct LawPoint {
     T separation{};  ///< [m]
     T stiffness{};   ///< K [Pa/m]
 };
 
-namespace detail {
-
-template <ReadableReal T>
+template <parts::ReadableReal T>
 class KinkedTabulator {
 public:
     /// The state at a pressure; the separation is left out where the second argument is false.
@@ -151,7 +149,7 @@ private:
     /// -dp/dd from \p a to \p b.
     [[nodiscard]] static T chord(const Node& a, const Node& b) {
         if (!(a.separation > b.separation))
-            detail::refuse("pressure range", a.pressure, "where the separation falls as the pressure rises (Pa)");
+            parts::refuse("pressure range", a.pressure, "where the separation falls as the pressure rises (Pa)");
         return (b.pressure - a.pressure) / (a.separation - b.separation);
     }
     [[nodiscard]] std::vector<T> slopes() const {
@@ -215,5 +213,4 @@ private:
     std::vector<Node> nodes_;  ///< by pressure
 };
 
-}  // namespace detail
-}  // namespace fstiff
+}  // namespace fstiff::detail

@@ -39,18 +39,18 @@ private:
 };
 
 template <class F, class T>
-inline constexpr std::size_t kink_count = std::tuple_size_v<decltype(kinks_of<T>(std::declval<const F&>()))>;
+inline constexpr std::size_t kink_count = std::tuple_size_v<decltype(parts::kinks_of<T>(std::declval<const F&>()))>;
 
 /// \p F as a PeakFunction.
 template <Real T, class F>
 class PeakFunctionOf final : public PeakFunction<T, kink_count<F, T>> {
 public:
-    explicit PeakFunctionOf(const F& f) : PeakFunction<T, kink_count<F, T>>(kinks_of<T>(f)), f_(f) {}
+    explicit PeakFunctionOf(const F& f) : PeakFunction<T, kink_count<F, T>>(parts::kinks_of<T>(f)), f_(f) {}
     TensorLanes<T> operator()(const TensorLanes<T>& excess, T t) const override { return f_(excess, t); }
 
 private:
     [[nodiscard]] T critical_of([[maybe_unused]] T t) const override {
-        if constexpr (KinkedLaw<F, T>)
+        if constexpr (parts::KinkedLaw<F, T>)
             return static_cast<T>(f_.critical(t));
         else
             return T(0);
@@ -76,11 +76,11 @@ struct ScaledLaw {
 };
 
 template <class Law>
-constexpr Axis axis_of() {
+constexpr parts::Axis axis_of() {
     if constexpr (requires { Law::axis; })
         return Law::axis;
     else
-        return Axis::graded;
+        return parts::Axis::graded;
 }
 
 /// Load, stiffness, area and -dp/dd of any law; the contacts are left 0. \p mean(f) is the mean of f(omega, R) over the
@@ -100,16 +100,17 @@ LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wa
         return law.area(omega, radius) / (sigma * sigma);
     };
     LawSums<T> out;
-    if (has(wanted, Quantity::pressure)) out.load = mean(load) * (modulus * density * sigma * sigma);
-    if (has(wanted, Quantity::stiffness)) out.stiffness = mean(stiffness) * (modulus * density * sigma);
-    if (has(wanted, Quantity::real_area)) out.area = mean_of_area(area) * (density * sigma * sigma);
-    if (has(wanted, Quantity::loading_stiffness)) out.loading = mean_of_loading(load) * (modulus * density * sigma);
+    if (parts::has(wanted, Quantity::pressure)) out.load = mean(load) * (modulus * density * sigma * sigma);
+    if (parts::has(wanted, Quantity::stiffness)) out.stiffness = mean(stiffness) * (modulus * density * sigma);
+    if (parts::has(wanted, Quantity::real_area)) out.area = mean_of_area(area) * (density * sigma * sigma);
+    if (parts::has(wanted, Quantity::loading_stiffness))
+        out.loading = mean_of_loading(load) * (modulus * density * sigma);
     return out;
 }
 
 /// Any law over the joint distribution: an integral in two dimensions for each quantity.
 template <Real T, class Law>
-requires(!PowerLaw<Law, T>) class LawIntegrator<T, Law, PeakDistribution<T>> {
+requires(!parts::PowerLaw<Law, T>) class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:
     LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
                   T tolerance)
@@ -118,7 +119,7 @@ public:
     LawSums<T> operator()(T eta) const {
         const T c2 = (1 - peaks_.r()) * (1 + peaks_.r()), r = peaks_.r();
         // an area has whole powers where load and stiffness have half ones
-        constexpr Axis axis = axis_of<Law>(), area_axis = axis == Axis::even ? Axis::graded : axis;
+        constexpr parts::Axis axis = axis_of<Law>(), area_axis = axis == parts::Axis::even ? parts::Axis::graded : axis;
         LawSums<T> out = means_of_law(
             law_, scales_, wanted_,
             [&](const auto& f) {
@@ -133,37 +134,37 @@ public:
                     return load(omega, radius) * ((excess + (eta - r * t)) / c2);
                 });
             });
-        out.log_scale = log_scale_at(eta);
-        if (has(wanted_, Quantity::contacts))
-            out.contacts =
-                PeakIntegrator<T>({0, absent, absent, absent}, peaks_, 100 * std::numeric_limits<T>::epsilon())(eta)[0] *
-                scales_.peak_density;
+        out.log_scale = parts::log_scale_at(eta);
+        if (parts::has(wanted_, Quantity::contacts))
+            out.contacts = parts::PeakIntegrator<T>({0, absent, absent, absent}, peaks_,
+                                                    100 * std::numeric_limits<T>::epsilon())(eta)[0] *
+                           scales_.peak_density;
         return out;
     }
 
 private:
-    static T tolerance_for(T tolerance) { return (std::max)(tolerance, TensorOptions<T>{}.relative_tolerance); }
+    static T tolerance_for(T tolerance) { return (std::max)(tolerance, parts::TensorOptions<T>{}.relative_tolerance); }
 
-    template <Axis axis, class F>
+    template <parts::Axis axis, class F>
     Estimate<T> mean(T eta, const F& f) const {
         const ScaledLaw<T, Law, F> scaled{law_, scales_.rms_height, scales_.curvature, f};
         const PeakFunctionOf<T, ScaledLaw<T, Law, F>> function(scaled);
-        return scaled_tensor_integral<axis>(static_cast<const PeakFunction<T, kink_count<decltype(scaled), T>>&>(function),
-                                            peaks_, eta, options_);
+        return parts::scaled_tensor_integral<axis>(
+            static_cast<const PeakFunction<T, kink_count<decltype(scaled), T>>&>(function), peaks_, eta, options_);
     }
 
     Law law_;
     PeakDistribution<T> peaks_;
     PeakScales<T> scales_;
     Quantity wanted_;
-    TensorOptions<T> options_;
+    parts::TensorOptions<T> options_;
 };
 
 /// Any law over peaks of one radius: an integral over the heights for each quantity, split at the kinks of the law.
 template <Real T, class Law>
-requires(!PowerLaw<Law, T>) class LawIntegrator<T, Law, SingleRadius<T>> {
+requires(!parts::PowerLaw<Law, T>) class LawIntegrator<T, Law, parts::SingleRadius<T>> {
 public:
-    LawIntegrator(const Law& law, const SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
+    LawIntegrator(const Law& law, const parts::SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
                   T tolerance)
         : law_(law), peaks_(peaks), scales_(scales), wanted_(wanted), tolerance_((std::max)(tolerance, T(1e-13))) {}
 
@@ -174,7 +175,7 @@ public:
         };
         LawSums<T> out = means_of_law(law_, scales_, wanted_, mean_of, mean_of, [&](const auto& load) {
             // by parts; exponential heights end at s = 0, where peaks that press already press on
-            const bool gaussian = peaks_.heights == Heights::gaussian;
+            const bool gaussian = peaks_.heights == parts::Heights::gaussian;
             Estimate<T> loading = mean(eta, [&](const TensorLanes<T>& e) -> TensorLanes<T> {
                 const TensorLanes<T> one = load((sigma * e).eval(), radius);
                 return gaussian ? (one * (e + eta)).eval() : one;
@@ -184,7 +185,7 @@ public:
         });
         const auto [count, log_scale] = peaks_.template scaled_height_moment<0>(eta);
         out.log_scale = log_scale;
-        if (has(wanted_, Quantity::contacts))
+        if (parts::has(wanted_, Quantity::contacts))
             out.contacts = {density * count, 16 * std::numeric_limits<T>::epsilon() * density * count, 0};
         return out;
     }
@@ -193,7 +194,7 @@ private:
     /// int f(e) phi(eta + e) de without exp(log_scale), from where heights begin.
     template <class F>
     Estimate<T> mean(T eta, const F& f) const {
-        const bool gaussian = peaks_.heights == Heights::gaussian;
+        const bool gaussian = peaks_.heights == parts::Heights::gaussian;
         const T floor = (std::max)(eta, T(0));
         const auto integrand = [&](const TensorLanes<T>& e) -> TensorLanes<T> {
             if (gaussian)
@@ -213,7 +214,7 @@ private:
         };
         const auto split = [&](T at) {
             if (at <= from || at >= reach) return;
-            add(integral_over_interval(integrand, from, at, tolerance_));
+            add(math::integral_over_interval(integrand, from, at, tolerance_));
             from = at;
         };
         if constexpr (requires { law_.critical(T(1)); }) {
@@ -224,12 +225,12 @@ private:
                 split(critical);
         }
         if (eta + from < 0) split(-eta);  // the middle of the heights
-        add(integral_over_half_line(integrand, from, 1 / (1 + (std::max)(eta + from, T(0))), reach, tolerance_));
+        add(math::integral_over_half_line(integrand, from, 1 / (1 + (std::max)(eta + from, T(0))), reach, tolerance_));
         return out;
     }
 
     Law law_;
-    SingleRadius<T> peaks_;
+    parts::SingleRadius<T> peaks_;
     PeakScales<T> scales_;
     Quantity wanted_;
     T tolerance_;

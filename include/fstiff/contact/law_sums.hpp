@@ -23,13 +23,11 @@
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 
-namespace fstiff {
+namespace fstiff::detail {
 
 /// A law that any contact takes: given its powers, or as functions of an array of approaches and a radius.
 template <class Law, class T>
-concept ContactableLaw = PowerLaw<Law, T> || AsperityLaw<Law, Eigen::Array<T, 8, 1>, T>;
-
-namespace detail {
+concept ContactableLaw = parts::PowerLaw<Law, T> || AsperityLaw<Law, Eigen::Array<T, 8, 1>, T>;
 
 /// The sums over the peaks per nominal area, each times exp(log_scale); what is not asked for is 0.
 template <Real T>
@@ -50,7 +48,7 @@ struct PeakScales {
 
     /// factor D_p sigma^(omega/2) curvature^(-radius/2): of the mean of a law of these powers over the peaks. Written
     /// with sigma times the curvature, which is dimensionless.
-    [[nodiscard]] T of(T factor, HalfPowers powers) const {
+    [[nodiscard]] T of(T factor, parts::HalfPowers powers) const {
         const T product = rms_height * curvature;
         const int lengths = powers.omega + powers.radius;  // of 1/2 each
         T scale = lengths >= 4 ? factor * (peak_density * rms_height * rms_height)
@@ -64,7 +62,7 @@ struct PeakScales {
 template <Real T>
 struct PowerTerm {
     Quantity quantity;
-    HalfPowers powers;
+    parts::HalfPowers powers;
     T scale;  ///< of the mean of these powers
 };
 
@@ -72,10 +70,10 @@ struct PowerTerm {
 template <Real T, class Law>
 std::array<PowerTerm<T>, 5> power_terms(const Law& law, const PeakScales<T>& scales) {
     const T modulus = scales.effective_modulus;
-    constexpr HalfPowers load = Law::load_powers;
+    constexpr parts::HalfPowers load = Law::load_powers;
     const auto load_factor = static_cast<T>(law.load_factor());
-    const HalfPowers slope{load.omega - 2, load.radius};
-    const auto term = [&](Quantity quantity, HalfPowers powers, T factor) {
+    const parts::HalfPowers slope{load.omega - 2, load.radius};
+    const auto term = [&](Quantity quantity, parts::HalfPowers powers, T factor) {
         return PowerTerm<T>{quantity, powers, scales.of(factor, powers)};
     };
     return {term(Quantity::contacts, {0, 0}, T(1)), term(Quantity::pressure, load, modulus * load_factor),
@@ -106,7 +104,7 @@ template <Real T, class Law, class Peaks>
 class LawIntegrator;
 
 /// A power law over the joint distribution of height and curvature: one pass for each set of distinct powers of omega.
-template <Real T, PowerLaw<T> Law>
+template <Real T, parts::PowerLaw<T> Law>
 class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:
     LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
@@ -117,7 +115,7 @@ public:
         sets.fill(nothing);
         for (std::size_t i = 0; i < terms_.size(); ++i) {
             pass_[i] = passes;
-            if (!has(wanted, terms_[i].quantity)) continue;
+            if (!parts::has(wanted, terms_[i].quantity)) continue;
             const auto omega = static_cast<std::size_t>(terms_[i].powers.omega);
             const int radius = terms_[i].powers.radius;
             pass_[i] = 0;
@@ -130,7 +128,7 @@ public:
 
     LawSums<T> operator()(T eta) {
         LawSums<T> out;
-        out.log_scale = log_scale_at(eta);
+        out.log_scale = parts::log_scale_at(eta);
         for (std::size_t pass = 0; pass < passes && integrators_[pass]; ++pass) {
             const std::array<Estimate<T>, 4> j = (*integrators_[pass])(eta);
             for (std::size_t i = 0; i < terms_.size(); ++i)
@@ -145,14 +143,14 @@ private:
     static constexpr std::size_t passes = 3;  ///< as many as powers of R, all of which one power of omega may have
     std::array<PowerTerm<T>, 5> terms_;
     std::array<std::size_t, 5> pass_{};  ///< of each term; `passes` where it is not wanted
-    std::array<std::optional<PeakIntegrator<T>>, passes> integrators_;
+    std::array<std::optional<parts::PeakIntegrator<T>>, passes> integrators_;
 };
 
 /// A power law over peaks of one radius: closed.
-template <Real T, PowerLaw<T> Law>
-class LawIntegrator<T, Law, SingleRadius<T>> {
+template <Real T, parts::PowerLaw<T> Law>
+class LawIntegrator<T, Law, parts::SingleRadius<T>> {
 public:
-    LawIntegrator(const Law& law, const SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity wanted, T)
+    LawIntegrator(const Law& law, const parts::SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity wanted, T)
         : terms_(power_terms(law, scales)), peaks_(peaks), wanted_(wanted) {}
 
     LawSums<T> operator()(T eta) const {
@@ -164,7 +162,7 @@ public:
             member_of(out, terms_[i].quantity) = {terms_[i].scale * value, rounding * terms_[i].scale * value, 0};
         };
         for (std::size_t i = 0; i < terms_.size(); ++i) {
-            if (!has(wanted_, terms_[i].quantity)) continue;
+            if (!parts::has(wanted_, terms_[i].quantity)) continue;
             const int omega = terms_[i].powers.omega;
             if (omega == 0) add.template operator()<0>(i);
             if (omega == 1) add.template operator()<1>(i);
@@ -176,9 +174,8 @@ public:
 
 private:
     std::array<PowerTerm<T>, 5> terms_;
-    SingleRadius<T> peaks_;
+    parts::SingleRadius<T> peaks_;
     Quantity wanted_;
 };
 
-}  // namespace detail
-}  // namespace fstiff
+}  // namespace fstiff::detail

@@ -45,7 +45,7 @@ public:
     /// Takes pieces in the order of their pressures; the last one is the end of the table.
     explicit KinkedTables(std::vector<Parabola<T>> pieces) : pieces_(std::move(pieces)) {
         const Parabola<T>&first = pieces_.front(), &last = pieces_.back();
-        low_ = bits_of(first.pressure), count_ = bits_of(last.pressure) - low_ + 1;
+        low_ = math::bits_of(first.pressure), count_ = math::bits_of(last.pressure) - low_ + 1;
         while (shift_ > 0 && (count_ >> shift_) < 2 * pieces_.size()) --shift_;
         furthest_ = first.separation, length_ = furthest_ - last.separation;
         cells_per_length_ = static_cast<T>(2 * pieces_.size()) / length_;
@@ -60,9 +60,9 @@ public:
     [[nodiscard]] T furthest() const { return pieces_.front().separation; }
 
     /// False for a NaN, and for every number where the table is empty.
-    [[nodiscard]] bool contains_pressure(T p) const noexcept { return bits_of(p) - low_ < count_; }
+    [[nodiscard]] bool contains_pressure(T p) const noexcept { return math::bits_of(p) - low_ < count_; }
     [[nodiscard]] bool contains_separation(T d) const noexcept {
-        return !empty() && bits_of(T(furthest_ - d)) <= bits_of(length_);
+        return !empty() && math::bits_of(T(furthest_ - d)) <= math::bits_of(length_);
     }
 
     [[nodiscard]] State at_separation(T d) const noexcept {
@@ -94,7 +94,7 @@ private:
                 at.stiffness_per_fall / slope};
     }
     [[nodiscard]] std::size_t pressure_cell(T p) const noexcept {
-        return static_cast<std::size_t>((bits_of(p) - low_) >> shift_);
+        return static_cast<std::size_t>((math::bits_of(p) - low_) >> shift_);
     }
     [[nodiscard]] std::size_t separation_cell(T d) const noexcept {
         return static_cast<std::size_t>((furthest_ - d) * cells_per_length_);
@@ -121,7 +121,7 @@ private:
     }
 
     std::vector<Parabola<T>> pieces_;
-    Bits<T> low_ = 0, count_ = 0;  ///< of the pressures; count_ 0 of an empty table
+    math::Bits<T> low_ = 0, count_ = 0;  ///< of the pressures; count_ 0 of an empty table
     int shift_ = std::numeric_limits<T>::digits - 2;  ///< bits of a cell
     T furthest_{}, length_{}, cells_per_length_{};
     std::vector<Index> by_pressure_, by_separation_;
@@ -138,7 +138,7 @@ enum class OutsideRange {
 };
 
 /// What a law is tabulated for.
-template <ReadableReal T = double>
+template <parts::ReadableReal T = double>
 struct LawRange {
     T min_pressure{};  ///< [Pa]
     T max_pressure{};  ///< [Pa]
@@ -147,7 +147,7 @@ struct LawRange {
 
 namespace detail {
 
-template <ReadableReal T>
+template <parts::ReadableReal T>
 struct LawTables {
     struct Whole {
         T pressure, stiffness, slope;
@@ -162,9 +162,10 @@ struct LawTables {
     T relative_error{};
     OutsideRange outside = OutsideRange::refuse;
     int evaluations = 0;
-    UniformPieces<T> by_separation;  ///< p
-    UniformPieces<T> own_stiffness;  ///< K by separation, of the same pieces; empty where it is a constant times -dp/dd
-    BinaryPieces<T> stiffness, separation;  ///< by pressure
+    math::UniformPieces<T> by_separation;  ///< p
+    math::UniformPieces<T>
+        own_stiffness;  ///< K by separation, of the same pieces; empty where it is a constant times -dp/dd
+    math::BinaryPieces<T> stiffness, separation;  ///< by pressure
     KinkedTables<T> kinked;                 ///< in place of all these
 
     [[nodiscard]] bool empty() const { return by_separation.rows.empty() && kinked.empty(); }

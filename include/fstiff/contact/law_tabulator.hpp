@@ -24,7 +24,7 @@
 namespace fstiff::detail {
 
 /// The work of ContactLaw::tabulate, in the order of its functions.
-template <ReadableReal T, class Contact>
+template <parts::ReadableReal T, class Contact>
 class LawTabulator {
 public:
     LawTabulator(const Contact& contact, T min_pressure, T max_pressure) : contact_(contact) {
@@ -34,7 +34,7 @@ public:
             law_.stiffness_over_slope = contact.stiffness_over_slope();
         else
             law_.stiffness_over_slope = T(0);
-        law_.stiffness = law_.separation = BinaryPieces<T>(min_pressure, max_pressure);
+        law_.stiffness = law_.separation = math::BinaryPieces<T>(min_pressure, max_pressure);
         law_.evaluations = 1;
         middle_ = std::sqrt(min_pressure) * std::sqrt(max_pressure);
     }
@@ -55,12 +55,12 @@ public:
     }
 
 private:
-    static constexpr bool proportional = ProportionalContact<Contact, T>;
+    static constexpr bool proportional = parts::ProportionalContact<Contact, T>;
     static constexpr T epsilon = std::numeric_limits<T>::epsilon();
     static constexpr T pieces_per_e = sizeof(T) == 8 ? T(4) : T(1.5);  ///< a float's slope would be all rounding on 4
 
-    using One = Lanes<T, 1>;
-    using Nodes = Lanes<T, Row::terms>;  ///< those of a piece
+    using One = math::Lanes<T, 1>;
+    using Nodes = math::Lanes<T, math::Row::terms>;  ///< those of a piece
 
     template <class V>
     struct State {
@@ -125,7 +125,7 @@ private:
         points_ = static_cast<std::size_t>(sizeof(T) == 8 ? 11 + 4 * section : 6 + 2 * section);
         const auto sample = [this, log_middle = std::log(middle_)](T eta) {
             ++law_.evaluations;
-            const LogSlope<T> p = contact_.log_pressure(eta);
+            const parts::LogSlope<T> p = contact_.log_pressure(eta);
             error_ = (std::max)(error_, p.error);
             return p.log - log_middle;
         };
@@ -156,7 +156,7 @@ private:
         const T steepest = (std::max)(low.minus_dp_dd.p / low.pressure.p, high.minus_dp_dd.p / high.pressure.p);
         const auto pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * length)) + 1;
         const T width = length / T(pieces);
-        law_.by_separation = UniformPieces<T>(from, high.separation.p, pieces);
+        law_.by_separation = math::UniformPieces<T>(from, high.separation.p, pieces);
         if constexpr (!proportional) law_.own_stiffness = law_.by_separation;
         law_.set_scales();
         shortest_change_ = steepest * width;
@@ -168,10 +168,10 @@ private:
             lobatto_.fit(found.pressure).store(c);
             if constexpr (!proportional) lobatto_.fit(stiffness_of(found, eta)).store(row(law_.own_stiffness, i));
             // against the series the slope is worst at the ends of a piece
-            std::array<T, Row::terms> tangent;
+            std::array<T, math::Row::terms> tangent;
             (found.minus_dp_dd * Nodes::all(-width / 2)).store(tangent.data());
-            at_ends_ = (std::max)({at_ends_, std::abs(Row::derivative(c, T(-1)) / tangent.front() - 1),
-                                 std::abs(Row::derivative(c, T(1)) / tangent.back() - 1)});
+            at_ends_ = (std::max)({at_ends_, std::abs(math::Row::derivative(c, T(-1)) / tangent.front() - 1),
+                                 std::abs(math::Row::derivative(c, T(1)) / tangent.back() - 1)});
         }
     }
 
@@ -180,7 +180,7 @@ private:
     [[nodiscard]] Nodes eta_of_separation(const Nodes& separation, T& last) const {
         if (bulk_ == 0) return separation / Nodes::all(rms_);
         Nodes eta = Nodes::all(last);
-        std::array<T, Row::terms> one;
+        std::array<T, math::Row::terms> one;
         for (int iteration = 0; iteration < 50; ++iteration) {
             const State<Nodes> found = at(eta);
             const Nodes step = (separation - found.separation) / (found.stretch * Nodes::all(rms_));
@@ -211,8 +211,8 @@ private:
     }
 
     void cut_by_pressure() {
-        std::array<T, Row::terms> power{1};  // from s in [-1, 1] to that of the pieces
-        for (std::size_t k = 1; k < power.size(); ++k) power[k] = power[k - 1] / BinaryPieces<T>::half;
+        std::array<T, math::Row::terms> power{1};  // from s in [-1, 1] to that of the pieces
+        for (std::size_t k = 1; k < power.size(); ++k) power[k] = power[k - 1] / math::BinaryPieces<T>::half;
         const Nodes scale = Nodes::load(power.data());
         for (Eigen::Index i = 0; i < std::ssize(law_.stiffness.rows); ++i) {
             const Nodes p = nodes(law_.stiffness.edge(i), law_.stiffness.edge(i + 1));
@@ -230,7 +230,7 @@ private:
         const auto worst = [&found](T difference) { found = (std::max)(found, std::abs(difference)); };
         for (std::size_t i = 0; i < checks; ++i) {
             const T eta = closest_ + (furthest_ - closest_) * (T(i) + T(0.37)) / T(checks);
-            const LogSlope<T> model = contact_.log_pressure(eta);
+            const parts::LogSlope<T> model = contact_.log_pressure(eta);
             const T p = std::clamp(std::exp(model.log), law_.min_pressure, law_.max_pressure);
             const auto truth = in_series(One::all(eta), One::all(p), One::all(model.slope));
             const T separation = truth.separation.p, k = true_stiffness(truth, eta);
@@ -244,7 +244,7 @@ private:
         }
         // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a
         // short range carries the rounding of the few digits in which p changes there
-        constexpr T rounding = T(4 * Row::terms * Row::terms) * epsilon;
+        constexpr T rounding = T(4 * math::Row::terms * math::Row::terms) * epsilon;
         law_.relative_error =
             6 * found + T(1.5) * at_ends_ + rounding * (std::max)(T(1), 1 / (pieces_per_e * shortest_change_));
     }
@@ -254,23 +254,23 @@ private:
         const auto moves = [](const auto& pieces, T half, T way) {
             for (Eigen::Index i = 0; i < std::ssize(pieces.rows); ++i)
                 for (int k = -8; k <= 8; ++k)
-                    if (!(way * Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
+                    if (!(way * math::Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
             return true;
         };
-        return moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_separation, T(1), T(-1)) &&
+        return moves(law_.stiffness, math::BinaryPieces<T>::half, T(1)) && moves(law_.by_separation, T(1), T(-1)) &&
                moves(law_.own_stiffness, T(1), T(-1));
     }
 
     const Contact& contact_;
     LawTables<T> law_;
-    const LobattoPiece<T, Row::terms>& lobatto_ = LobattoPiece<T, Row::terms>::get();
+    const math::LobattoPiece<T, math::Row::terms>& lobatto_ = math::LobattoPiece<T, math::Row::terms>::get();
     const T rms_ = contact_.rms_height(), bulk_ = contact_.bulk_compliance();
     T middle_{};                                     ///< of the pressures
     const T close_enough_ = std::sqrt(epsilon) / 4;  ///< of Newton's method: the next step would be about step^2
-    ChebyshevSections<T> log_pressure_;              ///< log(p/middle) against eta
-    ChebyshevSections<T> slope_;                     ///< its derivative
-    ChebyshevSections<T> eta_of_;                    ///< its inverse
-    ChebyshevSections<T> log_stiffness_;             ///< log(K/unit) against eta, where K has a table of its own
+    math::ChebyshevSections<T> log_pressure_;              ///< log(p/middle) against eta
+    math::ChebyshevSections<T> slope_;                     ///< its derivative
+    math::ChebyshevSections<T> eta_of_;                    ///< its inverse
+    math::ChebyshevSections<T> log_stiffness_;             ///< log(K/unit) against eta, where K has a table of its own
     T stiffness_unit_{};
     std::size_t sections_{}, points_{};  ///< of each
     T closest_{}, furthest_{};           ///< eta at the ends of the range
@@ -282,14 +282,14 @@ private:
 
 /// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not
 /// monotone or off by more than 1e-3.
-template <ReadableReal T, class Contact>
+template <parts::ReadableReal T, class Contact>
 [[nodiscard]] LawTables<T> tables_of(const Contact& contact, T min_pressure, T max_pressure) {
-    if (!has_kinks(contact)) {
+    if (!parts::has_kinks(contact)) {
         auto made = LawTabulator<T, Contact>(contact, min_pressure, max_pressure).tabulate();
         if (made.is_monotone && made.tables.relative_error <= T(1e-3)) return std::move(made.tables);
     }
     T ratio = 0;
-    if constexpr (ProportionalContact<Contact, T>) ratio = contact.stiffness_over_slope();
+    if constexpr (parts::ProportionalContact<Contact, T>) ratio = contact.stiffness_over_slope();
     const auto at = [&contact](T pressure, bool with_separation) {
         const ContactState<T> state =
             contact.at_pressure(pressure, with_separation ? Quantity::stiffness | Quantity::separation : Quantity::stiffness);

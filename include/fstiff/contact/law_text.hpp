@@ -18,17 +18,17 @@
 
 namespace fstiff::detail {
 
-template <ReadableReal T>
+template <parts::ReadableReal T>
 [[nodiscard]] std::string law_text_head(int version) {
     return "fstiff contact law " + std::to_string(version) + ' ' + std::to_string(sizeof(T));
 }
 
-template <ReadableReal T>
+template <parts::ReadableReal T>
 [[nodiscard]] std::array<T, 6> numbers_of(const Parabola<T>& at) {
     return {at.separation, at.pressure, at.slope, at.bend, at.stiffness, at.stiffness_per_fall};
 }
 /// Whether \p pieces are a table from \p law.min_pressure to max_pressure, with p and -d rising all the way.
-template <ReadableReal T>
+template <parts::ReadableReal T>
 [[nodiscard]] bool is_table(const std::vector<Parabola<T>>& pieces, const LawTables<T>& law, T closest, T furthest) {
     if (pieces.front().pressure != law.min_pressure || pieces.back().pressure != law.max_pressure ||
         pieces.front().separation != furthest || pieces.back().separation != closest)
@@ -41,14 +41,15 @@ template <ReadableReal T>
     return true;
 }
 
-template <ReadableReal T>
+template <parts::ReadableReal T>
 [[nodiscard]] std::string law_text(const LawTables<T>& law) {
     const bool kinked = !law.kinked.empty();
     std::string text = law_text_head<T>(kinked ? 5 : law.has_own_stiffness() ? 4 : 3) + '\n';
     text += std::to_string(kinked ? law.kinked.pieces().size() : law.by_separation.rows.size()) + ' ' + std::to_string(static_cast<int>(law.outside)) + ' ' +
             std::to_string(law.evaluations) + '\n';
     const auto add = [&text](const T* numbers, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) text += hexadecimal_text(numbers[i]) + (i + 1 < count ? ' ' : '\n');
+        for (std::size_t i = 0; i < count; ++i)
+            text += parts::hexadecimal_text(numbers[i]) + (i + 1 < count ? ' ' : '\n');
     };
     const T head[] = {law.min_pressure, law.max_pressure,         law.closest(),
                       law.furthest(),   law.stiffness_over_slope, law.relative_error};
@@ -59,12 +60,12 @@ template <ReadableReal T>
     }
     for (const auto* rows :
          {&law.by_separation.rows, &law.stiffness.rows, &law.separation.rows, &law.own_stiffness.rows})
-        for (const Coefficients<T>& row : *rows) add(row.c, Row::terms);
+        for (const math::Coefficients<T>& row : *rows) add(row.c, math::Row::terms);
     return text;
 }
 
 /// Reads what law_text wrote, number after number.
-template <ReadableReal T>
+template <parts::ReadableReal T>
 class LawTextReader {
 public:
     explicit LawTextReader(std::string_view text) : text_(text) {}
@@ -85,7 +86,7 @@ public:
         // each number takes two characters or more: a size that the text cannot hold is refused before it is allocated
         const auto size = static_cast<Eigen::Index>(text_.size());
         if (pieces < (kinked ? 2 : 1) || pieces > size ||
-            (!kinked && BinaryPieces<T>::pieces(law_.min_pressure, law_.max_pressure) > size))
+            (!kinked && math::BinaryPieces<T>::pieces(law_.min_pressure, law_.max_pressure) > size))
             throw wrong("holds impossible sizes");
         kinked ? read_parabolas(static_cast<std::size_t>(pieces)) : read_polynomials(pieces, own_stiffness);
         return std::move(law_);
@@ -93,7 +94,7 @@ public:
 
 private:
     [[nodiscard]] static domain_error wrong(const char* what) {
-        return domain_error(Refusal{.parameter = "contact law text",
+        return domain_error(parts::Refusal{.parameter = "contact law text",
                                     .reason = std::string(what) + ": must be what to_text wrote for this scalar type"});
     }
     void skip() {
@@ -104,7 +105,7 @@ private:
         skip();
         std::from_chars_result read{};
         if constexpr (std::is_floating_point_v<Number>)
-            read = read_hexadecimal(at_, end_, value);
+            read = parts::read_hexadecimal(at_, end_, value);
         else
             read = std::from_chars(at_, end_, value);
         if (read.ec != std::errc{}) throw wrong("ends early or holds no number");
@@ -142,14 +143,14 @@ private:
         law_.kinked = KinkedTables<T>(std::move(pieces));
     }
     void read_polynomials(Eigen::Index count, bool own_stiffness) {
-        law_.by_separation = UniformPieces<T>(closest_, furthest_, count);
+        law_.by_separation = math::UniformPieces<T>(closest_, furthest_, count);
         if (!(law_.by_separation.pieces_per_length > 0 && std::isfinite(law_.by_separation.pieces_per_length)))
             throw wrong("contradicts itself");
         if (own_stiffness) law_.own_stiffness = law_.by_separation;
-        law_.stiffness = law_.separation = BinaryPieces<T>(law_.min_pressure, law_.max_pressure);
+        law_.stiffness = law_.separation = math::BinaryPieces<T>(law_.min_pressure, law_.max_pressure);
         for (auto* rows :
              {&law_.by_separation.rows, &law_.stiffness.rows, &law_.separation.rows, &law_.own_stiffness.rows})
-            for (Coefficients<T>& row : *rows)
+            for (math::Coefficients<T>& row : *rows)
                 for (T& coefficient : row.c) coefficient = number(T{});
         require_end();
         law_.set_scales();

@@ -18,7 +18,7 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// How deep the peaks are pressed in, as means over the load that they carry.
 template <Real T = double>
@@ -26,8 +26,6 @@ struct LoadMeans {
     Estimate<T> interference;  ///< of omega/omega_c
     Estimate<T> radius_ratio;  ///< of a/R
 };
-
-namespace detail {
 
 /// \p Law with its load times omega/omega_c as stiffness and its load times a/R as area.
 template <Real T, class Law>
@@ -59,8 +57,6 @@ private:
     T critical_over_radius_;
 };
 
-}  // namespace detail
-
 /// The means over the peaks of \p contact at \p eta, with omega_c = \p critical_over_radius times R. Of a contact with
 /// interaction eta is that of its states. \throws domain_error for an eta outside the range of RoughContact, a
 /// tolerance outside that of the integrals, and unless critical_over_radius is finite and positive.
@@ -73,7 +69,7 @@ template <Real T, class Law, class Peaks>
     options.integrals.relative_tolerance = relative_tolerance;
     const T modulus = contact.effective_modulus(), sigma = contact.rms_height();
     const RoughContact weighted(contact.surface(), contact.peaks(),
-                                detail::LoadWeighted<T, Law>(contact.law(), critical_over_radius), modulus, options);
+                                parts::LoadWeighted<T, Law>(contact.law(), critical_over_radius), modulus, options);
     const auto sums =
         weighted.at_separation(eta * sigma, Quantity::pressure | Quantity::stiffness | Quantity::real_area);
     const auto over_load = [&](const Estimate<T>& sum, T unit) {
@@ -91,4 +87,4 @@ requires requires(const Law& law) { law.critical(T(1)); }
     return load_means(contact, eta, static_cast<T>(contact.law().critical(T(1))));
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

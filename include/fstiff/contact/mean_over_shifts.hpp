@@ -6,7 +6,7 @@
 ///     value = mean of the values        error = sqrt((mean error)^2 + s^2),   s^2 = sum (value_i - value)^2/(n - 1)
 ///
 ///     std::vector<fstiff::SummitContact<double>> contacts;      // one for each shift
-///     const fstiff::MeanOverShifts mean(std::move(contacts));
+///     const fstiff::parts::MeanOverShifts mean(std::move(contacts));
 ///     mean.at_pressure(1e6).stiffness.error                     // the scatter of one shift is in it
 ///
 /// Reference   JCGM 100:2008, 4.2.2 (the scatter s of one shift, not of the mean)
@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// The mean over \p C, one contact for each shift.
 template <class C>
@@ -67,7 +67,7 @@ public:
         return ContactLaw<T>::tabulate_points(
             [&](T pressure) {
                 const ContactState<T> state = state_at(pressure);
-                return LawPoint<T>{state.separation.value, state.stiffness.value};
+                return detail::LawPoint<T>{state.separation.value, state.stiffness.value};
             },
             first.separation.value / first.eta, range);
     }
@@ -108,4 +108,4 @@ private:
     std::vector<C> contacts_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -26,7 +26,7 @@
 #include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/topography/summits.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// What the push of the others does to the contacts, from which follows how far K can be trusted.
 template <Real T = double>
@@ -39,7 +39,7 @@ struct Crowding {
 
 /// The contact of the summits of one map, each of which sinks under the loads of all others.
 template <Real T = double>
-class MutualSummits : public SlopeContact<MutualSummits<T>, T> {
+class MutualSummits : public detail::SlopeContact<MutualSummits<T>, T> {
     using Values = Eigen::Array<T, Eigen::Dynamic, 1>;
 
 public:
@@ -308,7 +308,7 @@ private:
         require(s.crowding.contacts <= max_summits, "summits in contact", s.crowding.contacts,
                 "at most 5000 that push each other down (hybrid and boundary_elements go on)");
         if (!(s.stiffness > 0 && s.crowding.real_area_fraction <= max_area))
-            detail::refuse("pressure", pressure,
+            refuse("pressure", pressure,
                            "so small that the summits are not too crowded to be told apart (hybrid and boundary_elements "
                            "go on)");
         return s;
@@ -338,4 +338,4 @@ private:
     std::vector<EllipticHertz<T>> hertz_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -54,7 +54,7 @@ template <Real T>
 class PeakNodes {
 public:
     static constexpr int capacity = 64, block = 8;
-    using V = Lanes<T, block>;
+    using V = math::Lanes<T, block>;
 
     explicit PeakNodes(const PeakProblem<T>& problem) : floor_(problem.floor) {}
 
@@ -97,9 +97,9 @@ private:
 
 /// j, j + 1, ..., j + 7
 template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T, 8> ascending_from(int j) {
+EIGEN_ALWAYS_INLINE math::Lanes<T, 8> ascending_from(int j) {
     alignas(64) static constexpr T numbers[8]{0, 1, 2, 3, 4, 5, 6, 7};
-    return Lanes<T, 8>::load(numbers) + Lanes<T, 8>::all(T(j));
+    return math::Lanes<T, 8>::load(numbers) + math::Lanes<T, 8>::all(T(j));
 }
 
 /// The curvature beyond which the integrand is below exp(-log_cutoff) of its greatest value.
@@ -169,16 +169,16 @@ private:
 
 /// Adds nodes given by t alone.
 template <Real T>
-EIGEN_ALWAYS_INLINE void add_at(PeakNodes<T>& nodes, const PeakProblem<T>& p, T inverse_c, const Lanes<T, 8>& t,
-                                const Lanes<T, 8>& weight, const Lanes<T, 8>& inverse_root) {
-    using V = Lanes<T, 8>;
+EIGEN_ALWAYS_INLINE void add_at(PeakNodes<T>& nodes, const PeakProblem<T>& p, T inverse_c, const math::Lanes<T, 8>& t,
+                                const math::Lanes<T, 8>& weight, const math::Lanes<T, 8>& inverse_root) {
+    using V = math::Lanes<T, 8>;
     nodes.add(t, multiply_add(t, V::all(-p.r * inverse_c), V::all(p.eta * inverse_c)),
               (t - V::all(p.r * p.eta)) * V::all(inverse_c), t - V::all(p.floor), weight, inverse_root);
 }
 
 template <Real T, class Sink>
 T visit_smooth(const PeakProblem<T>& p, T wanted_step, Sink& sink) {
-    using V = Lanes<T, 8>;
+    using V = math::Lanes<T, 8>;
     const auto& table = SmoothNodes<T>::get().at_most(wanted_step);
     const T last = max_curvature(p);
     const T inverse_c = 1 / p.c;
@@ -203,7 +203,7 @@ T graded_scale(const PeakProblem<T>& p) {
 
 template <Real T, class Sink>
 T visit_graded(const PeakProblem<T>& p, T step, Sink& sink) {
-    using V = Lanes<T, 8>;
+    using V = math::Lanes<T, 8>;
     const T scale = graded_scale(p);
     const T ratio = max_curvature(p) / scale;
     const T last = std::log(ratio) + 1 / ratio;  // y - exp(-y) = log(ratio)
@@ -227,7 +227,7 @@ T visit_graded(const PeakProblem<T>& p, T step, Sink& sink) {
 
 template <Real T, class Sink>
 T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
-    using V = Lanes<T, 8>;
+    using V = math::Lanes<T, 8>;
     constexpr T slope = 3;
     const T high = p.c * p.eta + p.reach * p.r;
     T low = p.c * p.eta - p.reach * p.r;

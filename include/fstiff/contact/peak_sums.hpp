@@ -31,6 +31,10 @@ EIGEN_ALWAYS_INLINE T rough_eighth_root(T x) {
         std::bit_cast<double>(std::bit_cast<std::uint64_t>(static_cast<double>(x)) / 8 + one / 8 * 7));
 }
 
+}  // namespace fstiff::detail
+
+namespace fstiff::parts {
+
 /// Sums of the eight rules of step 8h times \p step, and the error of the trapezoidal rule relative to each.
 ///
 /// The rule of step h errs by the Fourier transform of the integrand at the frequency 2 pi/h, and sums[m] holds the
@@ -40,9 +44,9 @@ EIGEN_ALWAYS_INLINE T rough_eighth_root(T x) {
 /// from 1/8, with half of one of the five steps left out to be on the safe side. What is cut off beyond the first and
 /// the last node falls faster than geometrically: less than the two outermost terms.
 template <Real T>
-PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& first, const Lanes<T, 4>& last, T step,
-                   int nodes) {
-    using V = Lanes<T, 4>;
+detail::PeakSums<T> finish(const std::array<math::Lanes<T, 4>, 8>& sums, const math::Lanes<T, 4>& first,
+                           const math::Lanes<T, 4>& last, T step, int nodes) {
+    using V = math::Lanes<T, 4>;
     const V half_root = V::all(numbers::sqrt2_v<T> / 2);
     std::array<V, 4> odd, even;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -61,14 +65,18 @@ PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& fi
     const V fall_4 = smaller(smaller(quotient * quotient, at_3 / (at_1 + least)), one);  // over four eighths
     T fall[4];
     fall_4.store(fall);
-    for (T& each : fall) each = rough_eighth_root(each);  // over half an eighth
+    for (T& each : fall) each = detail::rough_eighth_root(each);  // over half an eighth
     const V error = (multiply_add(sqrt(at_3), fall_4 * V::load(fall), first + last)) / larger(total, least);
-    PeakSums<T> out;
+    detail::PeakSums<T> out;
     out.nodes = nodes;
     (V::all(step) * total).store(out.value.data());
     (error + error).store(out.relative_error.data());
     return out;
 }
+
+}  // namespace fstiff::parts
+
+namespace fstiff::detail {
 
 /// What is asked for: minus_two_b[i] is -2b (0, 1 or 2) for a = i/2, or absent.
 inline constexpr int absent = -1;
@@ -86,11 +94,11 @@ PowerSet one_power(T a, T b) {
 
 /// erf(k t) at the nodes.
 template <Real T>
-EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const ErfPolynomials<T>& by, T* out) {
-    using V = Lanes<T, 8>;
+EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const math::ErfPolynomials<T>& by, T* out) {
+    using V = math::Lanes<T, 8>;
     for (int i = 0; i < nodes.size(); i += 8) {
         const T* t = nodes.t() + i;
-        erf_ascending(V::load(t) * V::all(k), k * t[0], k * t[7], by).store(out + i);
+        math::erf_ascending(V::load(t) * V::all(k), k * t[0], k * t[7], by).store(out + i);
     }
 }
 
@@ -98,12 +106,12 @@ EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const ErfPolynomia
 template <Real T>
 class PeakAccumulator {
 public:
-    using V = Lanes<T, 4>;
+    using V = math::Lanes<T, 4>;
 
     PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b, T tolerance)
         : k_(problem.k),
-          rough_(tolerance > T(10 * MomentTable<T>::cut[rough_terms])),
-          by_(ErfPolynomials<T>::for_tolerance(static_cast<double>(tolerance))) {
+          rough_(tolerance > T(10 * math::MomentTable<T>::cut[rough_terms])),
+          by_(math::ErfPolynomials<T>::for_tolerance(static_cast<double>(tolerance))) {
         alignas(32) static constexpr T unit[4][4]{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
         for (std::size_t b = 0; b < 3; ++b) {  // in registers: a vector of what has just been stored one by one is slow
             share_[b] = V::all(T(0));
@@ -127,12 +135,12 @@ public:
             erf_table_ = nodes.table();
             erf_size_ = nodes.size();
         }
-        rough_ ? add_by<rough_terms>(nodes) : add_by<MomentTable<T>::terms>(nodes);
+        rough_ ? add_by<rough_terms>(nodes) : add_by<math::MomentTable<T>::terms>(nodes);
     }
 
     /// Relative error of the shorter polynomials.
-    [[nodiscard]] T cut() const { return rough_ ? T(MomentTable<T>::cut[rough_terms] + by_.error) : T(0); }
-    PeakSums<T> result(T step) const { return finish(sums_, first_, last_, step, count_); }
+    [[nodiscard]] T cut() const { return rough_ ? T(math::MomentTable<T>::cut[rough_terms] + by_.error) : T(0); }
+    PeakSums<T> result(T step) const { return parts::finish(sums_, first_, last_, step, count_); }
 
 private:
     static constexpr int rough_terms = 6;
@@ -143,7 +151,7 @@ private:
         const T *const x = nodes.x(), *const inverse_root = nodes.inverse_root(), *const mass = nodes.mass();
         for (int i = 0; i < nodes.size(); i += 8) {
             std::array<V, 8> term;
-            scaled_moments<terms>(x + i, term);
+            math::scaled_moments<terms>(x + i, term);
             for (int m = 0; m < 8; ++m) {
                 const V root = V::all(inverse_root[i + m]);
                 const V power = multiply_add(root, multiply_add(root, share[2], share[1]), share[0]);  // t^b
@@ -159,7 +167,7 @@ private:
 
     T k_;
     bool rough_;  ///< by the shorter polynomials
-    ErfPolynomials<T> by_;
+    math::ErfPolynomials<T> by_;
     int count_ = 0, erf_size_ = 0;
     const T* erf_table_ = nullptr;  ///< of the nodes at which erf_ was computed
     std::array<V, 3> share_;        ///< 1 where b = 0, -1/2, -1

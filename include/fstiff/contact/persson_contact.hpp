@@ -63,7 +63,7 @@ S persson_kernel(S s, const PerssonEnergy<S>& energy) {
 /// W(y), y > 0, to 1e-15 of max(1, W).
 template <class S>
 S persson_distance(S y, const PerssonEnergy<S>& energy) {
-    const auto& rule = GaussLegendre<S, 32>::get();
+    const auto& rule = math::GaussLegendre<S, 32>::get();
     const auto integral = [&rule](S a, S b, const auto& f) {
         S sum = 0;
         for (std::size_t i = 0; i < 32; ++i) sum += rule.weight[i] * f((a + b) / 2 + (b - a) / 2 * rule.node[i]);
@@ -75,8 +75,6 @@ S persson_distance(S y, const PerssonEnergy<S>& energy) {
     return integral(S(1), S(7), whole) + integral(y, S(1), without_pole) - energy.gamma * std::log(y);
 }
 
-}  // namespace detail
-
 /// K and what it depends on, at one pressure.
 template <Real T>
 struct PerssonStiffness {
@@ -84,10 +82,12 @@ struct PerssonStiffness {
     T slope;      ///< dK/dp [1/m]
 };
 
+}  // namespace detail
+
 /// Persson's theory: the contact of a surface of which the spectrum is known.
 template <Real T = double>
-class PerssonContact : public SlopeContact<PerssonContact<T>, T> {
-    using S = detail::Tabulated<T>;
+class PerssonContact : public detail::SlopeContact<PerssonContact<T>, T> {
+    using S = math::Tabulated<T>;
 
 public:
     /// Takes a spectrum and the effective modulus [Pa]. \throws domain_error naming the parameter that is out of range.
@@ -106,15 +106,15 @@ public:
         require_compared(pressure);
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};
-        if (has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
+        if (parts::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
             const T K = stiffness(pressure);
             state.stiffness = {K, error_of_K * K, nodes()};
-            if (has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
-            if (!has(wanted, Quantity::stiffness)) state.stiffness = {};
+            if (parts::has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
+            if (!parts::has(wanted, Quantity::stiffness)) state.stiffness = {};
         }
-        if (has(wanted, Quantity::separation)) state.separation = separation(pressure);
+        if (parts::has(wanted, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height_;
-        if (has(wanted, Quantity::real_area)) {
+        if (parts::has(wanted, Quantity::real_area)) {
             const T share = real_area_fraction(pressure);
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }
@@ -135,7 +135,7 @@ public:
     }
 
     /// K [Pa/m] and dK/dp [1/m]. \throws domain_error as stiffness.
-    [[nodiscard]] PerssonStiffness<T> stiffness_and_slope(T pressure) const {
+    [[nodiscard]] detail::PerssonStiffness<T> stiffness_and_slope(T pressure) const {
         require_reach(pressure);
         const Sums j = sums(pressure);
         const S K = static_cast<S>(pressure) / (root_2_over_pi() * j.value);
@@ -170,7 +170,7 @@ public:
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
     /// \throws domain_error unless the pressure of \p eta is within reach.
-    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
         const T full = largest_pressure();
         // d = u0 ln(p0/p) for light loads, from the pressure E g
@@ -231,7 +231,7 @@ private:
 
     /// Integrates the spectrum against the Lagrange polynomials of each panel.
     void make_panels() {
-        const auto& rule = GaussLegendre<S, points>::get();
+        const auto& rule = math::GaussLegendre<S, points>::get();
         const S log_2 = std::log(S(2));
         std::array<S, points> scale;  // of the Lagrange polynomials
         for (std::size_t j = 0; j < points; ++j) {
@@ -282,9 +282,9 @@ private:
                 const S ratio = x / to, length = (std::min)(S(0.5), 1 / (1 + ratio * ratio));
                 const S from = (std::max)(piece->from, to * std::exp(-length));
                 if (to - from < length / 10 * to)
-                    part(*piece, from, to, GaussLegendre<S, 4>::get());
+                    part(*piece, from, to, math::GaussLegendre<S, 4>::get());
                 else
-                    part(*piece, from, to, GaussLegendre<S, points>::get());
+                    part(*piece, from, to, math::GaussLegendre<S, points>::get());
                 to = from;
             }
     }
@@ -295,15 +295,15 @@ private:
     };
 
     [[nodiscard]] Sums sums(T pressure) const {
-        using V = detail::Lanes<S, 8>;
+        using V = math::Lanes<S, 8>;
         const S x = static_cast<S>(pressure) / static_cast<S>(modulus_), root_2 = std::sqrt(S(2));
         const S dP = 2 * root_2 / std::sqrt(numbers::pi_v<S>);  // dP/dx = dP exp(-2 x^2)
-        const auto erf = detail::ErfPolynomials<S>::for_tolerance(0);
+        const auto erf = math::ErfPolynomials<S>::for_tolerance(0);
         const detail::PerssonEnergy<V> energy{V::all(energy_.gamma), V::all(energy_.square), V::all(energy_.late)};
         V values = V::all(S(0)), slopes = V::all(S(0));
         const auto add = [&](const V& y, const V& weight, S least, S most) {
             const V fall = exp(V::all(S(-2)) * y * y);
-            const V P = detail::erf_ascending(V::all(root_2) * y, root_2 * least, root_2 * most, erf);
+            const V P = math::erf_ascending(V::all(root_2) * y, root_2 * least, root_2 * most, erf);
             const V bracket = energy.value(P);
             const V change = multiply_add(energy.slope(P) * V::all(dP), fall, V::all(S(-4)) * y * bracket);
             values = multiply_add(weight * fall, bracket, values);

@@ -30,6 +30,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// The highest parts of a surface as a flat cuts them: K of a share of the area [Pa/m], and the share above a level [m]
 /// over the mean plane with its change [1/m].
 template <class C, class T>
@@ -52,14 +54,12 @@ public:
     [[nodiscard]] T stiffness(T share) const { return stiffness_ * share; }
     [[nodiscard]] std::pair<T, T> share_above(T level) const {
         const T z = level / rms_height_;
-        return {normal_share(-z), -normal_density(z) / rms_height_};
+        return {math::normal_share(-z), -math::normal_density(z) / rms_height_};
     }
 
 private:
     T rms_height_, stiffness_;
 };
-
-namespace detail {
 
 /// K of the highest points of a map at numbers of points that are 5 % apart, each computed when it is first asked for.
 /// Threads that ask at once compute the same number.
@@ -100,15 +100,13 @@ private:
     mutable std::vector<std::atomic<T>> log_stiffness_;  ///< NaN: not yet
 };
 
-}  // namespace detail
-
 /// Cut of a map, K by knots 5 % of the share apart, so that it is continuous. Copies share what was made of it.
 template <Real T = double>
 class MapCut {
 public:
     /// \throws domain_error as HighestPoints.
     MapCut(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges)
-        : knots_(std::make_shared<const detail::CutKnots<T>>(HighestPoints<T>(map, effective_modulus, edges))),
+        : knots_(std::make_shared<const parts::CutKnots<T>>(HighestPoints<T>(map, effective_modulus, edges))),
           curve_(std::make_shared<const BearingSlope<T>>(BearingSlope<T>::of_heights(
               std::span<const T>(map.heights.data(), static_cast<std::size_t>(map.heights.size()))))),
           mean_(mean_height(map)) {}
@@ -129,20 +127,22 @@ public:
         const auto &a = *(above - 1), &b = *above;
         const T per_height = (b.score - a.score) / (b.height - a.height);
         const T score = a.score + (height - a.height) * per_height;
-        return {normal_share(-score), -normal_density(score) * per_height / factor_};
+        return {math::normal_share(-score), -math::normal_density(score) * per_height / factor_};
     }
 
 private:
-    std::shared_ptr<const detail::CutKnots<T>> knots_;
+    std::shared_ptr<const parts::CutKnots<T>> knots_;
     std::shared_ptr<const BearingSlope<T>> curve_;
     T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
 };
 
+}  // namespace parts
+
 /// \p Elastic is the contact of the same surface without flow, at light and heavy loads, which gives K and the
 /// separation under a pressure beyond what was compared too: HybridContact.
-template <Real T, Contact<T> Elastic, CutSurface<T> Cut>
-class PlasticContact : private SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
-    using Base = SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
+template <Real T, Contact<T> Elastic, parts::CutSurface<T> Cut>
+class PlasticContact : private detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
+    using Base = detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
     friend Base;
 
 public:
@@ -168,19 +168,19 @@ public:
         require(pressure < hardness_, "pressure", pressure, "less than the hardness (Pa): all has flowed there");
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};
-        if (has(wanted, Quantity::stiffness)) {
+        if (parts::has(wanted, Quantity::stiffness)) {
             const Estimate<T> elastic = elastic_.at_pressure(pressure, Quantity::stiffness).stiffness;
             const T K = joined(cut_.stiffness(pressure / hardness_), elastic.value, exponent);
             state.stiffness = {K, (elastic.error / elastic.value + error_of_cut) * K, elastic.evaluations};
         }
-        if (has(wanted, Quantity::real_area)) {
+        if (parts::has(wanted, Quantity::real_area)) {
             const T share = (std::min)(std::hypot(1 / hardness_, 2 / elastic_scale(pressure)) * pressure, T(1));
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }
-        if (has(wanted, Quantity::separation | Quantity::loading_stiffness)) {
+        if (parts::has(wanted, Quantity::separation | Quantity::loading_stiffness)) {
             const Loading at = loading(pressure);
             state.separation = {at.separation, T(1e-9) * rms_height(), 0};
-            if (has(wanted, Quantity::loading_stiffness) && at.separation > 0)
+            if (parts::has(wanted, Quantity::loading_stiffness) && at.separation > 0)
                 state.loading_stiffness = {at.stiffness, T(1e-6) * at.stiffness, 0};
         }
         state.eta = state.separation.value / rms_height();
@@ -195,9 +195,9 @@ public:
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error unless 0 < eta,
     /// where a part of the surface stands above it, and its pressure is within reach.
-    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
         const T to_elastic = rms_height() / elastic_.rms_height();
-        const LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);
+        const parts::LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);
         const auto [share, change] = cut_.share_above(eta * rms_height());
         require(share > 0, "eta", eta, "where a part of the surface stands above the separation");
         const T cut = std::log(share * hardness_), apart = loading_exponent * (elastic.log - cut);
@@ -210,13 +210,13 @@ public:
 
     /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
     [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
-        const LogSlope<T> p = log_pressure(eta);
+        const parts::LogSlope<T> p = log_pressure(eta);
         const Estimate<T> K = at_pressure(std::exp(p.log), Quantity::stiffness).stiffness;
         return {std::log(K.value), p.error + K.error / K.value};
     }
 
     [[nodiscard]] T rms_height() const { return elastic_.rms_height(); }
-    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(elastic_); }
+    [[nodiscard]] bool has_kinks() const { return parts::has_kinks(elastic_); }
     [[nodiscard]] T hardness() const { return hardness_; }
     [[nodiscard]] const Elastic& elastic() const { return elastic_; }
     [[nodiscard]] const Cut& cut() const { return cut_; }
@@ -269,7 +269,7 @@ private:
             const AtElastic at = at_elastic(log_q);
             return std::pair(at.log_p - target, at.slope);
         };
-        const AtElastic at = at_elastic(newton_bracketed(residual, target, high, target, T(1e-11)).root);
+        const AtElastic at = at_elastic(math::newton_bracketed(residual, target, high, target, T(1e-11)).root);
         return {at.separation, at.stiffness};
     }
 

@@ -24,6 +24,8 @@ enum class Quantity : unsigned {
     return static_cast<Quantity>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
 
+namespace parts {
+
 /// \p set less \p some.
 [[nodiscard]] constexpr Quantity without(Quantity set, Quantity some) {
     return static_cast<Quantity>(static_cast<unsigned>(set) & ~static_cast<unsigned>(some));
@@ -33,5 +35,7 @@ enum class Quantity : unsigned {
 [[nodiscard]] constexpr bool has(Quantity set, Quantity some) {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(some)) != 0;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

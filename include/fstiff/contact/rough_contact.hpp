@@ -32,22 +32,30 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// How the rms curvature sigma_kappa follows from the mean peak radius R.
 enum class CurvatureScale {
     bush_gibson_thomas,  ///< 3 sqrt(pi)/(8 R), eq. (4.10)
     consistent           ///< 1/(R E t): the mean curvature of the peaks of the density (4.4) is 1/R
 };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<CurvatureScale> = name_list<CurvatureScale>(
-    {{CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"}, {CurvatureScale::consistent, "consistent"}});
+inline constexpr auto names<parts::CurvatureScale> =
+    name_list<parts::CurvatureScale>({{parts::CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"},
+                                      {parts::CurvatureScale::consistent, "consistent"}});
 
 /// The choices of a RoughContact.
 template <Real T = double>
 struct RoughContactOptions {
     Interaction<T> interaction{};
-    CurvatureScale curvature = CurvatureScale::bush_gibson_thomas;
-    IntegralOptions<T> integrals{};
+    parts::CurvatureScale curvature = parts::CurvatureScale::bush_gibson_thomas;
+    parts::IntegralOptions<T> integrals{};
 };
+
+namespace parts {
 
 /// sigma_kappa [1/m].
 template <Real T>
@@ -64,18 +72,20 @@ template <Real T>
     return 1 / surface.peak_radius;
 }
 
+}  // namespace parts
+
 /// The contact of a distribution of peaks, each of which obeys one law: load, stiffness, area and number.
 template <Real T, class Law, class Peaks = PeakDistribution<T>>
 class RoughContact {
     using Approaches = Eigen::Array<T, 8, 1>;
     static_assert(
-        PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.load(x, r); },
+        parts::PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.load(x, r); },
         "this law has no member load(omega, radius) for an Eigen array and a number, nor factors and powers");
     static_assert(
-        PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.stiffness(x, r); },
+        parts::PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.stiffness(x, r); },
         "this law has no member stiffness(omega, radius) for an Eigen array and a number");
     static_assert(
-        PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.area(x, r); },
+        parts::PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.area(x, r); },
         "this law has no member area(omega, radius) for an Eigen array and a number");
 
 public:
@@ -87,11 +97,11 @@ public:
           law_(law),
           options_(options),
           scales_{surface.rms_height, surface.peak_density, effective_modulus,
-                  rms_curvature(surface, peaks, options.curvature)} {
+                  parts::rms_curvature(surface, peaks, options.curvature)} {
         surface.validate();
         options.interaction.validate();
         require_positive("effective_modulus", effective_modulus);
-        if constexpr (PowerLaw<Law, T>)
+        if constexpr (parts::PowerLaw<Law, T>)
             pressure_unit_ = scales_.of(effective_modulus * static_cast<T>(law.load_factor()), Law::load_powers);
         else
             pressure_unit_ = effective_modulus * (surface.peak_density * surface.rms_height * surface.rms_height);
@@ -120,8 +130,8 @@ public:
     }
 
     /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
-    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
-        LogSlope<T> p = log_slope(sums(eta, slope_quantities));
+    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
+        parts::LogSlope<T> p = log_slope(sums(eta, slope_quantities));
         p.log += std::log(pressure_unit_);
         return p;
     }
@@ -142,8 +152,8 @@ public:
     [[nodiscard]] T bulk_compliance() const { return bulk_compliance_; }
     /// Whether K is a constant times -dp/dd without interaction, at every separation.
     static constexpr bool stiffness_follows_slope = [] {
-        if constexpr (PowerLaw<Law, T>)
-            return Law::stiffness_powers == HalfPowers{Law::load_powers.omega - 2, Law::load_powers.radius};
+        if constexpr (parts::PowerLaw<Law, T>)
+            return Law::stiffness_powers == parts::HalfPowers{Law::load_powers.omega - 2, Law::load_powers.radius};
         else if constexpr (requires { Law::stiffness_is_slope; })
             return static_cast<bool>(Law::stiffness_is_slope);
         else
@@ -151,7 +161,7 @@ public:
     }();
     /// K over -dp/dd without interaction: 1 where the stiffness of the law is the slope of its load.
     [[nodiscard]] T stiffness_over_slope() const requires stiffness_follows_slope {
-        if constexpr (PowerLaw<Law, T>)
+        if constexpr (parts::PowerLaw<Law, T>)
             return static_cast<T>(law_.stiffness_factor()) /
                    (T(Law::load_powers.omega) / 2 * static_cast<T>(law_.load_factor()));
         else
@@ -163,24 +173,25 @@ private:
     static constexpr Quantity slope_quantities = Quantity::pressure | Quantity::loading_stiffness;
     static constexpr Quantity for_compliance = Quantity::pressure | Quantity::stiffness | Quantity::loading_stiffness;
 
-    using Outcome = detail::StateOrRefusal<T>;
+    using Outcome = parts::StateOrRefusal<T>;
 
     [[nodiscard]] Outcome state_at_separation(T separation, Quantity wanted) const {
         const T eta = separation / scales_.rms_height;
-        if (!(eta >= detail::min_eta && eta <= T(1e6))) {
+        if (!(eta >= parts::min_eta && eta <= T(1e6))) {
             using Shown =
                 std::conditional_t<std::is_same_v<T, long double>, double, T>;  // no shortest text of the other
             const auto rms = static_cast<Shown>(scales_.rms_height);
             return {{},
-                    detail::refusal_of("separation", separation,
-                                       "between " + shortest_text(static_cast<Shown>(detail::min_eta) * rms) + " and " +
-                                           shortest_text(Shown(1e6) * rms) + " m, -1000 and 1e6 rms heights")};
+                    parts::refusal_of("separation", separation,
+                                      "between " + parts::shortest_text(static_cast<Shown>(parts::min_eta) * rms) +
+                                          " and " + parts::shortest_text(Shown(1e6) * rms) +
+                                          " m, -1000 and 1e6 rms heights")};
         }
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {
                 ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
                 state.separation = {separation, 0, 0};
-                if (!has(wanted, Quantity::pressure)) state.pressure = {};
+                if (!parts::has(wanted, Quantity::pressure)) state.pressure = {};
                 return {state, {}};
             }
             case InteractionReading::as_printed:
@@ -197,13 +208,13 @@ private:
         require_positive("pressure", pressure);
         if constexpr (requires { law_.pressure_limit(); })  // of a plastic law, at which all of the area is in contact
             if (!(pressure < static_cast<T>(law_.pressure_limit())))
-                return {{}, detail::refusal_of("pressure", pressure, "less than the hardness of the law (Pa)")};
+                return {{}, parts::refusal_of("pressure", pressure, "less than the hardness of the law (Pa)")};
         Integrator roughly(law_, peaks_, scales_, slope_quantities,
-                           (std::max)(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
+                           (std::max)(options_.integrals.relative_tolerance, parts::rough_tolerance<T>));
         Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
-        const auto search = detail::eta_of(std::log(pressure / pressure_unit_), max_eta(),
+        const auto search = parts::eta_of(std::log(pressure / pressure_unit_), max_eta(),
                                            [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
-        if (!search.found) return {{}, detail::unreachable_pressure(pressure, search)};
+        if (!search.found) return {{}, parts::unreachable_pressure(pressure, search)};
         if (options_.interaction.reading == InteractionReading::as_printed)
             return printed(search.eta.value, {pressure, 0, 0}, wanted);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
@@ -217,22 +228,22 @@ private:
     }
 
     /// Logarithm of the load over pressure_unit_, and its slope.
-    LogSlope<T> log_slope(const detail::LawSums<T>& j) const {
+    parts::LogSlope<T> log_slope(const detail::LawSums<T>& j) const {
         return {std::log(j.load.value / pressure_unit_) + j.log_scale,
                 -j.loading.value * scales_.rms_height / j.load.value, j.load.error / j.load.value};
     }
 
     [[nodiscard]] T max_eta() const {
-        if constexpr (std::same_as<Peaks, SingleRadius<T>>)
-            if (peaks_.heights == Heights::exponential) return detail::max_exponential_eta<T>();
-        return detail::max_gaussian_eta<T>();
+        if constexpr (std::same_as<Peaks, parts::SingleRadius<T>>)
+            if (peaks_.heights == parts::Heights::exponential) return parts::max_exponential_eta<T>();
+        return parts::max_gaussian_eta<T>();
     }
 
     /// exp(log_scale) multiplied in.
     detail::LawSums<T> unscaled(detail::LawSums<T> j, T eta) const {
-        T scale = detail::gaussian((std::max)(eta, T(0)));
-        if constexpr (std::same_as<Peaks, SingleRadius<T>>)
-            if (peaks_.heights == Heights::exponential) scale = std::exp(j.log_scale);
+        T scale = math::gaussian((std::max)(eta, T(0)));
+        if constexpr (std::same_as<Peaks, parts::SingleRadius<T>>)
+            if (peaks_.heights == parts::Heights::exponential) scale = std::exp(j.log_scale);
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 
@@ -261,7 +272,8 @@ private:
             state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
         const auto in_series = [&](Quantity quantity, Estimate<T>& k, T with) {
             const T share = 1 / (1 + with * bulk_compliance_);
-            k = has(wanted, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations} : Estimate<T>{};
+            k = parts::has(wanted, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations}
+                                             : Estimate<T>{};
         };
         const T slope = state.loading_stiffness.value;
         in_series(Quantity::stiffness, state.stiffness, stiffness_follows_slope ? slope : state.stiffness.value);
@@ -271,9 +283,9 @@ private:
 
     Outcome printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
         const T eta_new = eta_old - pressure.value * bulk_compliance_ / scales_.rms_height;
-        if (!(eta_new >= detail::min_eta))
+        if (!(eta_new >= parts::min_eta))
             return {{},
-                    detail::refusal_of("eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))")};
+                    parts::refusal_of("eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))")};
         ContactState<T> state =
             at_eta({eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, wanted);
         state.pressure = pressure;
@@ -285,7 +297,7 @@ private:
         const T shift = bulk_compliance_ / scales_.rms_height;  // Delta = shift p
         const T highest =
             (std::min)(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, (std::max)(eta, T(1e6)));
-        const auto found = newton_bracketed(
+        const auto found = math::newton_bracketed(
             [&](T x) {
                 const auto j = unscaled(sums(x, slope_quantities), x);
                 return std::pair(x - shift * j.load.value - eta, 1 + shift * j.loading.value * scales_.rms_height);

@@ -41,14 +41,14 @@ struct Sensitivity {
     T theta{};              ///< dK/dtheta [Pa/m per radian]
 };
 
+namespace parts {
+
 /// A law that tells how its load and its stiffness change with D: d ln/dD, 0 where there is no D.
 template <class Law, class T>
 concept DimensionalLaw = requires(const Law& law) {
     { law.log_load_slope() } -> std::convertible_to<T>;
     { law.log_stiffness_slope() } -> std::convertible_to<T>;
 };
-
-namespace detail {
 
 /// ln K and ln p with their derivatives at constant eta, without the factors of the law.
 template <Real T>
@@ -65,7 +65,7 @@ T lower_moment(T x) {
     if constexpr (Twice == 0)
         return x < 0 ? std::exp(-x * x / 2) : T(1);
     else
-        return scaled_moment<Twice - 2>(x);
+        return math::scaled_moment<Twice - 2>(x);
 }
 template <int Twice, Real T>
 inline constexpr T lower_factor = Twice == 0 ? T(1) : T(Twice) / 2;
@@ -88,7 +88,7 @@ struct DerivativeSums {
     }
 
     /// What the integration by parts leaves at t = 0, where t^b erf(k t) is 2 k/sqrt(pi) for b = -1.
-    void add_boundary(const PeakProblem<T>& p, T step) {
+    void add_boundary(const detail::PeakProblem<T>& p, T step) {
         if constexpr (powers.radius == 2) {
             const T at_zero = p.eta / p.c, outer = p.floor * p.r / p.c;
             r += 2 * numbers::inv_sqrtpi_v<T> * p.k * lower_moment<powers.omega>(at_zero) *
@@ -97,7 +97,7 @@ struct DerivativeSums {
     }
 
     /// J[a,b] = c^a/(2 theta) step value: the common factors cancel in every logarithmic derivative.
-    [[nodiscard]] typename LogDerivatives<T>::One log_derivatives(const PeakProblem<T>& p, T log_factor) const {
+    [[nodiscard]] typename LogDerivatives<T>::One log_derivatives(const detail::PeakProblem<T>& p, T log_factor) const {
         const T inverse_c = 1 / p.c, cosine = std::cos(p.theta);
         const T dk = 1 / (numbers::sqrt2_v<T> * cosine * cosine);
         constexpr T factor = lower_factor<powers.omega, T>;
@@ -110,14 +110,14 @@ struct DerivativeSums {
 template <HalfPowers load_powers, HalfPowers stiffness_powers, Real T>
 class DerivativeAccumulator {
 public:
-    explicit DerivativeAccumulator(const PeakProblem<T>& problem) : k_(problem.k) {}
+    explicit DerivativeAccumulator(const detail::PeakProblem<T>& problem) : k_(problem.k) {}
 
-    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
-        T erf[PeakNodes<T>::capacity], moment[4];
-        erf_at(nodes, k_, ErfPolynomials<T>::for_tolerance(0), erf);
-        std::array<Lanes<T, 4>, 8> moments;
+    EIGEN_DONT_INLINE void add(const detail::PeakNodes<T>& nodes) {
+        T erf[detail::PeakNodes<T>::capacity], moment[4];
+        detail::erf_at(nodes, k_, math::ErfPolynomials<T>::for_tolerance(0), erf);
+        std::array<math::Lanes<T, 4>, 8> moments;
         for (int i = 0; i < nodes.size(); ++i) {
-            if (i % 8 == 0) scaled_moments<MomentTable<T>::terms>(nodes.x() + i, moments);
+            if (i % 8 == 0) math::scaled_moments<math::MomentTable<T>::terms>(nodes.x() + i, moments);
             moments[static_cast<std::size_t>(i % 8)].store(moment);
             const T t = nodes.t()[i], root = nodes.inverse_root()[i], mass = nodes.mass()[i];
             const T layer = mass * 2 * numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
@@ -146,9 +146,9 @@ private:
 template <class Law, Real T>
 LogDerivatives<T> log_derivatives(const PeakDistribution<T>& peaks, T eta) {
     const T log_accuracy = -std::log(100 * std::numeric_limits<T>::epsilon());
-    const PeakProblem<T> p(peaks, eta, log_accuracy + 5);
+    const detail::PeakProblem<T> p(peaks, eta, log_accuracy + 5);
     DerivativeAccumulator<Law::load_powers, Law::stiffness_powers, T> sums(p);
-    const T step = visit_nodes(p, log_accuracy, sums);
+    const T step = detail::visit_nodes(p, log_accuracy, sums);
     sums.load.add_boundary(p, step);
     sums.stiffness.add_boundary(p, step);
     const T log_factor = std::log(step / (2 * p.theta)) - p.floor * p.floor / 2;
@@ -195,7 +195,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     const Peaks& peaks = contact.peaks();
     const CurvatureScale scale = contact.options().curvature;
     const LogDerivatives<T> j = log_derivatives<Law>(peaks, eta);
-    const PeakScales<T> scales{surface.rms_height, surface.peak_density, contact.effective_modulus(),
+    const detail::PeakScales<T> scales{surface.rms_height, surface.peak_density, contact.effective_modulus(),
                                rms_curvature(surface, peaks, scale)};
     constexpr HalfPowers load = Law::load_powers, stiffness = Law::stiffness_powers;
     Exponents<T> out;
@@ -264,7 +264,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
     return out;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. Does not allocate for a law with
 /// powers. \throws domain_error as at_pressure of the contact, and for interaction as_printed.
@@ -274,10 +274,10 @@ template <Real T, class Law, class Peaks>
     require(reading != InteractionReading::as_printed, "interaction", T(2),
             "none or effective_separation for a derivative");
     const T eta = contact.at_pressure(pressure, Quantity::pressure).eta;
-    const detail::Exponents<T> of = detail::exponents(contact, eta);
+    const parts::Exponents<T> of = parts::exponents(contact, eta);
     const T k = of.k, modulus = contact.effective_modulus();
     const T follow = of.eta.stiffness / of.eta.load;  // d ln K / d ln p along the curve
-    const auto at_constant_pressure = [&](const typename detail::Exponents<T>::Pair& z) {
+    const auto at_constant_pressure = [&](const typename parts::Exponents<T>::Pair& z) {
         return k * (z.stiffness - follow * z.load);
     };
     Sensitivity<T> out;
@@ -305,6 +305,8 @@ template <Real T, class Law, class Peaks>
         out.fractal_dimension += of_bulk * (of.fractal_dimension.stiffness - of.fractal_dimension.load);
     return out;
 }
+
+namespace parts {
 
 /// What a band of roughness is made of, and the modulus.
 template <Real T = double>
@@ -335,23 +337,26 @@ struct PerssonSensitivity {
     T gamma{};              ///< dK/dgamma [Pa/m]
 };
 
+}  // namespace parts
+
 /// \throws domain_error as PerssonContact, and outside of what is valid above.
 template <Real T>
-[[nodiscard]] PerssonSensitivity<T> sensitivity(const PerssonParameters<T>& at, std::type_identity_t<T> pressure) {
+[[nodiscard]] parts::PerssonSensitivity<T> sensitivity(const parts::PerssonParameters<T>& at,
+                                                       std::type_identity_t<T> pressure) {
     require(at.hurst > T(0.02) && at.hurst < T(0.98), "hurst", at.hurst, "between 0.02 and 0.98, for its derivative");
     require(at.alpha > T(1.53), "alpha", at.alpha, "greater than 1.53, for its derivative");
     const auto K = at.contact().stiffness_and_slope(pressure);
-    const auto by = [&](T PerssonParameters<T>::*parameter, T step) {
+    const auto by = [&](T parts::PerssonParameters<T>::*parameter, T step) {
         const auto stiffness = [&](T steps) {
-            PerssonParameters<T> changed = at;
+            parts::PerssonParameters<T> changed = at;
             changed.*parameter += steps * step;
             return changed.contact().stiffness(pressure);
         };
         const auto odd = [&](T steps) { return stiffness(steps) - stiffness(-steps); };
         return (45 * odd(T(1)) - 9 * odd(T(2)) + odd(T(3))) / (60 * step);
     };
-    using P = PerssonParameters<T>;
-    PerssonSensitivity<T> out;
+    using P = parts::PerssonParameters<T>;
+    parts::PerssonSensitivity<T> out;
     out.stiffness = K.stiffness;
     out.pressure = K.slope;
     out.rms_height = by(&P::rms_height, at.rms_height * T(0.005));
@@ -360,7 +365,7 @@ template <Real T>
     out.hurst = by(&P::hurst, T(0.005));
     out.effective_modulus = (K.stiffness - pressure * K.slope) / at.effective_modulus;
     // 1/K is linear in gamma: a second point tells its slope
-    PerssonParameters<T> other = at;
+    parts::PerssonParameters<T> other = at;
     other.gamma = at.gamma > T(0.5) ? at.gamma / 2 : 2 * at.gamma;
     const T slope = (1 / other.contact().stiffness(pressure) - 1 / K.stiffness) / (other.gamma - at.gamma);
     out.gamma = -K.stiffness * K.stiffness * slope;

@@ -20,9 +20,7 @@
 #include <functional>
 #include <map>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::parts {
 
 /// Four neighbouring nodes and their weights.
 template <Real T>
@@ -40,8 +38,6 @@ struct CubicStencil {
     }
 };
 
-}  // namespace detail
-
 /// K of hybrid_of_band() of many surfaces with one bearing curve.
 template <Real T = double>
 class SimilarHybrids {
@@ -55,7 +51,7 @@ public:
     [[nodiscard]] std::optional<T> stiffness(const SpectralMoments<T>& moments, T hurst, T effective_modulus,
                                              T pressure) const {
         const T closing = effective_modulus * std::sqrt(2 * moments.m2);
-        const T bend = std::log(moments.bandwidth() / alpha_of_hills<T>) * alphas, tenths = hurst * hursts;
+        const T bend = std::log(moments.bandwidth() / detail::alpha_of_hills<T>) * alphas, tenths = hurst * hursts;
         const T place = std::log(pressure / closing) * pressures + highest_pressure;
         if (!(bend >= T(least_bend) && bend < T(highest_bend) && tenths >= 7 && tenths <= T(hursts) && place >= 0 &&
               place <= T(highest_pressure)))
@@ -78,7 +74,7 @@ public:
     }
 
 private:
-    using Stencil = detail::CubicStencil<T>;
+    using Stencil = CubicStencil<T>;
     static constexpr int alphas = 4, hursts = 10, pressures = 8;  ///< nodes to an e-fold, to 1, to an e-fold
     static constexpr int lowest_bend = -5, highest_bend = 40;     ///< alpha = 1.72 and 130,000
     static constexpr T least_bend = T(-3.5);                      ///< alpha = 2.5: nearer to 3/2 cubics are coarse
@@ -94,7 +90,7 @@ private:
         Node& node = found->second;
         if (!is_new) return node;
         node.log_value.assign(highest_pressure + 1, std::numeric_limits<T>::infinity());
-        const T alpha = alpha_of_hills<T> * std::exp(T(bend) / alphas);
+        const T alpha = detail::alpha_of_hills<T> * std::exp(T(bend) / alphas);
         try {
             const BandSpectrum<T> unit = band_of_moments<T>({T(1), T(0.5), alpha / 4}, T(tenths) / hursts);
             const auto keep = [&node](auto contact) {
@@ -128,4 +124,4 @@ private:
     mutable std::map<std::pair<int, int>, Node> nodes_;  ///< by alpha and H
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -11,7 +11,7 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/root.hpp>
 
-namespace fstiff {
+namespace fstiff::detail {
 
 /// \p Derived has at_pressure, at_separation, log_pressure and rms_height.
 template <class Derived, Real T>
@@ -29,7 +29,7 @@ public:
     }
     /// log(K/(Pa/m)) at eta, the separation over the rms height. \throws domain_error as log_pressure.
     [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
-        const LogSlope<T> p = self().log_pressure(eta);
+        const parts::LogSlope<T> p = self().log_pressure(eta);
         return {p.log + std::log(-p.slope / self().rms_height()), 2 * p.error};
     }
     [[nodiscard]] Interaction<T> interaction() const { return {}; }
@@ -43,7 +43,7 @@ protected:
     /// int p/K d ln p = int dp/K over \p length of ln p from \p from on, by a Gauss-Legendre rule of so many points.
     template <std::size_t points>
     [[nodiscard]] T fall_of_separation(T from, T length) const {
-        const auto& rule = GaussLegendre<T, points>::get();
+        const auto& rule = math::GaussLegendre<T, points>::get();
         T sum = 0;
         for (std::size_t i = 0; i < points; ++i) {
             const T p = std::exp(from + length * (1 + rule.node[i]) / 2);
@@ -53,13 +53,13 @@ protected:
     }
 
     /// log p where d(p) = eta rms_height, between \p low and \p high. \throws domain_error naming eta, and \p reach.
-    [[nodiscard]] LogSlope<T> searched_log_pressure(T eta, T low, T high, T guess, const char* reach) const {
+    [[nodiscard]] parts::LogSlope<T> searched_log_pressure(T eta, T low, T high, T guess, const char* reach) const {
         const T rms = self().rms_height(), tolerance = 16 * std::numeric_limits<T>::epsilon() * (1 + std::abs(high));
         const auto residual = [&](T log_p) {
             const T p = std::exp(log_p);
             return std::pair(self().separation(p).value - eta * rms, -p / self().stiffness(p));
         };
-        const auto found = newton_bracketed(residual, low, high, guess, tolerance);
+        const auto found = math::newton_bracketed(residual, low, high, guess, tolerance);
         require(found.converged(), "eta", eta, reach);
         const T p = std::exp(found.root), per_height = self().stiffness(p) / p;
         return {found.root, -per_height * rms, found.error + self().separation(p).error * per_height};
@@ -68,13 +68,14 @@ protected:
     /// The state at the pressure that \p separation has; the error of the pressure enters every value.
     [[nodiscard]] ContactState<T> state_at_separation(T separation, Quantity wanted) const {
         const T eta = separation / self().rms_height();
-        const LogSlope<T> p = self().log_pressure(eta);
+        const parts::LogSlope<T> p = self().log_pressure(eta);
         const T pressure = std::exp(p.log);
         ContactState<T> state = self().at_pressure(pressure, wanted);
         for (Estimate<T>* e :
              {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
             e->error += 2 * p.error * e->value;
-        state.pressure = has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
+        state.pressure =
+            parts::has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
         state.separation = {separation, 0, 0};
         state.eta = eta;
         return state;
@@ -93,4 +94,4 @@ private:
     }
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::detail

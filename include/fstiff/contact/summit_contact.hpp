@@ -25,6 +25,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from
 /// them, need not find these again. \throws domain_error for curvatures that are not positive.
 template <Real T>
@@ -36,9 +38,11 @@ template <Real T>
     return of;
 }
 
+}  // namespace parts
+
 /// The contact of the summits of one map, each by itself: ellipses of Hertz.
 template <Real T = double>
-class SummitContact : public SlopeContact<SummitContact<T>, T> {
+class SummitContact : public detail::SlopeContact<SummitContact<T>, T> {
     using Values = Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>;
 
 public:
@@ -48,11 +52,11 @@ public:
         require_positive("effective_modulus", effective_modulus);
         require_positive("rms_height", of.rms_height);
         require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
-        for (const Summit<T>& one : of.summits) {
+        for (const parts::Summit<T>& one : of.summits) {
             height_.push_back(one.height);
             const bool found = one.load_factor > 0;
-            const auto hertz = found ? EllipticHertz<T>{one.load_factor, one.area_factor, T(0)}
-                                     : elliptic_hertz(one.max_curvature, one.min_curvature);
+            const auto hertz = found ? parts::EllipticHertz<T>{one.load_factor, one.area_factor, T(0)}
+                                     : parts::elliptic_hertz(one.max_curvature, one.min_curvature);
             load_factor_.push_back(hertz.load_factor);
             area_factor_.push_back(hertz.area_factor);
         }
@@ -61,7 +65,7 @@ public:
     /// \throws domain_error for a separation at which no summit touches.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         if (!(separation < height_[0]))
-            detail::refuse("separation", separation, "less than the height of the highest summit (m)");
+            parts::refuse("separation", separation, "less than the height of the highest summit (m)");
         return state(separation, 0, wanted);
     }
 
@@ -78,7 +82,7 @@ public:
             return std::pair(root * root - target,
                              -2 * j.stiffness / (3 * (std::max)(root, (std::numeric_limits<T>::min)())));
         };
-        const auto found = newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
+        const auto found = math::newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
                                             4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
         require(found.converged(), "pressure", pressure, "within the range of numbers for the scales of this map");
         ContactState<T> at = state(found.root, found.error, wanted);
@@ -87,9 +91,9 @@ public:
     }
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error as at_separation.
-    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
         if (!(eta * rms_height_ < height_[0]))
-            detail::refuse("eta", eta, "less than the height of the highest summit over the rms height");
+            parts::refuse("eta", eta, "less than the height of the highest summit over the rms height");
         const Sums j = sums(eta * rms_height_);
         return {std::log(j.load), -j.stiffness / j.load * rms_height_, rounding};
     }
@@ -123,7 +127,7 @@ private:
         const Sums j = sums(d);
         const T relative = rounding + error * j.stiffness / j.load;
         const auto given = [&](Quantity quantity, T value) {
-            return has(wanted, quantity) ? Estimate<T>{value, relative * value, static_cast<int>(height_.size())}
+            return parts::has(wanted, quantity) ? Estimate<T>{value, relative * value, static_cast<int>(height_.size())}
                                          : Estimate<T>{};
         };
         ContactState<T> at;

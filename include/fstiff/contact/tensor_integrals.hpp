@@ -24,7 +24,7 @@
 
 #include <tuple>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// How the nodes approach t = 0 and excess = 0.
 enum class Axis {
@@ -47,8 +47,6 @@ struct TensorOptions {
     int max_nodes =
         192;  ///< rows, and nodes of a piece of a row, at most 256; the error estimate says when they were not enough
 };
-
-namespace detail {
 
 /// The kinks of a law as multiples of critical(t).
 template <class T, class F>
@@ -78,14 +76,14 @@ public:
     static constexpr int row_falls = kinked ? falls / 4 : falls, open_falls = kinked ? falls / 2 : falls;
 
     /// The first guesses were fitted so that one pass mostly does.
-    TensorRule(const F& f, const PeakProblem<T>& problem, T log_accuracy)
+    TensorRule(const F& f, const detail::PeakProblem<T>& problem, T log_accuracy)
         : f_(f),
           p_(problem),
           log_accuracy_(log_accuracy),
           turn_on_(p_.eta < T(1.5) ? p_.r / p_.c : T(0)),
-          map_(kinked || (std::max)(p_.k, turn_on_) > 2 ? gentle_map<T> : plain_map<T>) {
+          map_(kinked || (std::max)(p_.k, turn_on_) > 2 ? detail::gentle_map<T> : detail::plain_map<T>) {
         layer_ = std::sqrt(p_.k * p_.k + (1 + turn_on_ * turn_on_) / 2);
-        const T first = p_.r * p_.eta - p_.reach * p_.c, last = max_curvature(p_);
+        const T first = p_.r * p_.eta - p_.reach * p_.c, last = detail::max_curvature(p_);
         if constexpr (square) {
             begin_ = std::sqrt((std::max)(first, T(0)));
             end_ = std::sqrt(last);
@@ -117,14 +115,14 @@ public:
         else
             t_.graded(map_, begin_, row_step, rows);
         place(most);
-        TensorLanes<T> sums = TensorLanes<T>::Zero();
-        TensorRows<T> eight;
+        detail::TensorLanes<T> sums = detail::TensorLanes<T>::Zero();
+        detail::TensorRows<T> eight;
         Estimate<T> out;
         std::array<T, 2> outermost{};
         for (int i = 0; i < rows; i += 8) {
             const auto block = static_cast<std::size_t>(i / 8);
             eight.t = t_.x[block];
-            erf_of_eight(eight.t.data(), p_.k, eight.weight.data());
+            math::erf_of_eight(eight.t.data(), p_.k, eight.weight.data());
             eight.weight *= t_.weight[block];
             eight.prepare(p_, asked_[open]);
             for (int lane = 0; lane < (std::min)(8, rows - i); ++lane) {
@@ -141,7 +139,7 @@ public:
         else if (p_.k * t_.x[0][0] > 1)  // by the layer of width 1/k at t = 0: no row falls into it
             hidden = outermost[0];
         out.value = sums.sum();
-        rows_error_ = trapezoidal_error<T>(sums, square && begin_ == 0, row_falls) + hidden +
+        rows_error_ = detail::trapezoidal_error<T>(sums, square && begin_ == 0, row_falls) + hidden +
                       (square ? layer_error(row_step) : t_.min_error) * sums.abs().sum();
         out.error = rows_error_;
         for (std::size_t i = 0; i < kinds; ++i)
@@ -186,11 +184,12 @@ private:
         if constexpr (square) {
             tables_[open].squares(T(0), T(1), 96);  // as far as the smallest step that refine() allows needs
         } else {
-            const T begin = plain_map<T>.begin(-(log_accuracy_ + 12));
-            const T range = plain_map<T>.end((std::max)(2 * p_.reach, p_.log_cutoff / 2) + 1) - begin;
-            const int count = eights(range * (asked_[open] + 3) / plain_map<T>.strip,
-                                     (std::min)(most * 4 / 3, TensorTable<T>::max_nodes));  // no row takes all of them
-            tables_[open].graded(plain_map<T>, begin, range / T(count), count);
+            const T begin = detail::plain_map<T>.begin(-(log_accuracy_ + 12));
+            const T range = detail::plain_map<T>.end((std::max)(2 * p_.reach, p_.log_cutoff / 2) + 1) - begin;
+            const int count =
+                eights(range * (asked_[open] + 3) / detail::plain_map<T>.strip,
+                       (std::min)(most * 4 / 3, detail::TensorTable<T>::max_nodes));  // no row takes all of them
+            tables_[open].graded(detail::plain_map<T>, begin, range / T(count), count);
         }
         const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / numbers::pi_v<T>, most);
         tables_[linear].line(2 * p_.reach / T(count), count);
@@ -204,7 +203,7 @@ private:
     }
 
     /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight.
-    T row(const TensorRows<T>& rows, int lane, int& evaluations) {
+    T row(const detail::TensorRows<T>& rows, int lane, int& evaluations) {
         const T t = rows.t[lane], first = rows.first[lane], last = rows.last[lane];
         const T outer = rows.outer[lane], shift = rows.shift[lane], slope = rows.linear[lane], inverse_c = 1 / p_.c;
         const auto kink = kinks_of<T>(f_);
@@ -228,14 +227,14 @@ private:
                 const T start = rows.x[lane] + from * inverse_c;
                 if (start > 0) size /= 1 + start / 2;  // it falls as exp(-start v)
             }
-            TensorTable<T>& table = tables_[which];
+            detail::TensorTable<T>& table = tables_[which];
             const T weight = rows.weight[lane] * size * inverse_c;
-            TensorLanes<T> total = TensorLanes<T>::Zero();
+            detail::TensorLanes<T> total = detail::TensorLanes<T>::Zero();
             for (std::size_t b = 0; b < table.blocks(); ++b) {
-                const TensorLanes<T> excess = from + size * table.x[b];
+                const detail::TensorLanes<T> excess = from + size * table.x[b];
                 if (excess[0] > last) break;
-                const TensorLanes<T> v = inverse_c * excess;
-                const TensorLanes<T> term =
+                const detail::TensorLanes<T> v = inverse_c * excess;
+                const detail::TensorLanes<T> term =
                     weight * table.weight[b] * (outer - (v + shift).square() / 2 - slope * v).exp() * f_(excess, t);
                 table.sums[table.legendre ? b : 0] += term;
                 total += term;
@@ -248,18 +247,16 @@ private:
     }
 
     const F& f_;
-    const PeakProblem<T>& p_;
+    const detail::PeakProblem<T>& p_;
     T log_accuracy_, turn_on_;
-    const GradedMap<T>& map_;  ///< of the rows
+    const detail::GradedMap<T>& map_;  ///< of the rows
     T layer_;
     T begin_, end_;  ///< of the rows, in y
     T rows_, rows_error_ = 0;
     std::array<T, kinds> asked_, errors_;  ///< log_accuracy or, for Legendre's rules, nodes
-    TensorTable<T> t_;
-    std::array<TensorTable<T>, kinds> tables_;
+    detail::TensorTable<T> t_;
+    std::array<detail::TensorTable<T>, kinds> tables_;
 };
-
-}  // namespace detail
 
 /// I[f] at the separation \p eta (in rms heights), without its factor exp(-eta^2/2) where eta > 0. \p f takes an Eigen
 /// array of eight excess heights zeta - eta and one curvature t, and returns the array of values. Does not allocate.
@@ -270,7 +267,7 @@ template <Axis axis, Real T, class F>
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
     const T log_accuracy = -std::log(options.relative_tolerance);
     const detail::PeakProblem<T> problem(peaks, eta, log_accuracy + 9);
-    detail::TensorRule<axis, T, F> rule(f, problem, log_accuracy);
+    parts::TensorRule<axis, T, F> rule(f, problem, log_accuracy);
     const int most = std::clamp(options.max_nodes / 8 * 8, 8, detail::TensorTable<T>::max_nodes);
     const T rounding = std::numeric_limits<T>::epsilon() * (T(16) + problem.floor + std::abs(eta) / problem.c);
     const T factor = 1 / (2 * problem.theta);
@@ -302,8 +299,8 @@ template <Real T>
     const bool even = a != std::floor(a) && b != std::floor(b);
     const Estimate<T> scaled = even ? scaled_tensor_integral<Axis::even>(monomial, peaks, eta, options)
                                     : scaled_tensor_integral<Axis::graded>(monomial, peaks, eta, options);
-    const T scale = detail::gaussian((std::max)(eta, T(0)));
+    const T scale = math::gaussian((std::max)(eta, T(0)));
     return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

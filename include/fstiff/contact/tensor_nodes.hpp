@@ -94,7 +94,7 @@ struct LegendreNodes {
 
     template <std::size_t N>
     static LegendreNodes of() {
-        const auto& rule = GaussLegendre<T, N>::get();
+        const auto& rule = math::GaussLegendre<T, N>::get();
         return {static_cast<int>(N), rule.node.data(), rule.weight.data()};
     }
     static LegendreNodes at_least(int n) {

@@ -26,13 +26,11 @@
 #include <string>
 #include <system_error>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// float or double: what can be read back.
 template <class T>
 concept ReadableReal = Real<T> && !std::is_same_v<T, long double>;
-
-namespace detail {
 
 inline bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_hexadecimal_digit(char c) {
@@ -147,67 +145,65 @@ std::from_chars_result read_number(const char* first, const char* last, T& value
 #endif
 }
 
-}  // namespace detail
-
 /// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
 /// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number
 /// too large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
 template <ReadableReal T>
 std::from_chars_result read_decimal(const char* first, const char* last, T& value) {
-    return detail::read_number(first, last, value, false);
+    return read_number(first, last, value, false);
 }
 
 /// Reads, as read_decimal does, what hexadecimal_text writes.
 template <ReadableReal T>
 std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value) {
-    return detail::read_number(first, last, value, true);
+    return read_number(first, last, value, true);
 }
 
 /// The fewest digits that read back as \p value.
 template <ReadableReal T>
 [[nodiscard]] std::string shortest_text(T value) {
-    if constexpr (detail::has_to_chars<T>) {
-        return detail::text_by_to_chars(value);
+    if constexpr (has_to_chars<T>) {
+        return text_by_to_chars(value);
     } else {
         constexpr int most = std::numeric_limits<T>::max_digits10;
         for (int digits = 1; digits < most; ++digits) {
-            std::string text = detail::text_by_printf(value, 'g', digits);
+            std::string text = text_by_printf(value, 'g', digits);
             T back{};
             const auto error = read_decimal(text.data(), text.data() + text.size(), back).ec;
             if (back == value || error == std::errc::invalid_argument) return text;  // inf and nan are not read
         }
-        return detail::text_by_printf(value, 'g', most);
+        return text_by_printf(value, 'g', most);
     }
 }
 
 /// \p digits significant digits, trailing zeros dropped.
 template <Real T>
 [[nodiscard]] std::string rounded_text(T value, int digits) {
-    if constexpr (detail::has_to_chars<T>)
-        return detail::text_by_to_chars(value, std::chars_format::general, digits);
+    if constexpr (has_to_chars<T>)
+        return text_by_to_chars(value, std::chars_format::general, digits);
     else
-        return detail::text_by_printf(value, 'g', digits);
+        return text_by_printf(value, 'g', digits);
 }
 
 /// \p decimals digits after the point.
 template <Real T>
 [[nodiscard]] std::string fixed_text(T value, int decimals) {
-    if constexpr (detail::has_to_chars<T>)
-        return detail::text_by_to_chars(value, std::chars_format::fixed, decimals);
+    if constexpr (has_to_chars<T>)
+        return text_by_to_chars(value, std::chars_format::fixed, decimals);
     else
-        return detail::text_by_printf(value, 'f', decimals);
+        return text_by_printf(value, 'f', decimals);
 }
 
 /// Hexadecimal digits and a power of two, without 0x.
 template <ReadableReal T>
 [[nodiscard]] std::string hexadecimal_text(T value) {
-    if constexpr (detail::has_to_chars<T>) {
-        return detail::text_by_to_chars(value, std::chars_format::hex);
+    if constexpr (has_to_chars<T>) {
+        return text_by_to_chars(value, std::chars_format::hex);
     } else {
-        std::string text = detail::text_by_printf(value, 'a', -1);
+        std::string text = text_by_printf(value, 'a', -1);
         if (const std::size_t prefix = text.find("0x"); prefix != std::string::npos) text.erase(prefix, 2);
         return text;
     }
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

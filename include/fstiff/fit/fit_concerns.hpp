@@ -49,6 +49,8 @@ inline constexpr auto names<FitConcern> = name_list<FitConcern>({
     {FitConcern::correlated, "correlated"},
 });
 
+namespace parts {
+
 /// Whether the values of the fit are no answer at all; else they stand.
 [[nodiscard]] constexpr bool is_fatal(FitConcern concern) {
     return concern == FitConcern::singular || concern == FitConcern::not_converged || concern == FitConcern::at_bound;
@@ -61,6 +63,8 @@ inline constexpr auto names<FitConcern> = name_list<FitConcern>({
            concern == FitConcern::far_from_start;
 }
 
+}  // namespace parts
+
 /// One doubt about a fit, with the numbers behind it.
 template <Real T = double>
 struct FitFinding {
@@ -72,7 +76,7 @@ struct FitFinding {
     std::size_t point{};  ///< of outlier: the observation
 };
 
-namespace detail {
+namespace parts {
 
 /// The largest residual where it stands out from the others.
 template <Real T>
@@ -100,32 +104,33 @@ void add_far_from_start(const Identification<T>& fit, std::vector<FitFinding<T>>
     }
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// In the order of FitConcern, but at_bound and unresolved as the parameters come; singular stands alone.
 template <Real T>
 [[nodiscard]] std::vector<FitFinding<T>> concerns_of(const Identification<T>& fit) {
     std::vector<FitFinding<T>> findings;
-    if (fit.status == FitStatus::singular) {
+    if (fit.status == math::FitStatus::singular) {
         FitFinding<T> unseen{.concern = FitConcern::singular};
         for (const auto& one : fit.parameters)
             if (one.null_share > T(0.02)) unseen.parameters.push_back(one.parameter);
         return {unseen};
     }
-    if (fit.status == FitStatus::not_converged) findings.push_back({.concern = FitConcern::not_converged});
+    if (fit.status == math::FitStatus::not_converged) findings.push_back({.concern = FitConcern::not_converged});
     const auto freedom = static_cast<T>(fit.degrees_of_freedom);
     if (fit.errors_known && freedom > 0 && fit.chi_squared > freedom + 3 * std::sqrt(2 * freedom))
         findings.push_back({.concern = FitConcern::misfit, .value = fit.chi_squared / freedom});
     if (!fit.errors_known && fit.scatter > T(0.25))
         findings.push_back({.concern = FitConcern::scattered, .value = fit.scatter});
-    detail::add_outlier(fit, findings);
-    detail::add_far_from_start(fit, findings);
+    parts::add_outlier(fit, findings);
+    parts::add_far_from_start(fit, findings);
     const bool has_errors = fit.covariance.size() > 0;
-    if (!has_errors && fit.status != FitStatus::at_bound) findings.push_back({.concern = FitConcern::no_errors});
+    if (!has_errors && fit.status != math::FitStatus::at_bound) findings.push_back({.concern = FitConcern::no_errors});
     for (const auto& one : fit.parameters) {
         if (one.at_bound)
             findings.push_back({.concern = FitConcern::at_bound, .parameters = {one.parameter}});
-        else if (row_of(one.parameter).variation == Variation::log && has_errors && !(one.high < 100 * one.low))
+        else if (parts::row_of(one.parameter).variation == parts::Variation::log && has_errors &&
+                 !(one.high < 100 * one.low))
             findings.push_back(
                 {.concern = FitConcern::unresolved, .parameters = {one.parameter}, .value = one.high / one.low});
     }

@@ -39,8 +39,8 @@ private:
             &ContactParameters::rms_height,        &ContactParameters::peak_radius, &ContactParameters::peak_density,
             &ContactParameters::fractal_dimension, &ContactParameters::r,           &ContactParameters::theta,
             &ContactParameters::effective_modulus, &ContactParameters::offset};  // in the order of Parameter
-        static_assert(members.size() == parameter_table.size());
-        return self.*members[index_of(parameter)];
+        static_assert(members.size() == parts::parameter_table.size());
+        return self.*members[parts::index_of(parameter)];
     }
 };
 
@@ -67,15 +67,15 @@ template <Real T>
 T slope_of(const Sensitivity<T>& s, Parameter parameter) {
     const std::array slopes{s.rms_height, s.peak_radius, s.peak_density,      s.fractal_dimension,
                             s.r,          s.theta,       s.effective_modulus, s.pressure};  // in the order of Parameter
-    static_assert(slopes.size() == parameter_table.size());
-    return slopes[index_of(parameter)];
+    static_assert(slopes.size() == parts::parameter_table.size());
+    return slopes[parts::index_of(parameter)];
 }
 
 /// \throws domain_error naming the first point that no model has.
 template <Real T>
 void require_observations(const std::vector<Observation<T>>& data, bool is_reflection, bool errors_known) {
     const auto check = [](bool satisfied, std::size_t point, std::string_view name, T value, std::string_view allowed) {
-        if (!satisfied) refuse("data[" + std::to_string(point) + "]." + std::string(name), value, allowed);
+        if (!satisfied) parts::refuse("data[" + std::to_string(point) + "]." + std::string(name), value, allowed);
     };
     constexpr std::string_view positive = "finite and greater than 0";
     const auto is_positive = [](T x) { return x > 0 && x <= (std::numeric_limits<T>::max)(); };
@@ -95,9 +95,10 @@ template <Real T>
 void require_start(const std::vector<Parameter>& wanted, const ContactParameters<T>& start) {
     for (const Parameter each : wanted) {
         const T x = start[each];
-        require(ParameterScale<T>(each).inside(x), name_of(each), x, row_of(each).starting_range());
+        require(parts::ParameterScale<T>(each).inside(x), name_of(each), x, parts::row_of(each).starting_range());
         if (std::count(wanted.begin(), wanted.end(), each) > 1)
-            throw domain_error(Refusal{.parameter = name_of(each), .reason = "is fitted twice; must be named once"});
+            throw domain_error(
+                parts::Refusal{.parameter = name_of(each), .reason = "is fitted twice; must be named once"});
     }
 }
 
@@ -121,7 +122,7 @@ public:
           errors_known_(errors_known),
           values_(data.size()) {
         using Law = decltype(law(start.fractal_dimension));
-        if constexpr (!DimensionalLaw<Law, T>)
+        if constexpr (!parts::DimensionalLaw<Law, T>)
             require(std::count(wanted.begin(), wanted.end(), Parameter::fractal_dimension) == 0,
                     name_of(Parameter::fractal_dimension), start.fractal_dimension,
                     "fixed: this law has no members log_load_slope() and log_stiffness_slope()");
@@ -130,13 +131,13 @@ public:
     [[nodiscard]] ContactParameters<T> parameters_at(const Vector& u) const {
         ContactParameters<T> x = start_;
         for (std::size_t i = 0; i < wanted_.size(); ++i)
-            x[wanted_[i]] = ParameterScale<T>(wanted_[i]).value(u(static_cast<Eigen::Index>(i)));
+            x[wanted_[i]] = parts::ParameterScale<T>(wanted_[i]).value(u(static_cast<Eigen::Index>(i)));
         return x;
     }
     [[nodiscard]] Vector start() const {
         Vector u(static_cast<Eigen::Index>(wanted_.size()));
         for (std::size_t i = 0; i < wanted_.size(); ++i)
-            u(static_cast<Eigen::Index>(i)) = ParameterScale<T>(wanted_[i]).variable(start_[wanted_[i]]);
+            u(static_cast<Eigen::Index>(i)) = parts::ParameterScale<T>(wanted_[i]).variable(start_[wanted_[i]]);
         return u;
     }
     /// Model at the last point within its reach.
@@ -146,7 +147,7 @@ public:
     [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
         const ContactParameters<T> x = parameters_at(u);
         for (const Parameter each : wanted_)
-            if (!ParameterScale<T>(each).inside(x[each])) return false;
+            if (!parts::ParameterScale<T>(each).inside(x[each])) return false;
         for (const auto& one : data_)
             if (!(one.pressure + x.offset > 0)) return false;
         try {
@@ -168,7 +169,7 @@ private:
         if (wave_) {
             const T k = wave_->stiffness_ratio * s.stiffness;
             value = reflection(k, wave_->media, wave_->angular_frequency);
-            chain = wave_->stiffness_ratio * reflection_slope(k, wave_->media, wave_->angular_frequency);
+            chain = wave_->stiffness_ratio * parts::reflection_slope(k, wave_->media, wave_->angular_frequency);
         }
         const T error = errors_known_ ? data_[i].error : wave_ ? T(1) : data_[i].value;
         const auto row = static_cast<Eigen::Index>(i);
@@ -177,7 +178,7 @@ private:
         for (std::size_t k = 0; k < wanted_.size(); ++k) {
             const Parameter each = wanted_[k];
             jacobian(row, static_cast<Eigen::Index>(k)) =
-                slope_of(s, each) * chain * ParameterScale<T>(each).slope(x[each]) / error;
+                slope_of(s, each) * chain * parts::ParameterScale<T>(each).slope(x[each]) / error;
         }
     }
 

@@ -28,8 +28,10 @@ template <Real T = double>
 struct IdentifyOptions {
     std::optional<Wave<T>> wave{};
     RoughContactOptions<T> contact{};  ///< of the contact that is fitted: interaction, sigma_kappa of R
-    LeastSquaresOptions<T> search{};
+    math::LeastSquaresOptions<T> search{};
 };
+
+namespace parts {
 
 /// One fitted parameter.
 template <Real T = double>
@@ -41,11 +43,13 @@ struct IdentifiedParameter {
     bool at_bound = false;  ///< came to the end of its range
 };
 
+}  // namespace parts
+
 /// The outcome of identify().
 template <Real T = double>
 struct Identification {
-    FitStatus status{};
-    std::vector<IdentifiedParameter<T>> parameters;                ///< in the order asked for
+    math::FitStatus status{};
+    std::vector<parts::IdentifiedParameter<T>> parameters;                ///< in the order asked for
     ContactParameters<T> start{};                                  ///< where the search began
     ContactParameters<T> all{};                                    ///< fitted and fixed
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular or at_bound
@@ -59,7 +63,7 @@ struct Identification {
     int evaluations = 0;
 };
 
-namespace detail {
+namespace parts {
 
 /// A standard error above ln 100 of the logarithm that is fitted, a factor of 100 or nearly the whole range, tells
 /// nothing.
@@ -104,7 +108,7 @@ public:
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
     /// \p out has the values of \p fit already, and whether errors are known.
-    FitSummary(const std::vector<Parameter>& wanted, LeastSquaresFit<T>& fit, Identification<T>& out)
+    FitSummary(const std::vector<Parameter>& wanted, math::LeastSquaresFit<T>& fit, Identification<T>& out)
         : wanted_(wanted), fit_(fit), out_(out), count_(static_cast<Eigen::Index>(wanted.size())) {}
 
     /// \p residuals and \p jacobian at the end of the search.
@@ -146,7 +150,7 @@ private:
         Vector step = Vector::Zero(count_);
         deviation_ = step;
         if (fit_.covariance.size() > 0) deviation_ = fit_.covariance.diagonal().cwiseSqrt() * scale_;
-        const bool at_rest = fit_.status == FitStatus::converged;
+        const bool at_rest = fit_.status == math::FitStatus::converged;
         if (at_rest) step = -(fit_.covariance * (jacobian.transpose() * residuals));
         at_bound_.resize(wanted_.size());
         for (std::size_t i = 0; i < wanted_.size(); ++i) {
@@ -157,7 +161,7 @@ private:
         const Eigen::Index lost = at_rest ? lost_parameter(wanted_, deviation_, jacobian, scale_) : -1;
         const bool ended = std::count(at_bound_.begin(), at_bound_.end(), true) > 0;
         if (!ended && lost < 0) return;
-        fit_.status = ended ? FitStatus::at_bound : FitStatus::singular;
+        fit_.status = ended ? math::FitStatus::at_bound : math::FitStatus::singular;
         if (ended)
             fit_.null_direction.resize(0);
         else
@@ -184,7 +188,8 @@ private:
         if (fit_.null_direction.size() > 0)
             found.null_share = std::abs(fit_.null_direction(index)) / fit_.null_direction.cwiseAbs().maxCoeff();
         if (has_errors()) {
-            const T factor = student_quantile(normal_975<T>, out_.errors_known ? 0 : out_.degrees_of_freedom);
+            const T factor =
+                math::student_quantile(math::normal_975<T>, out_.errors_known ? 0 : out_.degrees_of_freedom);
             found.standard_error = deviation_(index) * fitted.slope(found.value);
             found.low = fitted.value(fit_.parameters(index) - factor * deviation_(index));
             found.high = fitted.value(fit_.parameters(index) + factor * deviation_(index));
@@ -193,7 +198,7 @@ private:
     }
 
     const std::vector<Parameter>& wanted_;
-    LeastSquaresFit<T>& fit_;
+    math::LeastSquaresFit<T>& fit_;
     Identification<T>& out_;
     Eigen::Index count_;
     T scale_ = 1;       ///< of the residuals
@@ -201,7 +206,7 @@ private:
     std::vector<bool> at_bound_;
 };
 
-}  // namespace detail
+}  // namespace parts
 
 /// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as [](T dimension) { return
 /// FractalLaw<T>(dimension); }. \throws domain_error for data or starting values that no model has, fewer points than
@@ -217,21 +222,21 @@ template <Real T, class MakeLaw>
     detail::CurveModel<T, MakeLaw> model(data, wanted, start, law, options.wave, options.contact, known);
     const auto points = static_cast<Eigen::Index>(data.size());
     // as a std::function the search is compiled once for all laws
-    using Fit = LeastSquaresFit<T>;
+    using Fit = math::LeastSquaresFit<T>;
     const std::function<bool(const typename Fit::Vector&, typename Fit::Vector&, typename Fit::Matrix&)> evaluate =
         [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); };
-    Fit fit = least_squares<T>(model.start(), points, evaluate, options.search);
+    Fit fit = math::least_squares<T>(model.start(), points, evaluate, options.search);
 
     Identification<T> out;
     out.errors_known = known;
     out.evaluations = fit.evaluations;
     out.start = start;
     out.all = model.parameters_at(fit.parameters);
-    typename detail::FitSummary<T>::Vector residuals(points);
-    typename detail::FitSummary<T>::Matrix jacobian(points, static_cast<Eigen::Index>(wanted.size()));
+    typename parts::FitSummary<T>::Vector residuals(points);
+    typename parts::FitSummary<T>::Matrix jacobian(points, static_cast<Eigen::Index>(wanted.size()));
     static_cast<void>(model(fit.parameters, residuals, jacobian));  // at the end, not at the last trial
     out.model = model.values();
-    detail::FitSummary<T>(wanted, fit, out).fill(residuals, jacobian);
+    parts::FitSummary<T>(wanted, fit, out).fill(residuals, jacobian);
     return out;
 }
 

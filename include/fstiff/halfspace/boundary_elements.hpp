@@ -42,6 +42,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// How the half space is solved.
 template <Real T = double>
 struct BoundaryElementOptions {
@@ -66,22 +68,24 @@ struct BoundaryElementState {
     bool converged = false;  ///< residual and that of the stiffness are below the tolerance
 };
 
+}  // namespace parts
+
 /// The elastic half space under one map, solved at one pressure after another.
 template <Real T = double>
 class BoundaryElements {
-    using Field = GridField<T>;
+    using Field = parts::GridField<T>;
 
 public:
     /// Of the surface \p map against a smooth flat. \throws domain_error for missing points and what HeightMap::validate says.
     BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                     const BoundaryElementOptions<T>& options = {});
+                     const parts::BoundaryElementOptions<T>& options = {});
 
     /// The contact under \p pressure [Pa], whatever was solved before. \throws domain_error unless 0 < pressure, < H.
-    [[nodiscard]] BoundaryElementState<T> at_pressure(T pressure);
+    [[nodiscard]] parts::BoundaryElementState<T> at_pressure(T pressure);
 
     /// The last one on the grid half as fine, from which it began. \throws domain_error before at_pressure() and where there
     /// is no such grid: of less than 16 points along the shorter side, and of heights that all cancel on it.
-    [[nodiscard]] BoundaryElementState<T> on_coarser_grid();
+    [[nodiscard]] parts::BoundaryElementState<T> on_coarser_grid();
 
     /// Pressures of the last solution [Pa], mirrored rows and columns left out.
     [[nodiscard]] Field pressures() const { return p_ * modulus_; }
@@ -99,10 +103,10 @@ private:
     /// Sets and conjugate gradients for p of the mean \p nominal (over E).
     Found solve_sets(T nominal, T tolerance);
     /// Points leave and join the set: whether none did.
-    [[nodiscard]] bool is_set_kept(detail::SetGradients<T>& gradients, T nominal);
+    [[nodiscard]] bool is_set_kept(parts::SetGradients<T>& gradients, T nominal);
     /// The same with p <= H, by projected gradients with the step of Barzilai and Borwein: most points in contact are bound then.
     Found solve_cut(T nominal, T tolerance);
-    [[nodiscard]] BoundaryElementState<T> state(T pressure, const Found& found) const;
+    [[nodiscard]] parts::BoundaryElementState<T> state(T pressure, const Found& found) const;
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
     static void project(Field& p, T nominal, T hard);
     /// Conjugate gradients for t on the contact: value is 1/K.
@@ -121,16 +125,16 @@ private:
 
     T modulus_;
     T softest_;  ///< pressure over E and deflection of the longest wave [1/m]: the first step of solve_cut
-    BoundaryElementOptions<T> options_;
+    parts::BoundaryElementOptions<T> options_;
     Field height_, p_, u_;  ///< [m]; pressure over E; deflection [m]
-    mutable SurfaceCompliance<T> compliance_;
+    mutable detail::SurfaceCompliance<T> compliance_;
     mutable detail::WaveFactors<float> inverse_;
     std::vector<BoundaryElements> coarser_;  ///< one, or none
 };
 
 template <Real T>
 BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                                      const BoundaryElementOptions<T>& options)
+                                      const parts::BoundaryElementOptions<T>& options)
     : modulus_(effective_modulus),
       softest_(numbers::pi_v<T> / (std::max)(map.dx * T(map.columns()), map.dy * T(map.rows()))),
       options_(options),
@@ -143,15 +147,15 @@ BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identit
     map.require_whole("before boundary elements");
     height_ -= height_.mean();
     if ((std::min)(map.rows(), map.columns()) < least_side) return;
-    const HeightMap<T> half = coarsened(map, (std::max)(map.rows(), map.columns()) / 2);
+    const HeightMap<T> half = parts::coarsened(map, (std::max)(map.rows(), map.columns()) / 2);
     if (half.heights.maxCoeff() == half.heights.minCoeff()) return;  // heights that cancel, of a zigzag
-    BoundaryElementOptions<T> silent = options;
+    parts::BoundaryElementOptions<T> silent = options;
     silent.progress = {};
     coarser_.emplace_back(half, effective_modulus, silent);
 }
 
 template <Real T>
-BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
+parts::BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
     require_positive("pressure", pressure);
     if (options_.hardness > 0)
         require(pressure < options_.hardness, "pressure", pressure, "less than the hardness (Pa)");
@@ -159,7 +163,7 @@ BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
 }
 
 template <Real T>
-BoundaryElementState<T> BoundaryElements<T>::on_coarser_grid() {
+parts::BoundaryElementState<T> BoundaryElements<T>::on_coarser_grid() {
     require(!coarser_.empty(), "coarser grids", 0, "1, which a map of 16 points a side has unless it is flat there");
     require(p_.size() > 0, "pressures solved", 0, "at least 1");
     const T nominal = p_.mean();
@@ -192,8 +196,8 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal, T tole
 }
 
 template <Real T>
-BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& found) const {
-    BoundaryElementState<T> state;
+parts::BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& found) const {
+    parts::BoundaryElementState<T> state;
     state.pressure = pressure;
     const auto contact = p_ > T(0);
     const Eigen::Index count = contact.count();
@@ -218,8 +222,8 @@ BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& foun
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T tolerance) {
     const T total = nominal * T(p_.size());
-    detail::SetGradients<T> gradients(compliance_, inverse_, height_);
-    gradients.start(detail::points_of(p_), u_);
+    parts::SetGradients<T> gradients(compliance_, inverse_, height_);
+    gradients.start(parts::points_of(p_), u_);
     int iteration = 0, quiet = 0;
     T sum = 0;
     while (iteration < options_.max_iterations) {
@@ -240,7 +244,7 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T
 }
 
 template <Real T>
-bool BoundaryElements<T>::is_set_kept(detail::SetGradients<T>& gradients, T nominal) {
+bool BoundaryElements<T>::is_set_kept(parts::SetGradients<T>& gradients, T nominal) {
     const auto& points = gradients.points();
     const T level = gradients.level();
     std::vector<Eigen::Index> next;
@@ -325,8 +329,8 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::held() const {
     const Field on = (p_ > T(0)).template cast<T>();
-    const HeldContact<T> found =
-        detail::held_together(compliance_, inverse_, on, p_, held_tolerance, options_.max_iterations);
+    const parts::HeldContact<T> found =
+        parts::held_together(compliance_, inverse_, on, p_, held_tolerance, options_.max_iterations);
     return {found.compliance, found.residual, found.iterations};
 }
 

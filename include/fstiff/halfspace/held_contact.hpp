@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// What conjugate gradients found.
 template <Real T = double>
@@ -37,8 +37,6 @@ struct HeldContact {
     T residual{};    ///< scatter of u on the set over its mean
     int iterations{};
 };
-
-namespace detail {
 
 /// Conjugate gradients for pressures of one mean on a set of points, which level the gap u[p] - h there. Pressures may
 /// become less than 0.
@@ -49,7 +47,7 @@ class SetGradients {
 
 public:
     /// Under \p heights. \p inverse is that of \p compliance.
-    SetGradients(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse, const Field& heights)
+    SetGradients(detail::SurfaceCompliance<T>& compliance, detail::WaveFactors<float>& inverse, const Field& heights)
         : compliance_(&compliance),
           inverse_(&inverse),
           heights_(&heights),
@@ -117,8 +115,8 @@ private:
         return pull;
     }
 
-    SurfaceCompliance<T>* compliance_;
-    WaveFactors<float>* inverse_;
+    detail::SurfaceCompliance<T>* compliance_;
+    detail::WaveFactors<float>* inverse_;
     const Field* heights_;
     std::vector<Eigen::Index> points_;
     Values gap_, direction_;
@@ -138,9 +136,9 @@ template <Real T>
 
 /// held_together, with the inverse of \p compliance.
 template <Real T>
-[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse,
-                                           const GridField<T>& on, const GridField<T>& start, T tolerance,
-                                           int max_iterations) {
+[[nodiscard]] HeldContact<T> held_together(detail::SurfaceCompliance<T>& compliance,
+                                           detail::WaveFactors<float>& inverse, const GridField<T>& on,
+                                           const GridField<T>& start, T tolerance, int max_iterations) {
     using Field = GridField<T>;
     // start over its mean has the mean 1; corrections of mean 0 take u to one value on the set
     Field t = start / start.mean(), u = t;
@@ -157,15 +155,13 @@ template <Real T>
     return held;
 }
 
-}  // namespace detail
-
 /// Of the points where \p on is 1 (others 0), from the pressures \p start on them, which are not 0 altogether.
 template <Real T>
-[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, const GridField<T>& on,
+[[nodiscard]] HeldContact<T> held_together(detail::SurfaceCompliance<T>& compliance, const GridField<T>& on,
                                            const GridField<T>& start, T tolerance = T(1e-6),
                                            int max_iterations = 2000) {
     detail::WaveFactors<float> inverse = compliance.inverse();
-    return detail::held_together(compliance, inverse, on, start, tolerance, max_iterations);
+    return held_together(compliance, inverse, on, start, tolerance, max_iterations);
 }
 
 /// The highest points of one map, held together at one share of the area after another.
@@ -198,7 +194,7 @@ public:
             std::clamp(std::round(points), T(1), static_cast<T>(order_.size() - 1)));
         GridField<T> on = GridField<T>::Zero(rows_, static_cast<Eigen::Index>(order_.size()) / rows_);
         for (std::size_t i = 0; i < count; ++i) on.data()[order_[i]] = 1;
-        SurfaceCompliance<T> compliance = compliance_;
+        detail::SurfaceCompliance<T> compliance = compliance_;
         return modulus_ / held_together<T>(compliance, on, on).compliance * (points / static_cast<T>(count));
     }
 
@@ -206,7 +202,7 @@ private:
     T modulus_;
     Eigen::Index rows_;
     std::vector<Eigen::Index> order_;  ///< the highest first
-    SurfaceCompliance<T> compliance_;
+    detail::SurfaceCompliance<T> compliance_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -36,7 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Where the sum over images ends and the grid takes over: 2e-9 of the largest deflection.
 struct FineSplit {
@@ -149,7 +149,7 @@ private:
     /// Cells of the grid along \p side: up to the wave number Split::waves a the window is resolved twice.
     [[nodiscard]] Eigen::Index cells(T side) const {
         const T step = numbers::pi_v<T> * range_ / T(2 * Split::reach * Split::waves);
-        return static_cast<Eigen::Index>(fast_fft_size((std::max)(std::size_t{2 * window},
+        return static_cast<Eigen::Index>(math::fast_fft_size((std::max)(std::size_t{2 * window},
                                                                   static_cast<std::size_t>(std::ceil(side / step)))));
     }
 
@@ -161,7 +161,7 @@ private:
     /// int window_at(t) cos(phase t) dt over the window.
     [[nodiscard]] static T transform_of_window(T phase) {
         constexpr std::size_t count = 48;
-        const auto& rule = GaussLegendre<T, count>::get();
+        const auto& rule = math::GaussLegendre<T, count>::get();
         static const auto weight = [&] {
             std::array<T, count> of;
             for (std::size_t i = 0; i < count; ++i)
@@ -258,7 +258,7 @@ private:
     }
 
     T range_, self_{}, mean_{}, per_cell_{};
-    SurfaceCompliance<T> compliance_;
+    detail::SurfaceCompliance<T> compliance_;
     GridField<T> grid_, margined_;  ///< the latter with columns beyond the edges, for windows across them
     std::vector<std::pair<Eigen::Index, Eigen::Index>> beyond_;  ///< each such column and where it belongs
     std::vector<Window> windows_;
@@ -267,4 +267,4 @@ private:
     std::vector<T> near_value_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -25,25 +25,23 @@
 #include <limits>
 #include <utility>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::detail {
 
 /// Multiplies each wave of a field by a number.
 template <Real T>
 class WaveFactors {
 public:
     /// \p factors: a row for each wave along x, in the order of LineTransform, in it one for each along y.
-    WaveFactors(GridField<T> factors, Edges edges)
+    WaveFactors(parts::GridField<T> factors, Edges edges)
         : factors_(std::move(factors)),
           turned_(factors_.rows(), factors_.cols()),
           along_x_(static_cast<std::size_t>(factors_.rows()), edges),
           along_y_(static_cast<std::size_t>(factors_.cols()), edges) {}
 
-    [[nodiscard]] const GridField<T>& factors() const { return factors_; }
+    [[nodiscard]] const parts::GridField<T>& factors() const { return factors_; }
 
-    void apply(GridField<T>& field) {
-        constexpr std::size_t lines = LinesTransform<T>::lines;
+    void apply(parts::GridField<T>& field) {
+        constexpr std::size_t lines = parts::LinesTransform<T>::lines;
         const auto rows = static_cast<std::size_t>(field.rows()), columns = static_cast<std::size_t>(field.cols());
         for (std::size_t j = 0; j < rows; j += lines) {
             const std::size_t count = (std::min)(lines, rows - j);
@@ -68,11 +66,9 @@ public:
     }
 
 private:
-    GridField<T> factors_, turned_;  ///< columns by rows of the field
-    LinesTransform<T> along_x_, along_y_;
+    parts::GridField<T> factors_, turned_;  ///< columns by rows of the field
+    parts::LinesTransform<T> along_x_, along_y_;
 };
-
-}  // namespace detail
 
 /// Displacement of the surface of an elastic half space under pressures on a grid.
 template <Real T = double>
@@ -91,12 +87,12 @@ public:
         : edges_(edges), compliance_(factors(rows, columns, dx, dy, edges, radial, along), edges) {}
 
     /// \p field becomes the deflection [m] under it, taken as pressure over E. Its mean becomes 0.
-    void deflect(GridField<T>& field) { compliance_.apply(field); }
+    void deflect(parts::GridField<T>& field) { compliance_.apply(field); }
 
     /// The inverse of deflect() over the stiffness of the stiffest wave, the mean left out, in single precision: a
     /// preconditioner.
     [[nodiscard]] detail::WaveFactors<float> inverse() const {
-        const GridField<T>& of = compliance_.factors();
+        const parts::GridField<T>& of = compliance_.factors();
         const auto softness = [](T value) { return value > 0 ? value : std::numeric_limits<T>::infinity(); };
         const T least = of.unaryExpr(softness).minCoeff();
         return {(least / of.unaryExpr(softness)).template cast<float>(), edges_};
@@ -104,20 +100,20 @@ public:
 
 private:
     template <class Radial, class Along>
-    static GridField<T> factors(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges, const Radial& radial,
-                                const Along& along) {
+    static parts::GridField<T> factors(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges,
+                                       const Radial& radial, const Along& along) {
         require_positive("dx", dx);
         require_positive("dy", dy);
         using Line = Eigen::Array<T, Eigen::Dynamic, 1>;
         const auto waves = [edges](Eigen::Index points, T step) -> Line {
             return Line::NullaryExpr(points, [&](Eigen::Index k) {
                 return 2 * numbers::pi_v<T> / (step * T(points)) *
-                       detail::wave_number<T>(static_cast<std::size_t>(k), edges);
+                       parts::wave_number<T>(static_cast<std::size_t>(k), edges);
             });
         };
         const Line qx = waves(columns, dx), qy = waves(rows, dy);
         const Line share_x = (qx * dx).unaryExpr(along), share_y = (qy * dy).unaryExpr(along);
-        GridField<T> compliance(columns, rows);
+        parts::GridField<T> compliance(columns, rows);
         for (Eigen::Index i = 0; i < columns; ++i)
             for (Eigen::Index j = 0; j < rows; ++j) {
                 const T q = std::hypot(qx[i], qy[j]);
@@ -131,4 +127,4 @@ private:
     detail::WaveFactors<T> compliance_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::detail

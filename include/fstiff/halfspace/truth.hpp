@@ -24,6 +24,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// How the truth of a map is computed.
 template <Real T = double>
 struct TruthOptions {
@@ -34,16 +36,18 @@ struct TruthOptions {
     ProgressHook progress{};  ///< called once a pressure
 };
 
+}  // namespace parts
+
 /// One pressure.
 template <Real T = double>
 struct TruthPoint {
-    BoundaryElementState<T> state{};
+    parts::BoundaryElementState<T> state{};
     T stiffness_error{};  ///< change from the grid half as fine [Pa/m]; infinite where all points of one grid alone touch; 0
                           ///< where all points of both touch, and where it was not asked for
     T gap_error{};        ///< the same of the mean gap [m]
 };
 
-namespace detail {
+namespace parts {
 
 /// The grid on which \p map is solved.
 template <Real T>
@@ -55,15 +59,15 @@ template <Real T>
     return fine;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// The contact of \p map against a smooth flat under \p pressures [Pa], in their order.
 /// \throws domain_error as BoundaryElements, and for fewer than 16 points.
 template <Real T, class Pressures>
 [[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                                               const Pressures& pressures, const TruthOptions<T>& options = {}) {
-    const BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
-    BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, how);
+                                               const Pressures& pressures, const parts::TruthOptions<T>& options = {}) {
+    const parts::BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
+    BoundaryElements<T> solver(parts::map_for_truth(map, options.points), effective_modulus, how);
     std::vector<TruthPoint<T>> points;
     for (const T pressure : pressures) {
         if (options.progress) options.progress("pressures", points.size(), std::size(pressures));

@@ -21,7 +21,7 @@
 #include <numbers>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::math {
 
 /// Does not allocate.
 template <Real T = double>
@@ -56,8 +56,8 @@ public:
     }
 
     template <int N>
-    [[nodiscard]] detail::Lanes<T, N> operator()(const detail::Lanes<T, N>& x) const noexcept {
-        using V = detail::Lanes<T, N>;
+    [[nodiscard]] Lanes<T, N> operator()(const Lanes<T, N>& x) const noexcept {
+        using V = Lanes<T, N>;
         const V u = (x - V::all(middle_)) / V::all(half_), twice = u + u;
         V next = V::all(0), after = next;
         for (std::size_t j = size_; j-- > 1;) {
@@ -67,7 +67,7 @@ public:
         }
         return multiply_add(u, next, V::all(c_[0] / 2) - after);
     }
-    [[nodiscard]] T operator()(T x) const noexcept { return (*this)(detail::Lanes<T, 1>::all(x)).p; }
+    [[nodiscard]] T operator()(T x) const noexcept { return (*this)(Lanes<T, 1>::all(x)).p; }
 
     /// The series of the derivative.
     [[nodiscard]] ChebyshevSeries derivative() const {
@@ -110,14 +110,14 @@ public:
     [[nodiscard]] T operator()(T x) const { return at(x)(x); }
     /// At \p x, which rise or fall.
     template <int N>
-    [[nodiscard]] detail::Lanes<T, N> operator()(const detail::Lanes<T, N>& x) const {
+    [[nodiscard]] Lanes<T, N> operator()(const Lanes<T, N>& x) const {
         std::array<T, std::size_t{N}> one;
         x.store(one.data());
         const auto [least, greatest] = std::minmax(one.front(), one.back());
         const ChebyshevSeries<T>*series = &at(least), *const last = &at(greatest);
         auto value = (*series)(x);
         while (series != last) {
-            const auto end = detail::Lanes<T, N>::all(series->end());
+            const auto end = Lanes<T, N>::all(series->end());
             value = select_less(end, x, (*++series)(x), value);
         }
         return value;
@@ -160,8 +160,6 @@ private:
 
     std::vector<ChebyshevSeries<T>> sections_;
 };
-
-namespace detail {
 
 /// The polynomial of degree N-1 in s in [-1, 1] through given values at the N Chebyshev-Lobatto points cos(pi k/(N-1)),
 /// whose ends are the ends of the interval: neighbouring pieces agree there.
@@ -211,6 +209,4 @@ private:
     std::array<std::array<T, size>, size> inverse_;  ///< by columns
 };
 
-}  // namespace detail
-
-}  // namespace fstiff
+}  // namespace fstiff::math

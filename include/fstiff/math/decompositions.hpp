@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::math {
 
 template <Real T>
 T dot(const T* a, const T* b, Eigen::Index count) {
@@ -52,8 +50,6 @@ struct Rotation {
 /// Sweeps over all pairs end here at the latest; they converge quadratically, in six to ten.
 inline constexpr int max_sweeps = 60;
 
-}  // namespace detail
-
 /// A least-squares solver for a matrix of at least as many rows as columns.
 template <Real T = double>
 class PivotedQr {
@@ -74,7 +70,7 @@ public:
             Index pivot = k;
             T square = -1;
             for (Index j = k; j < columns; ++j) {
-                const T here = detail::dot(&qr_(k, j), &qr_(k, j), left);
+                const T here = dot(&qr_(k, j), &qr_(k, j), left);
                 if (here > square) square = here, pivot = j;
             }
             const T length = std::sqrt(square);
@@ -91,7 +87,7 @@ public:
             diagonal_[static_cast<std::size_t>(k)] = -moved;
             for (Index j = k + 1; j < columns; ++j) {
                 T* other = &qr_(k, j);
-                const T share = detail::dot(v, other, left) / (moved * v[0]);
+                const T share = dot(v, other, left) / (moved * v[0]);
                 for (Index i = 0; i < left; ++i) other[i] -= share * v[i];
             }
             rank_ = k + 1;
@@ -126,7 +122,7 @@ private:
             const T* v = &qr_(k, k);
             const Index left = qr_.rows() - k;
             const T share =
-                detail::dot(v, static_cast<const T*>(b + k), left) / (-diagonal_[static_cast<std::size_t>(k)] * v[0]);
+                dot(v, static_cast<const T*>(b + k), left) / (-diagonal_[static_cast<std::size_t>(k)] * v[0]);
             for (Index i = 0; i < left; ++i) b[k + i] -= share * v[i];
         }
         for (Index k = rank_ - 1; k >= 0; --k) {
@@ -165,20 +161,20 @@ template <Real T>
     result.vectors.setIdentity(columns, columns);
     auto& v = result.vectors;
     bool turned = true;
-    for (int sweep = 0; turned && sweep < detail::max_sweeps; ++sweep) {
+    for (int sweep = 0; turned && sweep < max_sweeps; ++sweep) {
         turned = false;
         for (Index i = 0; i + 1 < columns; ++i)
             for (Index j = i + 1; j < columns; ++j) {
-                const T ii = detail::dot(&a(0, i), &a(0, i), rows), jj = detail::dot(&a(0, j), &a(0, j), rows);
-                const T ij = detail::dot(&a(0, i), &a(0, j), rows);
+                const T ii = dot(&a(0, i), &a(0, i), rows), jj = dot(&a(0, j), &a(0, j), rows);
+                const T ij = dot(&a(0, i), &a(0, j), rows);
                 if (!(std::abs(ij) > std::numeric_limits<T>::epsilon() * std::sqrt(ii) * std::sqrt(jj))) continue;
                 turned = true;
-                const detail::Rotation<T> rotate(ii, ij, jj);
+                const math::Rotation<T> rotate(ii, ij, jj);
                 for (Index k = 0; k < rows; ++k) rotate(a(k, i), a(k, j));
                 for (Index k = 0; k < columns; ++k) rotate(v(k, i), v(k, j));
             }
     }
-    for (Index i = 0; i < columns; ++i) result.values[i] = std::sqrt(detail::dot(&a(0, i), &a(0, i), rows));
+    for (Index i = 0; i < columns; ++i) result.values[i] = std::sqrt(dot(&a(0, i), &a(0, i), rows));
     for (Index i = 0; i < columns; ++i) {  // the largest first
         Index largest = i;
         for (Index j = i + 1; j < columns; ++j)
@@ -199,16 +195,16 @@ template <Real T>
     result.values.resize(size);
     result.vectors.setIdentity(size, size);
     T square = 0;
-    for (Index j = 0; j < size; ++j) square += detail::dot(&a(0, j), &a(0, j), size);
+    for (Index j = 0; j < size; ++j) square += dot(&a(0, j), &a(0, j), size);
     const T nothing = std::numeric_limits<T>::epsilon() / 16 * std::sqrt(square);
     bool turned = true;
-    for (int sweep = 0; turned && sweep < detail::max_sweeps; ++sweep) {
+    for (int sweep = 0; turned && sweep < max_sweeps; ++sweep) {
         turned = false;
         for (Index i = 0; i + 1 < size; ++i)
             for (Index j = i + 1; j < size; ++j) {
                 if (!(std::abs(a(i, j)) > nothing)) continue;
                 turned = true;
-                const detail::Rotation<T> rotate(a(i, i), a(i, j), a(j, j));
+                const math::Rotation<T> rotate(a(i, i), a(i, j), a(j, j));
                 const T moved = rotate.tangent * a(i, j);
                 for (Index k = 0; k < size; ++k) {
                     if (k != i && k != j) {
@@ -225,4 +221,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::math

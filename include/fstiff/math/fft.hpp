@@ -35,7 +35,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::math {
 
 /// The least multiple of 4 that has no prime factor above 5 and holds \p points. \throws domain_error beyond 2^30.
 [[nodiscard]] inline std::size_t fast_fft_size(std::size_t points) {
@@ -51,8 +51,6 @@ namespace fstiff {
     return best;
 }
 
-namespace detail {
-
 /// Whether kissfft, which takes p^2 steps for a prime factor p, transforms \p size numbers quickly.
 /// \throws domain_error for a size out of range.
 [[nodiscard]] inline bool is_smooth_size(std::size_t size) {
@@ -61,11 +59,9 @@ namespace detail {
         while (rest % p == 0 && rest > 0) rest /= p;
     const std::size_t largest = std::size_t{1} << (rest == 1 ? 30 : 28);
     if (size == 0 || size > largest)
-        detail::refuse("size of a transform", size, rest == 1 ? "from 1 to 2^30" : "from 1 to 2^28");
+        parts::refuse("size of a transform", size, rest == 1 ? "from 1 to 2^30" : "from 1 to 2^28");
     return rest == 1 && size > 1;  // kissfft does not do one number
 }
-
-}  // namespace detail
 
 /// Transforms of complex data of one length; keeps its phases from call to call.
 template <Real T = double>
@@ -76,7 +72,7 @@ public:
     /// \throws domain_error for 0 and beyond 2^30, 2^28 where \p size has a prime factor above 50.
     explicit ComplexFft(std::size_t size) : size_(size) {
         fft_.SetFlag(Eigen::FFT<T>::Unscaled);
-        if (detail::is_smooth_size(size)) return;
+        if (is_smooth_size(size)) return;
         chirp_.resize(size);  // exp(-pi i j^2/M)
         for (std::size_t j = 0; j < size; ++j)
             chirp_[j] = std::polar(T(1), -numbers::pi_v<T> * static_cast<T>(j * j % (2 * size)) / static_cast<T>(size));
@@ -126,7 +122,7 @@ class RealFft {
 public:
     /// \throws domain_error for 0 and beyond 2^30, 2^28 where \p size has a prime factor above 50.
     explicit RealFft(std::size_t size) : size_(size) {
-        if (!detail::is_smooth_size(size)) any_.emplace(size);
+        if (!is_smooth_size(size)) any_.emplace(size);
         fft_.SetFlag(Eigen::FFT<T>::HalfSpectrum);
     }
 
@@ -136,7 +132,7 @@ public:
     /// Z_0 ... Z_(M/2) of \p data, padded with zeros. \throws domain_error when there are more than M numbers.
     void forward(std::span<const T> data, std::vector<std::complex<T>>& spectrum) {
         if (data.size() > size_)
-            detail::refuse("data of a transform", std::to_string(data.size()) + " numbers",
+            parts::refuse("data of a transform", std::to_string(data.size()) + " numbers",
                            "at most " + std::to_string(size_));
         const T* source = data.data();
         if (data.size() < size_) {
@@ -157,7 +153,7 @@ public:
     /// z_0 ... z_(M-1). \throws domain_error unless the spectrum has M/2 + 1 numbers.
     void inverse(std::span<const std::complex<T>> spectrum, std::vector<T>& data) {
         if (spectrum.size() != size_ / 2 + 1)
-            detail::refuse("spectrum", std::to_string(spectrum.size()) + " numbers", std::to_string(size_ / 2 + 1));
+            parts::refuse("spectrum", std::to_string(spectrum.size()) + " numbers", std::to_string(size_ / 2 + 1));
         data.resize(size_);
         if (any_) {
             in_.resize(size_);
@@ -180,4 +176,4 @@ private:
     std::vector<std::complex<T>> in_, out_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::math

@@ -23,9 +23,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::math {
 
 /// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; for x < 0 too.
 inline constexpr int moment_far = 30, pieces_a_side = 33;
@@ -162,15 +160,13 @@ auto with_power(T a, const F& f) {
     return f.template operator()<5>();
 }
 
-}  // namespace detail
-
 /// F_a(x). \throws domain_error for an a outside the list above or an x that is NaN.
 template <Real T>
 [[nodiscard]] T gaussian_moment(T a, T x) {
     require(!std::isnan(x), "x", x, "a number");
     x = std::clamp(x, -(std::numeric_limits<T>::max)(), (std::numeric_limits<T>::max)());
-    return detail::with_power(
-        a, [x]<int TwiceA>() { return detail::scaled_moment<TwiceA>(x) * (x > 0 ? detail::gaussian(x) : T(1)); });
+    return with_power(
+        a, [x]<int TwiceA>() { return scaled_moment<TwiceA>(x) * (x > 0 ? gaussian(x) : T(1)); });
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::math

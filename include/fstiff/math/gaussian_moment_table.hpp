@@ -7,7 +7,7 @@
 #include <array>
 #include <type_traits>
 
-namespace fstiff::detail {
+namespace fstiff::math {
 
 // clang-format off
 /// The scalar in which a function of T that rests on these tables is computed.
@@ -176,6 +176,5 @@ struct ErfTable<double> {
     static constexpr std::array<double, 5> rough_middle{9.99994670521436173e-1, -5.33371834739448e-5, 5.9088234943136e-5, 2.41632179454303e-4, -2.5196838811499e-4};
     static constexpr std::array<double, 1> rough_outer{9.99999999974011616e-1};
 };
-// clang-format on
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::math

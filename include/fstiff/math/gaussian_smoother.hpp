@@ -14,7 +14,7 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
 
-namespace fstiff {
+namespace fstiff::math {
 
 /// The sums above for data of one size; keeps the transform of the weights from call to call.
 template <Real T = double>
@@ -43,7 +43,7 @@ public:
 
     /// The most lines that are smoothed at once: two to each lane of a vector, the real and the imaginary part of one
     /// transform, which the weights leave apart since theirs is real.
-    static constexpr std::size_t lines = 2 * detail::FftOfLines<T>::width;
+    static constexpr std::size_t lines = 2 * FftOfLines<T>::width;
     /// The same of \p count lines; number i of line l is \p data[i step + l jump].
     void of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count) {
         constexpr std::size_t width = lines / 2;
@@ -78,8 +78,8 @@ private:
     std::size_t size_;
     RealFft<T> fft_;
     std::vector<std::complex<T>> shape_, spectrum_;
-    std::optional<detail::FftOfLines<T>> together_;
+    std::optional<FftOfLines<T>> together_;
     std::vector<T> re_, im_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::math

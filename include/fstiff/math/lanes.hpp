@@ -15,7 +15,7 @@
 
 #include <array>
 
-namespace fstiff::detail {
+namespace fstiff::math {
 
 template <Real T, int N>
 using PacketOf = std::conditional_t<N == 1, T, typename Eigen::internal::find_best_packet<T, N>::type>;
@@ -128,6 +128,5 @@ struct Lanes<T, N, false> {
         return {select_less(a.low, b.low, yes.low, no.low), select_less(a.high, b.high, yes.high, no.high)};
     }
 };
-// clang-format on
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::math

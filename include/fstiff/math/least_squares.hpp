@@ -22,6 +22,8 @@
 
 namespace fstiff {
 
+namespace math {
+
 /// When the search for least squares ends.
 template <Real T = double>
 struct LeastSquaresOptions {
@@ -40,13 +42,18 @@ enum class FitStatus {
     at_bound,  ///< a parameter came to the end of its range, which only a caller knows (fit/identify): no covariance
     not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
 };
+
+}  // namespace math
+
 template <>
-inline constexpr auto names<FitStatus> = name_list<FitStatus>({
-    {FitStatus::converged, "converged"},
-    {FitStatus::singular, "singular"},
-    {FitStatus::not_converged, "not_converged"},
-    {FitStatus::at_bound, "at_bound"},
+inline constexpr auto names<math::FitStatus> = name_list<math::FitStatus>({
+    {math::FitStatus::converged, "converged"},
+    {math::FitStatus::singular, "singular"},
+    {math::FitStatus::not_converged, "not_converged"},
+    {math::FitStatus::at_bound, "at_bound"},
 });
+
+namespace math {
 
 /// The outcome of a fit by least squares.
 template <Real T = double>
@@ -60,8 +67,6 @@ struct LeastSquaresFit {
     T sum_of_squares{};
     int evaluations = 0;
 };
-
-namespace detail {
 
 /// Lengths of the columns of \p jacobian; 1 in place of 0.
 template <Real T>
@@ -103,8 +108,6 @@ void set_covariance(LeastSquaresFit<T>& fit, const typename LeastSquaresFit<T>::
     fit.status = ended ? FitStatus::converged : FitStatus::not_converged;
 }
 
-}  // namespace detail
-
 /// Minimises |f|^2 from \p start. \p evaluate(x, f, J) fills residuals and derivatives, and returns whether x is in the
 /// domain of the model. \throws domain_error when there are fewer residuals than parameters, or the start is outside.
 template <Real T, class Evaluate>
@@ -114,9 +117,10 @@ template <Real T, class Evaluate>
     using Vector = typename Fit::Vector;
     using Matrix = typename Fit::Matrix;
     const Eigen::Index count = start.size();
-    if (count == 0) throw domain_error(Refusal{.parameter = "parameters to fit", .reason = "none; must be at least 1"});
+    if (count == 0)
+        throw domain_error(parts::Refusal{.parameter = "parameters to fit", .reason = "none; must be at least 1"});
     if (residuals < count)
-        throw domain_error(Refusal{.parameter = "data",
+        throw domain_error(parts::Refusal{.parameter = "data",
                                    .reason = std::to_string(residuals) + " points; must be at least as many as the " +
                                              std::to_string(count) + " parameters to fit"});
     Fit fit;
@@ -129,15 +133,15 @@ template <Real T, class Evaluate>
         return evaluate(x, f, j) && f.allFinite() && j.allFinite() && std::isfinite(f.squaredNorm());
     };
     if (!usable(start, fit.residuals, jacobian))
-        throw domain_error(Refusal{.parameter = "the starting values",
+        throw domain_error(parts::Refusal{.parameter = "the starting values",
                                    .reason = "the model has no value there for the data; must be closer to them"});
     fit.sum_of_squares = fit.residuals.squaredNorm();
 
     T damping = T(1e-3);
     bool ended = false;
     for (int step = 0; step < options.max_iterations && !ended; ++step) {
-        const Vector scale = detail::column_scales<T>(jacobian);
-        const Vector scaled = detail::damped_step(fit, jacobian, scale, damping);
+        const Vector scale = column_scales<T>(jacobian);
+        const Vector scaled = damped_step(fit, jacobian, scale, damping);
         const Vector trial = fit.parameters + scaled.cwiseQuotient(scale);
         const bool inside = trial.allFinite() && usable(trial, trial_residuals, trial_jacobian);
         const T found = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
@@ -160,8 +164,10 @@ template <Real T, class Evaluate>
             if (damping > T(1e12)) break;
         }
     }
-    detail::set_covariance(fit, jacobian, ended, options.singular_value);
+    set_covariance(fit, jacobian, ended, options.singular_value);
     return fit;
 }
+
+}  // namespace math
 
 }  // namespace fstiff

@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace fstiff {
+namespace fstiff::math {
 
 /// phi(z).
 template <Real T>
@@ -31,8 +31,6 @@ template <Real T>
 [[nodiscard]] T normal_share(T z) {
     return std::erfc(-z / std::sqrt(T(2))) / 2;
 }
-
-namespace detail {
 
 /// The rational functions of AS 241: about the median, in the tails, and beyond p = 1e-11.
 struct NormalTable {
@@ -66,12 +64,10 @@ struct NormalTable {
     }
 };
 
-}  // namespace detail
-
 /// z below which the share \p probability of normal numbers lies.
 template <Real T>
 [[nodiscard]] T normal_quantile(T probability) {
-    using Table = detail::NormalTable;
+    using Table = NormalTable;
     const double p = static_cast<double>(probability), q = static_cast<double>(probability - T(0.5));
     double z = 0;
     if (std::abs(q) <= 0.425) {
@@ -90,4 +86,4 @@ template <Real T>
     return static_cast<T>(z);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::math

@@ -23,7 +23,7 @@
 #include <numeric>
 #include <utility>
 
-namespace fstiff {
+namespace fstiff::math {
 
 /// How a search for a root ended.
 enum class RootStatus {
@@ -47,8 +47,6 @@ struct RootResult {
 template <Real T>
 inline constexpr int root_iterations = (std::max)(200, 3 * std::numeric_limits<T>::digits);
 
-namespace detail {
-
 /// Where a root lies, and whether f was evaluated at the ends.
 template <Real T>
 struct Bracket {
@@ -63,8 +61,6 @@ struct Bracket {
     }
 };
 
-}  // namespace detail
-
 /// The root of the monotone function \p f in [\p lower, \p upper], sought from \p guess (moved there when outside).
 /// \p f takes x and returns a pair {value, slope}. Does not allocate; throws only what f throws.
 template <Real T, class F>
@@ -73,7 +69,7 @@ template <Real T, class F>
     int max_iterations = root_iterations<T>) noexcept(std::is_nothrow_invocable_v<F&, T>) {
     if (!(std::isfinite(lower) && std::isfinite(upper) && lower <= upper)) return {guess, 0, 0, RootStatus::no_bracket};
 
-    detail::Bracket<T> bracket{lower, upper};
+    Bracket<T> bracket{lower, upper};
     auto& [low, high, low_seen, high_seen] = bracket;
     T x = std::isnan(guess) ? std::midpoint(low, high) : std::clamp(guess, low, high);
     int direction = 0;  // +1 rising, -1 falling, 0 not known yet
@@ -127,4 +123,4 @@ template <Real T, class F>
     return {x, high - low, (std::max)(max_iterations, 0), RootStatus::not_converged};
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::math

@@ -18,7 +18,7 @@
 #include <array>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::math {
 
 /// Long waves of a profile or a map by a robust filter.
 template <class Surface>
@@ -69,8 +69,6 @@ template <Real T>
     }
     return (values[3] + values[4]) / 2;
 }
-
-namespace detail {
 
 /// Counts the spikes among \p heights, and with \p remove makes them NaN: those whose \p differences (NaN: none) are
 /// farther than \p limit robust standard deviations, 1.4826 times the median of |d - median d|, from their median.
@@ -124,6 +122,4 @@ template <Real F, class Exists, class Sum, class Weight, class Value>
     return result;
 }
 
-}  // namespace detail
-
-}  // namespace fstiff
+}  // namespace fstiff::math

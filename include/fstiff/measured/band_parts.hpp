@@ -23,7 +23,7 @@
 #include <span>
 #include <type_traits>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// How many times K of a face with a lay may exceed that of an isotropic one with the statistics of a profile across
 /// it: boundary elements of three turned faces gave 10 to 18 at p* of 1e-4 to 1e-2.
@@ -71,8 +71,8 @@ void widen_by_lay(SampledBand<T>& band) {
 /// D greater and smaller by what the choice of its window of lags leaves open: 5 % and 95 %, within (1, 2).
 template <Real T>
 [[nodiscard]] std::array<T, 2> dimensions_of_other_windows(T dimension, T window_error) {
-    const T away = normal_95<T>.value * window_error;
+    const T away = math::normal_95<T>.value * window_error;
     return {std::clamp(dimension - away, T(1.001), T(1.999)), std::clamp(dimension + away, T(1.001), T(1.999))};
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -23,7 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Steps that a given lambda_s, a given lambda_c holds at least.
 inline constexpr int min_steps_of_lambda_s = 2, min_steps_of_lambda_c = 5;
@@ -99,8 +99,6 @@ template <Real T>
     return {};
 }
 
-namespace detail {
-
 /// \throws domain_error for a given cut-off that the surface cannot hold.
 template <Real T>
 void require_cut_offs(const MeasureOptions<T>& options, T step, T length) {
@@ -148,22 +146,20 @@ template <Real T>
     return found;
 }
 
-}  // namespace detail
-
 /// Cut-offs for \p profile, which may still have its form: all but the lambda_c of the tables, which choose_lambda_c()
 /// finds once the form and the waves below lambda_s are gone. \throws domain_error for a given one that the profile
 /// cannot hold.
 template <Real T>
 [[nodiscard]] CutOffs<T> choose_cut_offs(const Profile<T>& profile, const MeasureOptions<T>& options = {}) {
-    return detail::given_cut_offs(options, profile.spacing, profile.length());
+    return given_cut_offs(options, profile.spacing, profile.length());
 }
 
 /// Cut-offs for \p map, of which the tables choose lambda_s alone. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] CutOffs<T> choose_cut_offs(const HeightMap<T>& map, const MeasureOptions<T>& options = {}) {
     if (options.form_cut_off)
-        detail::refuse("form_cut_off", *options.form_cut_off, "left out for a map: it belongs to the form of a profile");
-    CutOffs<T> found = detail::given_cut_offs(
+        refuse("form_cut_off", *options.form_cut_off, "left out for a map: it belongs to the form of a profile");
+    CutOffs<T> found = given_cut_offs(
         options, (std::max)(map.dx, map.dy),
         (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy));
     if (options.lambda_c.automatic()) found.why_c = CutOffReason::form_alone;
@@ -189,4 +185,4 @@ template <Real T>
     return {*lambda_s / root, *lambda_s * root};
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -38,7 +38,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Skewness and kurtosis of heights; by default those of a Gaussian surface.
 template <Real T = double>
@@ -95,7 +95,7 @@ class ShapeOfHeights {
 public:
     /// \throws domain_error as independent_points.
     void add(const Profile<T>& profile) {
-        points_ += fstiff::independent_points(profile);
+        points_ += parts::independent_points(profile);
         add_heights(profile.heights);
     }
     /// \throws domain_error as HeightMap::validate.
@@ -116,7 +116,7 @@ public:
         for (std::size_t from = 0, to = 0; from < z.size(); from = to) {
             while (to < z.size() && z[to] == z[from]) ++to;
             const auto equal = static_cast<T>(to - from);
-            const T score = normal_quantile((static_cast<T>(from) + static_cast<T>(to)) / (2 * count));
+            const T score = math::normal_quantile((static_cast<T>(from) + static_cast<T>(to)) / (2 * count));
             square += equal * z[from] * z[from], product += equal * z[from] * score, scores += equal * score * score;
         }
         if (z.size() < 16 || !(square > 0)) return 0;
@@ -142,7 +142,7 @@ private:
             const Heights z = line(k);
             Profile<T> profile{std::vector<T>(z.data(), z.data() + z.size()), T(1)};
             if (profile.present() < 16 || !(rms_height(profile) > 0)) continue;
-            sum += fstiff::independent_points(profile), lines += 1;
+            sum += parts::independent_points(profile), lines += 1;
         }
         return lines > 0 ? sum / lines : T(1);
     }
@@ -159,4 +159,4 @@ private:
     std::vector<T> heights_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

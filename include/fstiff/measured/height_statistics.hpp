@@ -110,7 +110,7 @@ template <Real T, std::size_t blocks>
 template <Real T>
 [[nodiscard]] HeightStatistics<T> height_statistics(const Profile<T>& profile) {
     profile.validate(16);
-    const T mean = mean_height(profile), rms = rms_height(profile);
+    const T mean = parts::mean_height(profile), rms = rms_height(profile);
     const std::vector<T>& z = profile.heights;
     std::array<detail::HeightPowers<T>, 16> sums{};
     const auto height = [&](std::size_t i) {
@@ -128,7 +128,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] HeightStatistics<T> height_statistics(const HeightMap<T>& map) {
     map.validate();
-    const T mean = mean_height(map), rms = rms_height(map);
+    const T mean = parts::mean_height(map), rms = rms_height(map);
     const Eigen::Index rows = map.rows(), columns = map.columns();
     std::array<detail::HeightPowers<T>, 16> sums{};
     const auto height = [&](Eigen::Index j, Eigen::Index i) {

@@ -33,7 +33,7 @@ namespace fstiff::detail {
 template <Real S>
 struct HeightSums {
     S points{}, first{}, square{}, highest = std::numeric_limits<S>::lowest();
-    TripleSums<S> triples;
+    parts::TripleSums<S> triples;
     S inner{}, summits{}, summit_curvature{};  // of a map: points with eight neighbours, those above them
 
     void add_point(S z) {
@@ -70,7 +70,7 @@ Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
         std::asin((std::min)(S(1), curvature / slope / 2));  // curvature = 2 slope is a zigzag, but for rounding
     if (count == PeakCount::profile) {
         const S share = static_cast<S>(sums.triples.peaks) / static_cast<S>(sums.triples.triples);
-        e[1] = radius_times_rms_curvature<S>() / curvature;
+        e[1] = parts::radius_times_rms_curvature<S>() / curvature;
         e[2] = 2 * numbers::pi_v<S> / (3 * std::sqrt(S(3))) * share * share;
     } else if (count == PeakCount::summits) {
         e[1] = sums.summits / sums.summit_curvature;
@@ -92,7 +92,7 @@ template <Real S>
 EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::size_t block, PeakCount count,
                                  std::size_t resamples, std::uint64_t seed, const ProgressHook& progress) {
     EstimateSpread<S> spread;
-    BlockDraw draw_block(cells.size(), block, seed);
+    math::BlockDraw draw_block(cells.size(), block, seed);
     spread.blocks = draw_block.blocks();
     HeightSums<S> all;
     for (const auto& cell : cells) all.add(cell);
@@ -112,14 +112,14 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
         if (draw.isFinite().all()) draws.push_back(draw);  // a draw without peaks says nothing
     }
     if (spread.blocks < 2 || draws.size() < 2)
-        refuse("resamples of " + std::to_string(spread.blocks) + " parts of the surface that hold peaks", draws.size(),
-               "at least 2, of 2 parts at least, for an error");
+        parts::refuse("resamples of " + std::to_string(spread.blocks) + " parts of the surface that hold peaks",
+                      draws.size(), "at least 2, of 2 parts at least, for an error");
     Estimates<S> mean = Estimates<S>::Zero();
     for (const auto& draw : draws) mean += draw / static_cast<S>(draws.size());
     Eigen::Matrix<S, 6, 6> covariance = Eigen::Matrix<S, 6, 6>::Zero();
     for (const auto& draw : draws) covariance += (draw - mean).matrix() * (draw - mean).matrix().transpose();
     const S blocks = static_cast<S>(spread.blocks);
-    const S few = student_quantile(normal_95<S>, static_cast<int>(blocks) - 1) / normal_95<S>.value;
+    const S few = math::student_quantile(math::normal_95<S>, static_cast<int>(blocks) - 1) / math::normal_95<S>.value;
     covariance *= few * few * blocks / (blocks - 1) / static_cast<S>(draws.size() - 1);
     spread.error = covariance.diagonal().array().sqrt();
     spread.error = (spread.error > S(1e-12)).select(spread.error, S(0));  // the rounding of sums that do not vary

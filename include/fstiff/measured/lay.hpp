@@ -26,7 +26,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace fstiff {
+namespace fstiff::detail {
 
 /// How well a profile agrees with itself one period further on.
 template <Real T = double>
@@ -60,7 +60,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T texture_aspect_ratio(const HeightMap<T>& map) {
     const bool whole = !map.heights.isNaN().any();
-    const TextureParameters<T> texture = texture_parameters(areal_autocorrelation(whole ? coarsened(map, 256) : map));
+    const parts::TextureParameters<T> texture =
+        parts::texture_parameters(parts::areal_autocorrelation(whole ? parts::coarsened(map, 256) : map));
     if (texture.aspect_ratio) return *texture.aspect_ratio;
     return texture.shortest ? *texture.shortest / texture.longest : T(1);
 }
@@ -71,4 +72,4 @@ template <Real T>
     return texture_aspect_ratio < T(0.3);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::detail

@@ -36,7 +36,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff {
+namespace fstiff::detail {
 
 /// What long_waves() finds of a piece.
 template <Real T = double>
@@ -44,8 +44,6 @@ struct LongWaveShare {
     T share{};  ///< of the mean square height that waves of fewer than 16 half periods have
     T error{};  ///< of ln sigma that comes from them, one standard deviation
 };
-
-namespace detail {
 
 inline constexpr int long_half_periods = 16;
 
@@ -109,7 +107,7 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
     const bool map = parts.rows() > 1;
     const T of_share = (std::min)(variance_of_power_law(found.share, map), 4 * of_waves);
     const T variance = (std::min)(T(1), (std::max)(of_waves, map ? std::sqrt(of_waves * of_share) : of_share));
-    const T z = normal_95<T>.value, ninth = variance / 9;  // 2/(9 v)
+    const T z = math::normal_95<T>.value, ninth = variance / 9;  // 2/(9 v)
     found.error = -3 * std::log(1 - ninth - z * std::sqrt(ninth)) / (2 * z);
     return found;
 }
@@ -144,5 +142,4 @@ void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& whole, const 
                 spread.correlation(i, j) = std::clamp(covariance(i, j) / both, T(-1), T(1));
 }
 
-}  // namespace detail
-}  // namespace fstiff
+}  // namespace fstiff::detail

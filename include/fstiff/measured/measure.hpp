@@ -30,19 +30,19 @@ namespace fstiff {
 
 /// A measured surface: its parameters with their standard errors, and what they rest on.
 template <Real T = double>
-struct Surface : SurfaceParameters<T> {
+struct Surface : parts::SurfaceParameters<T> {
     Measurement<T> rms_gradient{};                ///< [1]; error 0: too few points for one
     std::optional<HeightStatistics<T>> heights{};  ///< none: too few points
     T shape_share{};  ///< 0 to 1: how much of skewness and of kurtosis - 3 counts in a hybrid contact (counted_shape)
-    CutOffs<T> cut_offs{};
+    parts::CutOffs<T> cut_offs{};
     std::vector<MeasuredConcern> concerns{};
-    CleaningReport cleaning{};
+    parts::CleaningReport cleaning{};
     T size{};  ///< of the points that exist: length of the profile [m], area of the map [m^2]
     /// Greatest wave number over the least that the surface can hold: from its length, or lambda_c, to two steps, or
     /// lambda_s.
     T widest_band = std::numeric_limits<T>::infinity();
-    std::shared_ptr<const PreparedProfile<T>> profile{};  ///< what was measured; null for a map
-    std::shared_ptr<const PreparedMap<T>> map{};          ///< null for a profile, and for a neighbour without keep_maps
+    std::shared_ptr<const parts::PreparedProfile<T>> profile{};  ///< what was measured; null for a map
+    std::shared_ptr<const parts::PreparedMap<T>> map{};   ///< null for a profile, and for a neighbour without keep_maps
     std::vector<Surface> neighbours{};                    ///< with a shorter and a longer lambda_s, without errors
     std::vector<Surface> parts{};                         ///< that were pooled (measured/pooled_surface); empty for one
 };
@@ -58,6 +58,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
 
+namespace parts {
+
 /// Whether the lambda_c of the tables took more than half of the rms height of \p prepared: R, D_p and K are then those
 /// of the short waves alone.
 template <class Prepared>
@@ -65,8 +67,6 @@ template <class Prepared>
     return prepared.cut_offs.lambda_c && prepared.cut_offs.why_c != CutOffReason::given &&
            prepared.rms < prepared.rms_levelled / 2;
 }
-
-namespace detail {
 
 template <Real T>
 [[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options,
@@ -192,35 +192,35 @@ template <Real T>
     return !cleaning.crop && cleaning.mask.size() == 0 && cleaning.spikes == T(0) && !cleaning.fill;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 template <Real T>
 Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options) {
-    if (options.peaks == PeakSource::summits)
+    if (options.peaks == parts::PeakSource::summits)
         throw domain_error("peaks = summits: must be islands for a profile, whose R and D_p come from its curvature");
-    if (detail::is_empty(options.cleaning)) return detail::measure_profile(profile, options);
+    if (parts::is_empty(options.cleaning)) return parts::measure_profile(profile, options);
     Profile<T> cleaned = profile;
-    const CleaningReport report = clean(cleaned, options.cleaning);
-    Surface<T> surface = detail::measure_profile(cleaned, options);
+    const parts::CleaningReport report = parts::clean(cleaned, options.cleaning);
+    Surface<T> surface = parts::measure_profile(cleaned, options);
     surface.cleaning = report;
     return surface;
 }
 
 template <Real T>
 Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options) {
-    const CleaningReport report = clean(map, options.cleaning);
-    detail::require_options_of_map(map, options);
-    const PreparedMap<T> flat = without_form(std::move(map), options);
-    Surface<T> surface = detail::measure_map(flat, options);
+    const parts::CleaningReport report = parts::clean(map, options.cleaning);
+    parts::require_options_of_map(map, options);
+    const parts::PreparedMap<T> flat = parts::without_form(std::move(map), options);
+    Surface<T> surface = parts::measure_map(flat, options);
     surface.cleaning = report;
     return surface;
 }
 
 template <Real T>
 Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
-    if (!detail::is_empty(options.cleaning)) return measure(HeightMap<T>(map), options);
-    detail::require_options_of_map(map, options);
-    return detail::measure_map(without_form(map, options), options);
+    if (!parts::is_empty(options.cleaning)) return measure(HeightMap<T>(map), options);
+    parts::require_options_of_map(map, options);
+    return parts::measure_map(parts::without_form(map, options), options);
 }
 
 }  // namespace fstiff

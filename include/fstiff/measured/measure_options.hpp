@@ -20,16 +20,22 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// Asks for no filter.
 struct NoCutOff {};
-inline constexpr NoCutOff no_cut_off{};
+
+}  // namespace parts
+
+/// No cut-off: all waves are kept.
+inline constexpr parts::NoCutOff no_cut_off{};
 
 /// A cut-off that is asked for: by default that of the tables, else a length [m] or no_cut_off.
 template <Real T = double>
 class CutOff {
 public:
     constexpr CutOff() = default;
-    constexpr CutOff(NoCutOff) : automatic_(false) {}
+    constexpr CutOff(parts::NoCutOff) : automatic_(false) {}
     constexpr CutOff(std::type_identity_t<T> length) : automatic_(false), length_(length) {}
     /// What another measurement had: the length \p found, or none.
     [[nodiscard]] static constexpr CutOff of(const std::optional<T>& found) {
@@ -57,14 +63,18 @@ struct Crop {
     T x_from{}, x_to{}, y_from{}, y_to{};
 };
 
+namespace parts {
+
 /// Marks of the points of a surface: true where a point is used. A profile has one row or one column.
 using PointMask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace parts
 
 /// Repairs before the form is removed, in the order of the fields. By default none.
 template <Real T = double>
 struct Cleaning {
     std::optional<Crop<T>> crop{};
-    PointMask mask{};  ///< of the cropped surface; empty: every point is used
+    parts::PointMask mask{};  ///< of the cropped surface; empty: every point is used
     T spikes{};        ///< points so many robust standard deviations away become missing, 3 to 1000; 0: none
     bool fill{};       ///< whether missing points are filled
 };
@@ -81,7 +91,7 @@ struct MeasureOptions {
     MapForm map_form = MapForm::plane;              ///< removed from a map
     T height_step{};                                ///< in which heights were printed or counted [m]; 0: not known
     Cleaning<T> cleaning{};
-    PeakSource peaks = PeakSource::islands;         ///< of a map
+    parts::PeakSource peaks = parts::PeakSource::islands;         ///< of a map
     std::optional<LagWindow<T>> window{};           ///< of the lags that give D; none: found by itself
     std::size_t resamples = 400;                    ///< for the standard errors
     std::uint64_t seed = 2014;                      ///< of the resamples

@@ -84,8 +84,9 @@ template <Real T>
 
 /// Also filtered, of the profile that was fitted, and spectrum_differs, of its \p spectrum where that could be fitted.
 template <Real T>
-[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit, const LevelledProfile<T>& levelled,
-                                                       const std::optional<SpectralFit<T>>& spectrum) {
+[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit,
+                                                       const parts::LevelledProfile<T>& levelled,
+                                                       const std::optional<parts::SpectralFit<T>>& spectrum) {
     std::vector<MeasuredConcern> found = concerns_of(fit);
     if (levelled.cutoff && fit.window.to > *levelled.cutoff / 10) found.push_back(MeasuredConcern::filtered);
     if (spectrum) {
@@ -96,13 +97,13 @@ template <Real T>
     return found;
 }
 
+namespace parts {
+
 /// Whether \p one is known to a factor of two: its standard error is at most half its value.
 template <Real T>
 [[nodiscard]] constexpr bool is_known(const Measurement<T>& one) {
     return one.error <= one.value / 2;
 }
-
-namespace detail {
 
 template <Real T>
 void add_peak_concerns(std::vector<MeasuredConcern>& found, std::size_t peaks, const Measurement<T>& radius,
@@ -113,24 +114,26 @@ void add_peak_concerns(std::vector<MeasuredConcern>& found, std::size_t peaks, c
     if (uncertain(density)) found.push_back(MeasuredConcern::density_uncertain);
 }
 
-}  // namespace detail
-
 /// Whether the islands are densest at the first or the last level of the curve.
 template <Real T>
 [[nodiscard]] bool is_densest_at_end(const RepresentativeIslands<T>& islands) {
     return islands.index == 0 || islands.index + 1 == islands.curve.size();
 }
 
+}  // namespace parts
+
 /// Of few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const RepresentativeIslands<T>& islands) {
     std::vector<MeasuredConcern> found;
     const Measurement<T> radius{islands.radius, islands.radius_error}, density{islands.density, islands.density_error};
-    detail::add_peak_concerns(found, islands.islands, radius, density);
-    if (is_densest_at_end(islands)) found.push_back(MeasuredConcern::no_densest_level);
-    if (!is_known(radius) || !is_known(density)) found.push_back(MeasuredConcern::parameter_unknown);
+    parts::add_peak_concerns(found, islands.islands, radius, density);
+    if (parts::is_densest_at_end(islands)) found.push_back(MeasuredConcern::no_densest_level);
+    if (!parts::is_known(radius) || !parts::is_known(density)) found.push_back(MeasuredConcern::parameter_unknown);
     return found;
 }
+
+namespace parts {
 
 /// The parameters of \p surface that are not known to a factor of two; with \p long_waves, which are a concern of
 /// their own, without sigma and r.
@@ -145,33 +148,41 @@ template <Real T>
     return all;
 }
 
+}  // namespace parts
+
 /// Of curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
-[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
+[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const parts::SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> found;
     if (surface.curved) found.push_back(MeasuredConcern::curved);
     if (surface.anisotropic) found.push_back(MeasuredConcern::anisotropic);
-    if (surface.repetition.is_lay() || is_lay(surface.texture_aspect_ratio)) found.push_back(MeasuredConcern::lay);
+    if (surface.repetition.is_lay() || detail::is_lay(surface.texture_aspect_ratio))
+        found.push_back(MeasuredConcern::lay);
     const bool long_waves = surface.long_wave_share > T(0.75);
     if (long_waves) found.push_back(MeasuredConcern::long_waves);
-    detail::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
-    if (surface.islands && is_densest_at_end(*surface.islands)) found.push_back(MeasuredConcern::no_densest_level);
-    if (!unknown_parameters(surface, long_waves).empty()) found.push_back(MeasuredConcern::parameter_unknown);
+    parts::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
+    if (surface.islands && parts::is_densest_at_end(*surface.islands))
+        found.push_back(MeasuredConcern::no_densest_level);
+    if (!parts::unknown_parameters(surface, long_waves).empty()) found.push_back(MeasuredConcern::parameter_unknown);
     return found;
 }
 
 /// The same and implausible_gradient, for the rms gradient that was measured.
 template <Real T>
-[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface, T rms_gradient) {
+[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const parts::SurfaceParameters<T>& surface, T rms_gradient) {
     std::vector<MeasuredConcern> found = concerns_of(surface);
-    if (!is_plausible_gradient(rms_gradient)) found.push_back(MeasuredConcern::implausible_gradient);
+    if (!parts::is_plausible_gradient(rms_gradient)) found.push_back(MeasuredConcern::implausible_gradient);
     return found;
 }
+
+namespace parts {
 
 /// Whether what is computed of the surface is in doubt: no_densest_level, parameter_unknown and implausible_gradient.
 [[nodiscard]] constexpr bool is_fatal(MeasuredConcern concern) {
     return concern == MeasuredConcern::no_densest_level || concern == MeasuredConcern::parameter_unknown ||
            concern == MeasuredConcern::implausible_gradient;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

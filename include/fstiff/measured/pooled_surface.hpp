@@ -35,14 +35,21 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// In what two measurements of one surface differ, so that they cannot be pooled.
 enum class Unlikeness { none, kind, lambda_s, lambda_c, step };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<Unlikeness> = name_list<Unlikeness>({{Unlikeness::none, "nothing"},
-                                                                 {Unlikeness::kind, "kind"},
-                                                                 {Unlikeness::lambda_s, "lambda_s"},
-                                                                 {Unlikeness::lambda_c, "lambda_c"},
-                                                                 {Unlikeness::step, "step"}});
+inline constexpr auto names<parts::Unlikeness> = name_list<parts::Unlikeness>({{parts::Unlikeness::none, "nothing"},
+                                                                 {parts::Unlikeness::kind, "kind"},
+                                                                 {parts::Unlikeness::lambda_s, "lambda_s"},
+                                                                 {parts::Unlikeness::lambda_c, "lambda_c"},
+                                                                 {parts::Unlikeness::step, "step"}});
+
+namespace parts {
 
 /// The first of kind, lambda_s, lambda_c and, without lambda_s, the steps in which \p one differs from \p first.
 template <Real T>
@@ -61,6 +68,8 @@ template <Real T>
 [[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Surface<T>>& surfaces,
                                        std::optional<T> CutOffs<T>::* of);
 
+}  // namespace parts
+
 /// \p parts as one surface, which keeps them. \throws domain_error for no part, parts that differ in kind or cut-offs,
 /// or parameters out of range.
 template <Real T>
@@ -72,6 +81,8 @@ template <Real T>
 /// The same of maps.
 template <Real T>
 [[nodiscard]] Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T>& options = {});
+
+namespace parts {
 
 /// One number of a measurement, which weighs as much as its length [m] or area [m^2].
 template <Real T = double>
@@ -95,9 +106,11 @@ template <Real T>
         scatter += w * away * away;
     }
     if (all.size() == 1) return std::sqrt(within);
-    const T k = student_quantile(normal_95<T>, static_cast<int>(all.size()) - 1) / normal_95<T>.value;
+    const T k = math::student_quantile(math::normal_95<T>, static_cast<int>(all.size()) - 1) / math::normal_95<T>.value;
     return std::sqrt((std::max)(within, k * k * squares / (1 - squares) * scatter));
 }
+
+}  // namespace parts
 
 /// Of the heights of several measurements of one surface, each about its own mean, of \p sizes.
 /// \throws domain_error for none, or unlike numbers of them.
@@ -114,7 +127,7 @@ template <Real T>
             out.moments + SpectralMoments<T>{w * all[i].moments.m0, w * all[i].moments.m2, w * all[i].moments.m4};
     }
     T third = 0, fourth = 0;
-    std::vector<SizedMeasurement<T>> skewness, kurtosis, gradient;
+    std::vector<parts::SizedMeasurement<T>> skewness, kurtosis, gradient;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const T w = sizes[i] / size, ratio = all[i].moments.m0 / out.moments.m0;
         third += w * ratio * std::sqrt(ratio) * all[i].skewness.value;
@@ -125,13 +138,13 @@ template <Real T>
     }
     T squares = 0;
     for (const auto& one : gradient) squares += one.size / size * one.measured.value * one.measured.value;
-    out.skewness = {third, pooled_error(skewness)};
-    out.kurtosis = {fourth, pooled_error(kurtosis)};
-    out.rms_gradient = {std::sqrt(squares), pooled_error(gradient)};
+    out.skewness = {third, parts::pooled_error(skewness)};
+    out.kurtosis = {fourth, parts::pooled_error(kurtosis)};
+    out.rms_gradient = {std::sqrt(squares), parts::pooled_error(gradient)};
     return out;
 }
 
-namespace detail {
+namespace parts {
 
 /// Whether two lengths differ by more than rounding.
 template <Real T>
@@ -146,7 +159,7 @@ template <Real T>
 /// The values of \p surface, with the moments of its heights where these are known.
 template <Real T>
 [[nodiscard]] RoughFace<T> rough_face(const Surface<T>& surface) {
-    return fstiff::rough_face<T>(
+    return rough_face<T>(
         surface, surface.heights ? surface.heights->moments
                                  : moments_of_peaks(surface.rms_height.value, surface.peak_radius.value,
                                                     surface.peak_density.value));
@@ -288,19 +301,17 @@ template <Real T, class Heights>
     return pooled(std::move(parts));
 }
 
-}  // namespace detail
-
 template <Real T>
 Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one) {
     if (!first.profile != !one.profile) return Unlikeness::kind;
-    if (detail::lengths_differ(one.cut_offs.lambda_s, first.cut_offs.lambda_s)) return Unlikeness::lambda_s;
-    if (detail::lengths_differ(one.cut_offs.lambda_c, first.cut_offs.lambda_c)) return Unlikeness::lambda_c;
+    if (lengths_differ(one.cut_offs.lambda_s, first.cut_offs.lambda_s)) return Unlikeness::lambda_s;
+    if (lengths_differ(one.cut_offs.lambda_c, first.cut_offs.lambda_c)) return Unlikeness::lambda_c;
     if (one.cut_offs.lambda_s || !(first.profile || (first.map && one.map))) return Unlikeness::none;
     const auto longer_step = [](const Surface<T>& of) {
         return of.map ? (std::max)(of.map->map.dx, of.map->map.dy) : step_of(of);
     };
-    return detail::lengths_differ(step_of(one), step_of(first)) ||
-                   detail::lengths_differ(longer_step(one), longer_step(first))
+    return lengths_differ(step_of(one), step_of(first)) ||
+                   lengths_differ(longer_step(one), longer_step(first))
                ? Unlikeness::step
                : Unlikeness::none;
 }
@@ -313,9 +324,11 @@ CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Surface<T>>& 
         return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);
     });
     const std::optional<T> least = low->cut_offs.*of, most = high->cut_offs.*of;
-    if (!most || (least && !detail::lengths_differ(*least, *most))) return asked;
+    if (!most || (least && !lengths_differ(*least, *most))) return asked;
     return CutOff<T>::of(least ? most : least);
 }
+
+}  // namespace parts
 
 template <Real T>
 Surface<T> pooled(std::vector<Surface<T>> parts) {
@@ -323,9 +336,9 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
     if (parts.size() == 1) return std::move(parts.front());
     const Surface<T>& first = parts.front();
     for (const auto& part : parts)
-        if (const Unlikeness in = unlikeness(first, part); in != Unlikeness::none)
+        if (const parts::Unlikeness in = parts::unlikeness(first, part); in != parts::Unlikeness::none)
             throw domain_error("measurements of unlike " + std::string(name_of(in)) + ": must be alike to be pooled");
-    Surface<T> whole{stated(detail::mean_of_known(parts))};
+    Surface<T> whole{parts::stated(parts::mean_of_known(parts))};
     whole.cut_offs = first.cut_offs;
     whole.widest_band = 0;
     std::vector<HeightStatistics<T>> heights;
@@ -336,34 +349,34 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
         if (part.heights) heights.push_back(*part.heights);
         sizes.push_back(part.size);
     }
-    detail::pool_errors(whole, parts);
+    parts::pool_errors(whole, parts);
     if (!whole.fractal_roughness) whole.why_no_dimension = first.why_no_dimension;
     if (!whole.r) whole.why_no_peaks = first.why_no_peaks;
     if (heights.size() == parts.size()) {
         whole.heights = pooled(heights, sizes);
         whole.rms_gradient = whole.heights->rms_gradient;
-        whole.shape_share = detail::pooled_share(parts);
+        whole.shape_share = parts::pooled_share(parts);
     }
     for (const Surface<T>& neighbour : first.neighbours) {
         std::vector<Surface<T>> alike;  // one of every part
         for (const auto& part : parts)
             for (const Surface<T>& one : part.neighbours)
-                if (unlikeness(neighbour, one) == Unlikeness::none) alike.push_back(one);
+                if (parts::unlikeness(neighbour, one) == parts::Unlikeness::none) alike.push_back(one);
         if (alike.size() == parts.size()) whole.neighbours.push_back(pooled(std::move(alike)));
     }
-    whole.concerns = detail::pooled_concerns(whole, parts);
+    whole.concerns = parts::pooled_concerns(whole, parts);
     whole.parts = std::move(parts);
     return whole;
 }
 
 template <Real T>
 Surface<T> measure(const std::vector<Profile<T>>& profiles, const MeasureOptions<T>& options) {
-    return detail::measure_several<T>(profiles, options);
+    return parts::measure_several<T>(profiles, options);
 }
 
 template <Real T>
 Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T>& options) {
-    return detail::measure_several<T>(maps, options);
+    return parts::measure_several<T>(maps, options);
 }
 
 }  // namespace fstiff

@@ -27,7 +27,7 @@
 #include <memory>
 #include <utility>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// The limits of Cleaning::spikes.
 inline constexpr int min_spike_limit = 3, max_spike_limit = 1000;
@@ -101,8 +101,6 @@ template <Real T>
 template <Real T>
 [[nodiscard]] PreparedMap<T> with_cut_offs(PreparedMap<T> prepared, const MeasureOptions<T>& options = {});
 
-namespace detail {
-
 /// The points of \p axis that the crop keeps. \throws domain_error for a crop beyond the surface, or between two
 /// points.
 template <Real T>
@@ -167,7 +165,7 @@ void remove_long_waves(PreparedProfile<T>& prepared) {
         levelled = without_waviness(std::move(levelled), lambda_c);
         return;
     }
-    const RobustWaviness<Profile<T>> robust = robust_waviness(levelled.profile, lambda_c);
+    const math::RobustWaviness<Profile<T>> robust = robust_waviness(levelled.profile, lambda_c);
     prepared.cut_offs.robust = outcome_of(robust, levelled.profile.present());
     if (!levelled.unfiltered) levelled.unfiltered = levelled.profile;
     for (std::size_t i = 0; i < levelled.profile.size(); ++i) levelled.profile.heights[i] -= robust.waviness.heights[i];
@@ -186,7 +184,7 @@ void remove_waves(PreparedMap<T>& prepared) {
         prepared.map = before;
     if (!cut_offs.lambda_c) return;
     if (cut_offs.filter == CutOffFilter::robust) {
-        const RobustWaviness<HeightMap<T>> robust = robust_waviness(prepared.map, *cut_offs.lambda_c);
+        const math::RobustWaviness<HeightMap<T>> robust = robust_waviness(prepared.map, *cut_offs.lambda_c);
         prepared.map.heights -= robust.waviness.heights;
         cut_offs.robust = outcome_of(robust, static_cast<std::size_t>(prepared.map.present()));
     } else {
@@ -222,13 +220,11 @@ void finish(PreparedMap<T>& prepared) {
     prepared.rms = prepared.areal.rms_height;
 }
 
-}  // namespace detail
-
 template <Real T>
 CleaningReport clean(Profile<T>& profile, const Cleaning<T>& how) {
     CleaningReport report{.columns_read = profile.size(), .rows_read = 1};
     if (how.crop) {
-        const PointRange x = detail::cropped("x", how.crop->x_from, how.crop->x_to, profile.size(), profile.spacing);
+        const PointRange x = cropped("x", how.crop->x_from, how.crop->x_to, profile.size(), profile.spacing);
         const auto begin = profile.heights.begin() + static_cast<std::ptrdiff_t>(x.from);
         profile.heights = std::vector<T>(begin, begin + static_cast<std::ptrdiff_t>(x.count));
     }
@@ -237,9 +233,9 @@ CleaningReport clean(Profile<T>& profile, const Cleaning<T>& how) {
         require(static_cast<std::size_t>(how.mask.size()) == profile.size() &&
                     (how.mask.rows() == 1 || how.mask.cols() == 1),
                 "marks of the mask", how.mask.size(), "in one row, as many as the points of the cropped profile");
-        report.masked = detail::apply_mask(profile.heights.data(), how.mask);
+        report.masked = apply_mask(profile.heights.data(), how.mask);
     }
-    detail::repair(profile, how, report);
+    parts::repair(profile, how, report);
     return report;
 }
 
@@ -249,8 +245,8 @@ CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& how) {
     const auto index = [](std::size_t n) { return static_cast<Eigen::Index>(n); };
     CleaningReport report{.columns_read = size(map.columns()), .rows_read = size(map.rows())};
     if (how.crop) {
-        const PointRange x = detail::cropped("x", how.crop->x_from, how.crop->x_to, report.columns_read, map.dx);
-        const PointRange y = detail::cropped("y", how.crop->y_from, how.crop->y_to, report.rows_read, map.dy);
+        const PointRange x = cropped("x", how.crop->x_from, how.crop->x_to, report.columns_read, map.dx);
+        const PointRange y = cropped("y", how.crop->y_from, how.crop->y_to, report.rows_read, map.dy);
         const typename HeightMap<T>::Array part =
             map.heights.block(index(y.from), index(x.from), index(y.count), index(x.count));
         map.heights = part;
@@ -259,16 +255,16 @@ CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& how) {
     if (how.mask.size() > 0) {
         require(how.mask.rows() == map.rows() && how.mask.cols() == map.columns(), "marks of the mask",
                 how.mask.size(), "in rows and columns as those of the cropped map");
-        report.masked = detail::apply_mask(map.heights.data(), how.mask);
+        report.masked = apply_mask(map.heights.data(), how.mask);
     }
-    detail::repair(map, how, report);
+    parts::repair(map, how, report);
     return report;
 }
 
 template <Real T>
 PreparedProfile<T> prepare(const Profile<T>& profile, const MeasureOptions<T>& options) {
     if (options.form_cut_off && options.lambda_c.length())
-        detail::refuse("lambda_c", *options.lambda_c.length(), "left out where the form has a cut-off");
+        refuse("lambda_c", *options.lambda_c.length(), "left out where the form has a cut-off");
     PreparedProfile<T> prepared;
     CutOffs<T>& cut_offs = prepared.cut_offs = choose_cut_offs(profile, options);
     prepared.rms_as_read = rms_height(profile);
@@ -277,31 +273,31 @@ PreparedProfile<T> prepare(const Profile<T>& profile, const MeasureOptions<T>& o
     prepared.rms_levelled = rms_height(prepared.profile);
     if (!options.form_cut_off) {
         if (options.lambda_c.automatic()) choose_lambda_c(cut_offs, prepared.profile);
-        if (cut_offs.lambda_c) detail::remove_long_waves(prepared);
+        if (cut_offs.lambda_c) remove_long_waves(prepared);
     }
     prepared.rms = rms_height(prepared.profile);
-    prepared.rms_gradient = detail::rms_gradient_of(prepared.profile);
+    prepared.rms_gradient = rms_gradient_of(prepared.profile);
     return prepared;
 }
 
 template <Real T>
 PreparedMap<T> prepare(const HeightMap<T>& map, const MeasureOptions<T>& options) {
-    PreparedMap<T> prepared = detail::levelled_for_cut_offs(map, options);
-    detail::finish(prepared);
+    PreparedMap<T> prepared = levelled_for_cut_offs(map, options);
+    finish(prepared);
     return prepared;
 }
 
 template <Real T>
 PreparedMap<T> prepare(HeightMap<T>&& map, const MeasureOptions<T>& options) {
-    PreparedMap<T> prepared = detail::levelled_for_cut_offs(std::as_const(map), options);
+    PreparedMap<T> prepared = levelled_for_cut_offs(std::as_const(map), options);
     map.heights.resize(0, 0);
-    detail::finish(prepared);
+    finish(prepared);
     return prepared;
 }
 
 template <Real T>
 PreparedMap<T> without_form(const HeightMap<T>& map, const MeasureOptions<T>& options) {
-    PreparedMap<T> prepared = detail::levelled_map(map, options);
+    PreparedMap<T> prepared = levelled_map(map, options);
     prepared.unfiltered = std::make_shared<const HeightMap<T>>(std::move(prepared.map));
     return prepared;
 }
@@ -320,8 +316,8 @@ PreparedMap<T> with_cut_offs(PreparedMap<T> prepared, const MeasureOptions<T>& o
         prepared.map = *prepared.unfiltered;
         prepared.unfiltered.reset();
     }
-    detail::finish(prepared);
+    finish(prepared);
     return prepared;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

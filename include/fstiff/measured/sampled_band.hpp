@@ -31,7 +31,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Quantiles of one value over the errors of a surface.
 template <Real T = double>
@@ -61,7 +61,7 @@ template <Real T, class Compute>
         const auto values = compute(draw());
         if (i == 0) found.resize(values.size());
         if (values.size() != found.size())
-            detail::refuse("values of a drawn surface", values.size(),
+            refuse("values of a drawn surface", values.size(),
                            std::to_string(found.size()) + ", as of the first");
         for (std::size_t k = 0; k < found.size(); ++k)
             if (std::isfinite(values[k])) found[k].push_back(values[k]);
@@ -73,13 +73,13 @@ template <Real T, class Compute>
         if (!values.empty()) {
             std::sort(values.begin(), values.end());
             const std::span<const T> sorted(values);
-            band.low = sorted_quantile(sorted, T(0.05));
-            band.median = sorted_quantile(sorted, T(0.5));
-            band.high = sorted_quantile(sorted, T(0.95));
+            band.low = math::sorted_quantile(sorted, T(0.05));
+            band.median = math::sorted_quantile(sorted, T(0.5));
+            band.high = math::sorted_quantile(sorted, T(0.95));
         }
         bands.push_back(band);
     }
     return bands;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -38,7 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Direction of a section: along a row, or along a column.
 enum class Direction { x, y };
@@ -93,8 +93,6 @@ template <Real T>
     return fit_directions(levelled.of_structure(), how);
 }
 
-namespace detail {
-
 /// Sums of squared differences, or second differences, and their numbers, of every section (rows) at every lag (columns).
 template <Real F>
 struct SectionSums {
@@ -106,9 +104,9 @@ struct SectionSums {
 constexpr Eigen::Index rows_apart(Eigen::Index n) { return std::max<Eigen::Index>(1, n / 16); }
 
 template <Real T>
-SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, bool second,
-                                         Accumulator<T> unit) {
-    using F = Accumulator<T>;
+SectionSums<math::Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, bool second,
+                                         math::Accumulator<T> unit) {
+    using F = math::Accumulator<T>;
     using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const bool x = direction == Direction::x;
     const Eigen::Index sections = x ? map.rows() : map.columns(), points = x ? map.columns() : map.rows();
@@ -157,7 +155,7 @@ Matrix<F> resample_sections(const SectionSums<F>& sums, const std::vector<std::s
                             const SectionResampling& resampling) {
     const auto sections = static_cast<std::size_t>(sums.sum.rows());
     block = std::clamp<std::size_t>(block, 1, std::max<std::size_t>(1, sections / 4));
-    BlockBootstrap<F> bootstrap(sections, block, static_cast<std::size_t>(resampling.resamples), resampling.seed);
+    math::BlockBootstrap<F> bootstrap(sections, block, static_cast<std::size_t>(resampling.resamples), resampling.seed);
     Matrix<F> resampled(static_cast<Eigen::Index>(steps.size()), resampling.resamples);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (resampling.progress) resampling.progress("bootstrap", k, steps.size());
@@ -190,8 +188,8 @@ struct LogLevel {
 };
 
 template <Real T>
-LogLevel<Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
-    using F = Accumulator<T>;
+LogLevel<math::Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
+    using F = math::Accumulator<T>;
     const StructureFunction<T>& s = measured.second_differences;
     // trapezoids over ln(lag), at 24 points of the window that both directions share
     constexpr int points = 24;
@@ -231,14 +229,12 @@ LogLevel<Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured,
     return level;
 }
 
-}  // namespace detail
-
 template <Real T>
 Profile<T> section(const HeightMap<T>& map, Direction direction, Eigen::Index place) {
     const bool x = direction == Direction::x;
     const Eigen::Index sections = x ? map.rows() : map.columns();
     if (place < 0 || place >= sections)
-        detail::refuse(x ? "row" : "column", place, "between 0 and " + std::to_string(sections - 1));
+        refuse(x ? "row" : "column", place, "between 0 and " + std::to_string(sections - 1));
     const auto values = [](const auto& line) { return std::vector<T>(line.begin(), line.end()); };
     return x ? Profile<T>{values(map.heights.row(place)), map.dx} : Profile<T>{values(map.heights.col(place)), map.dy};
 }
@@ -246,30 +242,30 @@ Profile<T> section(const HeightMap<T>& map, Direction direction, Eigen::Index pl
 template <Real T>
 MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Direction direction,
                                                const SectionResampling& resampling) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     map.validate(16);
     require(resampling.resamples >= 0 && resampling.resamples <= 100000, "resamples", resampling.resamples,
             "between 0 and 100000");
     const bool x = direction == Direction::x;
-    const F unit = 4 * static_cast<F>(detail::height_scale(map));  // the differences are at most 1
-    const detail::SectionSums<F> first = detail::section_sums(map, direction, false, unit);
-    detail::SectionSums<F> sums = detail::section_sums(map, direction, true, unit);
+    const F unit = 4 * static_cast<F>(height_scale(map));  // the differences are at most 1
+    const SectionSums<F> first = section_sums(map, direction, false, unit);
+    SectionSums<F> sums = section_sums(map, direction, true, unit);
 
     MeasuredStructureFunction<T> measured;
     measured.spacing = x ? map.dx : map.dy;
     measured.rms_height = rms_height(map);
     measured.points = static_cast<std::size_t>(x ? map.columns() : map.rows());
     const auto sections = static_cast<F>(sums.sum.rows());
-    const auto means = [&](StructureFunction<T>& s, const detail::SectionSums<F>& of) {
+    const auto means = [&](StructureFunction<T>& s, const SectionSums<F>& of) {
         for (std::size_t k = 0; k < of.step.size(); ++k) {
             const auto lag = static_cast<Eigen::Index>(k);
             const F pairs = of.pairs.col(lag).sum(), sum = of.sum.col(lag).sum();
             if (pairs == F(0)) continue;
-            const T value = detail::mean_square<T>(sum, pairs, unit);
+            const T value = mean_square<T>(sum, pairs, unit);
             s.step.push_back(of.step[k]);
             s.lag.push_back(static_cast<T>(of.step[k]) * measured.spacing);
             s.value.push_back(value);
-            const auto apart = static_cast<F>(detail::rows_apart(static_cast<Eigen::Index>(of.step[k])));
+            const auto apart = static_cast<F>(rows_apart(static_cast<Eigen::Index>(of.step[k])));
             const F used = std::ceil(sections / apart);
             s.pairs.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(pairs / used + F(0.5))));
         }
@@ -283,7 +279,7 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
         measured.resample = [sums = std::move(sums), resampling, apart](const std::vector<std::size_t>& steps) {
             const F reach = 4 * static_cast<F>(*std::max_element(steps.begin(), steps.end())) / apart;
             const auto block = static_cast<std::size_t>((std::min)(reach, static_cast<F>(sums.sum.rows()))) + 1;
-            return detail::resample_sections(sums, steps, block, resampling);
+            return resample_sections(sums, steps, block, resampling);
         };
     return measured;
 }
@@ -298,7 +294,7 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     DirectionalFit<T> result;
     const auto fit = [&](std::optional<FractalFit<T>>& into, const MeasuredStructureFunction<T>& measured,
                          const FractalFitOptions<T>& how) {
-        std::string reason = detail::fit_or_reason(into, [&] { return fit_fractal(measured, how); });
+        std::string reason = fit_or_reason(into, [&] { return fit_fractal(measured, how); });
         if (into) into->seed = options.seed;
         return reason;
     };
@@ -328,7 +324,7 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     };
     if (common.from < common.to && varies(along_x) && varies(along_y)) {
         result.common = common;
-        const auto x = detail::log_level(along_x, common), y = detail::log_level(along_y, common);
+        const auto x = log_level(along_x, common), y = log_level(along_y, common);
         result.log_level_difference = static_cast<T>(x.mean - y.mean);
         result.log_level_difference_error = static_cast<T>(std::hypot(x.error, y.error));
         const T difference = std::abs(result.log_level_difference);
@@ -337,4 +333,4 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

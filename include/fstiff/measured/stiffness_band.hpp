@@ -3,7 +3,7 @@
 /// \file
 /// The band of K(p) over the errors of a measured surface: between which stiffnesses 90 of 100 such surfaces lie.
 ///
-///     const auto surface = fstiff::surface_parameters(profile);
+///     const auto surface = fstiff::parts::surface_parameters(profile);
 ///     const auto band = fstiff::stiffness_band(surface, pressures, [](double D) { return fstiff::FractalLaw<double>(D); },
 ///                                              112.6e9, {.samples = 400, .seed = 1});
 ///     band[0].low, band[0].median, band[0].high       K [Pa/m] at pressures[0]: 5, 50 and 95 %
@@ -28,23 +28,27 @@
 
 namespace fstiff {
 
+namespace detail {
+
 /// sigma, R and D_p of a surface as SurfaceSampler draws it, in the order of Parameter.
 template <Real T>
-[[nodiscard]] Roughness<T> roughness_of(const std::array<T, surface_parameter_count>& drawn) {
+[[nodiscard]] Roughness<T> roughness_of(const std::array<T, parts::surface_parameter_count>& drawn) {
     const auto at = [&](Parameter which) { return drawn[static_cast<std::size_t>(which)]; };
     return {at(Parameter::rms_height), at(Parameter::peak_radius), at(Parameter::peak_density), T(0)};
 }
+
+}  // namespace detail
 
 /// The band of the stiffness of any contact: \p contact_of takes a drawn surface, an array in the order of Parameter,
 /// and returns what has at_pressure.
 /// \throws domain_error for a pressure that is not finite and greater than 0, as sampled_band, and as \p contact_of.
 template <Real T, class Pressures, class ContactOf>
-[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface,
-                                                         const Pressures& pressures,
-                                                         const ContactOf& contact_of, const BandOptions& options = {}) {
-    return sampled_band(
+[[nodiscard]] std::vector<parts::SampledBand<T>> stiffness_band(const parts::SurfaceParameters<T>& surface,
+                                                                const Pressures& pressures, const ContactOf& contact_of,
+                                                                const parts::BandOptions& options = {}) {
+    return parts::sampled_band(
         surface,
-        [&](const std::array<T, surface_parameter_count>& drawn) {
+        [&](const std::array<T, parts::surface_parameter_count>& drawn) {
             std::vector<T> stiffness;
             for (const auto& point : curve_at_pressures(contact_of(drawn), pressures, Quantity::stiffness))
                 stiffness.push_back(point.state.stiffness.value);
@@ -57,18 +61,18 @@ template <Real T, class Pressures, class ContactOf>
 /// [](double D) { return FractalLaw<double>(D); }, and the modulus \p effective_modulus [Pa].
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>
-[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface,
+[[nodiscard]] std::vector<parts::SampledBand<T>> stiffness_band(const parts::SurfaceParameters<T>& surface,
                                                          const Pressures& pressures,
                                                          const LawOf& law_of, std::type_identity_t<T> effective_modulus,
-                                                         const BandOptions& options = {},
+                                                         const parts::BandOptions& options = {},
                                                          const RoughContactOptions<T>& contact = {}) {
     const auto place = [](Parameter which) { return static_cast<std::size_t>(which); };
     if (!surface.r || !surface.theta)
         throw domain_error("r and theta of the surface are not known: must be known for the density of its peaks");
     return stiffness_band(
         surface, pressures,
-        [&](const std::array<T, surface_parameter_count>& drawn) {
-            return RoughContact(roughness_of(drawn),
+        [&](const std::array<T, parts::surface_parameter_count>& drawn) {
+            return RoughContact(detail::roughness_of(drawn),
                                 PeakDistribution<T>(drawn[place(Parameter::r)], drawn[place(Parameter::theta)]),
                                 law_of(drawn[place(Parameter::fractal_dimension)]), effective_modulus, contact);
         },

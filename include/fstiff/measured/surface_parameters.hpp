@@ -46,14 +46,21 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// What counts as a peak of a map.
 enum class PeakSource {
     islands,  ///< the representative island: where there are most (Figs. 3 and 4)
     summits   ///< points above their eight neighbours
 };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<PeakSource> = name_list<PeakSource>({{PeakSource::islands, "islands"},
-                                                                 {PeakSource::summits, "summits"}});
+inline constexpr auto names<parts::PeakSource> = name_list<parts::PeakSource>({{parts::PeakSource::islands, "islands"},
+                                                                 {parts::PeakSource::summits, "summits"}});
+
+namespace parts {
 
 /// How the parameters of a surface and their errors are found.
 template <Real T = double>
@@ -86,14 +93,12 @@ template <Real T>
 [[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled,
                                                       const SurfaceParameterOptions<T>& options = {});
 
-namespace detail {
-
 /// What the sums have: heights in \p unit, lengths in samples of \p dx by \p dy.
 template <Real T>
-void store_sums(SurfaceParameters<T>& result, const Estimates<Accumulator<T>>& whole,
-                const EstimateSpread<Accumulator<T>>& spread, Accumulator<T> unit, Accumulator<T> dx,
-                Accumulator<T> dy) {
-    const auto measured = [&](Eigen::Index i, Accumulator<T> scale) {
+void store_sums(SurfaceParameters<T>& result, const detail::Estimates<math::Accumulator<T>>& whole,
+                const detail::EstimateSpread<math::Accumulator<T>>& spread, math::Accumulator<T> unit,
+                math::Accumulator<T> dx, math::Accumulator<T> dy) {
+    const auto measured = [&](Eigen::Index i, math::Accumulator<T> scale) {
         return Measurement<T>{static_cast<T>(whole[i] * scale), static_cast<T>(whole[i] * scale * spread.error[i])};
     };
     result.rms_height = measured(0, unit);
@@ -175,17 +180,15 @@ void require_numbers(const SurfaceParameters<T>& result) {
         require(one.error <= (std::numeric_limits<T>::max)(), "error of a surface parameter", one.error, "finite");
 }
 
-}  // namespace detail
-
 template <Real T>
 SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, const SurfaceParameterOptions<T>& options) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     const Profile<T>& profile = levelled.profile;
     profile.validate(16);
-    detail::require_options(options);
+    require_options(options);
     const std::size_t size = profile.size();
     const std::vector<T>& z = profile.heights;
-    const S unit = detail::height_scale(profile), mean = static_cast<S>(mean_height(profile));
+    const S unit = height_scale(profile), mean = static_cast<S>(mean_height(profile));
     const S step = static_cast<S>(profile.spacing);
 
     // How long heights stay correlated: until S reaches 1 - 1/e of where it ends.
@@ -219,30 +222,28 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
                               [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, whole, waves);
-    result.repetition = repetition(profile);
-    detail::store_sums(result, whole, spread, unit, step, step);
-    detail::require_numbers(result);
+    result.repetition = detail::repetition(profile);
+    store_sums(result, whole, spread, unit, step, step);
+    require_numbers(result);
     result.peaks_counted = all.triples.peaks;
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
     result.why_no_dimension =
         options.dimension
-            ? detail::fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
+            ? fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
             : "D was not asked for";
-    if (result.profile_fit) detail::store_fit(result, *result.profile_fit);
+    if (result.profile_fit) store_fit(result, *result.profile_fit);
     return result;
 }
-
-namespace detail {
 
 /// The sums over the part \p block of \p map, whose heights \p height gives in a unit; where \p summits
 /// of its summits, too.
 template <Real T, class Height>
-[[nodiscard]] HeightSums<Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
+[[nodiscard]] detail::HeightSums<math::Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
                                                        const Height& height, bool summits) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     using Index = Eigen::Index;
-    HeightSums<S> tile;
+    detail::HeightSums<S> tile;
     for (Index j = block.top; j < block.bottom; ++j)
         for (Index i = block.left; i < block.right; ++i) {
             tile.add_point(height(j, i));
@@ -267,12 +268,12 @@ template <Real T, class Height>
 template <Real T, class Directions>
 SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options,
                                     const Directions& directions) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
-    detail::require_options(options);
+    require_options(options);
     const auto& z = map.heights;
-    const S unit = detail::height_scale(map), mean = static_cast<S>(mean_height(map));
+    const S unit = height_scale(map), mean = static_cast<S>(mean_height(map));
     const auto height = [&](Index j, Index i) { return (static_cast<S>(z(j, i)) - mean) / unit; };
     const bool summits = options.peaks == PeakSource::summits;
     const Index tiles = static_cast<Index>(options.tiles);
@@ -280,9 +281,9 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     detail::HeightSums<S> all;
     for (Index t = 0; t < tiles * tiles; ++t) {
         const Index row = t / tiles, column = t % tiles;
-        const detail::MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles,
+        const MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles,
                                      column * map.columns() / tiles, (column + 1) * map.columns() / tiles};
-        const detail::HeightSums<S> tile = detail::sums_of_block(map, block, height, summits);
+        const detail::HeightSums<S> tile = sums_of_block(map, block, height, summits);
         all.add(tile);
         if (tile.points > S(0)) sums.push_back(tile);
     }
@@ -299,8 +300,8 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const auto waves = detail::long_waves<S>(map.rows(), map.columns(), whole[0] * whole[0], height);
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, whole, waves);
-    if (options.texture) result.texture_aspect_ratio = texture_aspect_ratio(map);
-    detail::store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
+    if (options.texture) result.texture_aspect_ratio = detail::texture_aspect_ratio(map);
+    store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
         result.islands = representative_islands(map, options.islands,
@@ -315,24 +316,24 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
         const auto density = index_of(Parameter::peak_density);
         result.correlation[radius][density] = result.correlation[density][radius] = islands.correlation;
     }
-    detail::require_numbers(result);
+    require_numbers(result);
     result.seed = options.seed;
     result.why_no_dimension =
-        options.dimension ? detail::fit_or_reason(result.map_fit, [&] { return directions(); }) : "D was not asked for";
-    if (result.map_fit) detail::store_mean_of_directions(result, *result.map_fit);
+        options.dimension ? fit_or_reason(result.map_fit, [&] { return directions(); }) : "D was not asked for";
+    if (result.map_fit) store_mean_of_directions(result, *result.map_fit);
     return result;
 }
 
-}  // namespace detail
-
 template <Real T>
 SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options) {
-    return detail::map_parameters(map, options, [&] { return fit_directions(map, options.fit); });
+    return map_parameters(map, options, [&] { return fit_directions(map, options.fit); });
 }
 
 template <Real T>
 SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled, const SurfaceParameterOptions<T>& options) {
-    return detail::map_parameters(levelled.map, options, [&] { return fit_directions(levelled, options.fit); });
+    return map_parameters(levelled.map, options, [&] { return fit_directions(levelled, options.fit); });
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -24,6 +24,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// The values of \p surface, whose spectrum has \p moments, without their errors.
 template <Real T>
 [[nodiscard]] RoughFace<T> rough_face(const SurfaceParameters<T>& surface, const SpectralMoments<T>& moments) {
@@ -53,8 +55,6 @@ template <Real T>
     if (face.theta) of.theta = {*face.theta, 0};
     return of;
 }
-
-namespace detail {
 
 /// \p face with the parameters \p drawn about its own; the moments grow with the height.
 template <Real T>
@@ -87,8 +87,6 @@ template <Real T>
     return x;
 }
 
-}  // namespace detail
-
 /// The sum of \p of_a and \p of_b, whose spectra have the moments \p moments_a and \p moments_b. R_p and G of it have
 /// no errors.
 /// \throws domain_error for parameters or errors out of range.
@@ -102,13 +100,13 @@ template <Real T>
     const T share = share_of_face(a, b);
     std::array<T, size> mean{};
     std::array<std::array<T, size>, size> square{};
-    const std::array<T, size> centre = detail::coordinates(nominal);
+    const std::array<T, size> centre = coordinates(nominal);
     for (std::size_t n = 0; n < draws; ++n) {
-        const RoughFace<T> one = detail::redrawn(a, draw_a()), other = detail::redrawn(b, draw_b());
+        const RoughFace<T> one = redrawn(a, draw_a()), other = redrawn(b, draw_b());
         RoughFace<T> sum = sum_of_faces(one, other);
         if (sum.fractal_dimension)
             sum.fractal_dimension = share * *one.fractal_dimension + (1 - share) * *other.fractal_dimension;
-        std::array<T, size> x = detail::coordinates(sum);
+        std::array<T, size> x = coordinates(sum);
         for (std::size_t i = 0; i < size; ++i) x[i] -= centre[i];
         for (std::size_t i = 0; i < size; ++i) {
             mean[i] += x[i] / T(draws);
@@ -133,6 +131,8 @@ template <Real T>
         }
     return out;
 }
+
+}  // namespace parts
 
 /// Of the sum of two faces whose heights are independent.
 template <Real T>

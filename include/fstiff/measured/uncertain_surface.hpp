@@ -44,6 +44,8 @@ struct Measurement {
     T value{}, error{};
 };
 
+namespace parts {
+
 /// Rows and columns are those of Parameter, of the surface.
 template <Real T>
 using ParameterCorrelation = std::array<std::array<T, surface_parameter_count>, surface_parameter_count>;
@@ -74,7 +76,7 @@ struct SurfaceParameters {
     LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
     T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
     bool anisotropic{};           ///< of a map
-    Repetition<T> repetition{};   ///< of a profile
+    detail::Repetition<T> repetition{};   ///< of a profile
     T texture_aspect_ratio{1};    ///< Str of a map
     bool curved{};                ///< no clean power law in the window
     std::size_t peaks_counted{};  ///< behind R and D_p
@@ -187,7 +189,7 @@ SurfaceSampler<T>::SurfaceSampler(const SurfaceParameters<T>& surface, std::uint
             if (known_[i] && known_[j])
                 correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
     // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
-    const auto [values, vectors] = symmetric_eigen<T>(correlation);
+    const auto [values, vectors] = math::symmetric_eigen<T>(correlation);
     const T least = *std::min_element(values.data(), values.data() + size);
     const T rounding = (std::max)(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
     require(least >= -rounding, "least eigenvalue of the correlation", least, "at least 0");
@@ -202,7 +204,7 @@ template <Real T>
 std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
     for (int attempt = 0; attempt < 1000; ++attempt) {
         std::array<T, surface_parameter_count> z{};
-        for (T& one : z) one = normal_pair<T>(state_).real();
+        for (T& one : z) one = math::normal_pair<T>(state_).real();
         std::array<T, surface_parameter_count> draw{};
         bool inside = true;
         for (std::size_t i = 0; i < surface_parameter_count; ++i) {
@@ -220,5 +222,7 @@ std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
     }
     throw domain_error("errors so large that 1000 draws in a row leave the range of D, r or theta: must be smaller");
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -26,6 +26,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// K of a measured surface at one pressure, with its band.
 template <Real T = double>
 struct WidenedBand {
@@ -60,23 +62,25 @@ template <Real T>
     return surface.profile && std::count(surface.concerns.begin(), surface.concerns.end(), MeasuredConcern::lay) > 0;
 }
 
+}  // namespace parts
+
 /// The band of the stiffness of any contact: \p contact_of takes a surface, an array in the order of Parameter, and
 /// returns what has at_pressure. A neighbour without a contact is left out.
 /// \throws domain_error as sampled_band().
 template <Real T, class Pressures, class ContactOf>
-[[nodiscard]] std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
+[[nodiscard]] std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
                                                          const ContactOf& contact_of,
-                                                         const BandOptions& options = {});
+                                                         const parts::BandOptions& options = {});
 /// The same for RoughContact with the asperity law that \p law_of makes of D, and the modulus \p effective_modulus
 /// [Pa].
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>
-[[nodiscard]] std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
+[[nodiscard]] std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
                                                          const LawOf& law_of, std::type_identity_t<T> effective_modulus,
-                                                         const BandOptions& options = {},
+                                                         const parts::BandOptions& options = {},
                                                          const RoughContactOptions<T>& contact = {});
 
-namespace detail {
+namespace parts {
 
 /// K at \p pressures; NaN where the surface has no contact, or the contact no state.
 template <Real T, class Pressures, class ContactOf>
@@ -102,45 +106,47 @@ template <Real T>
     return values;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 template <Real T, class Pressures, class ContactOf>
-std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
-                                           const ContactOf& contact_of, const BandOptions& options) {
-    const auto at = [&](const std::array<T, surface_parameter_count>& of) {
-        return detail::stiffnesses_at(of, pressures, contact_of);
+std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
+                                           const ContactOf& contact_of, const parts::BandOptions& options) {
+    const auto at = [&](const std::array<T, parts::surface_parameter_count>& of) {
+        return parts::stiffnesses_at(of, pressures, contact_of);
     };
-    const auto bands = sampled_band(surface, at, options);
+    const auto bands = parts::sampled_band(surface, at, options);
     const std::vector<T> own = at(surface.values());
     std::vector<std::vector<T>> of_neighbours, of_windows;
     for (const Surface<T>& neighbour : surface.neighbours)
-        of_neighbours.push_back(at(detail::values_of_neighbour(neighbour, surface)));
+        of_neighbours.push_back(at(parts::values_of_neighbour(neighbour, surface)));
     if (surface.fractal_dimension && surface.dimension_window_error > T(0))
         for (const T dimension :
-             dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
+             parts::dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
             auto other = surface.values();
-            other[index_of(Parameter::fractal_dimension)] = dimension;
+            other[parts::index_of(Parameter::fractal_dimension)] = dimension;
             of_windows.push_back(at(other));
         }
-    std::vector<WidenedBand<T>> all;
+    std::vector<parts::WidenedBand<T>> all;
     for (std::size_t i = 0; i < bands.size(); ++i)
-        all.push_back(widened(own[i], bands[i], of_neighbours, of_windows, i, is_profile_with_lay(surface)));
+        all.push_back(
+            parts::widened(own[i], bands[i], of_neighbours, of_windows, i, parts::is_profile_with_lay(surface)));
     return all;
 }
 
 template <Real T, class Pressures, class LawOf>
-std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures, const LawOf& law_of,
-                                           std::type_identity_t<T> effective_modulus, const BandOptions& options,
-                                           const RoughContactOptions<T>& contact) {
+std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
+                                                  const LawOf& law_of, std::type_identity_t<T> effective_modulus,
+                                                  const parts::BandOptions& options,
+                                                  const RoughContactOptions<T>& contact) {
     if (!surface.r || !surface.theta)
         throw domain_error("r and theta of the surface are not known: must be known for the density of its peaks");
     return stiffness_band(
         surface, pressures,
-        [&](const std::array<T, surface_parameter_count>& drawn) {
+        [&](const std::array<T, parts::surface_parameter_count>& drawn) {
             return RoughContact(
-                roughness_of(drawn),
-                PeakDistribution<T>(drawn[index_of(Parameter::r)], drawn[index_of(Parameter::theta)]),
-                law_of(drawn[index_of(Parameter::fractal_dimension)]), effective_modulus, contact);
+                detail::roughness_of(drawn),
+                PeakDistribution<T>(drawn[parts::index_of(Parameter::r)], drawn[parts::index_of(Parameter::theta)]),
+                law_of(drawn[parts::index_of(Parameter::fractal_dimension)]), effective_modulus, contact);
         },
         options);
 }

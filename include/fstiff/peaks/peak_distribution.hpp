@@ -123,7 +123,7 @@ public:
             case 4:
                 return 3 + 2 * std::sin(2 * theta_) / theta_ + std::sin(4 * theta_) / (4 * theta_);
             default:
-                detail::refuse("moment order", n, "1, 2, 3 or 4");
+                parts::refuse("moment order", n, "1, 2, 3 or 4");
         }
     }
 

@@ -19,32 +19,36 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// How the heights of the peaks are distributed.
 enum class Heights { gaussian, exponential };
-template <>
-inline constexpr auto names<Heights> = name_list<Heights>({{Heights::gaussian, "gaussian"},
-                                                           {Heights::exponential, "exponential"}});
 
-namespace detail {
+}  // namespace parts
+
+template <>
+inline constexpr auto names<parts::Heights> = name_list<parts::Heights>({{parts::Heights::gaussian, "gaussian"},
+                                                           {parts::Heights::exponential, "exponential"}});
+
+namespace parts {
 
 /// exp(x) Gamma(n+1, x) for n = TwiceN/2 and x >= 0.
 template <int TwiceN, Real T>
 T scaled_upper_gamma(T x) {
     if constexpr (TwiceN == 0) return T(1);
     if constexpr (TwiceN == -1)
-        return numbers::sqrt2_v<T> * scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
+        return numbers::sqrt2_v<T> * math::scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
     if constexpr (TwiceN > 0) return T(TwiceN) / 2 * scaled_upper_gamma<TwiceN - 2>(x) + std::pow(x, T(TwiceN) / 2);
 }
-
-}  // namespace detail
 
 /// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2, 5/2.
 template <Real T>
 [[nodiscard]] T height_moment(T n, T h, Heights heights = Heights::gaussian) {
-    if (heights == Heights::gaussian) return gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);
+    if (heights == Heights::gaussian)
+        return math::gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);
     require(!std::isnan(h), "h", h, "a number");
-    return detail::with_power(n, [h]<int TwiceN>() {
-        return detail::scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))) * std::exp(-(std::max)(h, T(0)));
+    return math::with_power(n, [h]<int TwiceN>() {
+        return scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))) * std::exp(-(std::max)(h, T(0)));
     });
 }
 
@@ -57,9 +61,9 @@ struct SingleRadius {
     template <int TwiceN>
     [[nodiscard]] std::pair<T, T> scaled_height_moment(T h) const {
         if (heights == Heights::gaussian)
-            return {detail::scaled_moment<TwiceN>(h) * numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>,
+            return {math::scaled_moment<TwiceN>(h) * numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>,
                     h > 0 ? -h * h / 2 : T(0)};
-        return {detail::scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))), -(std::max)(h, T(0))};
+        return {scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))), -(std::max)(h, T(0))};
     }
     /// phi(s).
     [[nodiscard]] T density(T s) const {
@@ -69,5 +73,7 @@ struct SingleRadius {
     }
     [[nodiscard]] bool operator==(const SingleRadius&) const = default;
 };
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -23,9 +23,7 @@
 
 #include <cstdint>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::parts {
 
 /// The sums over pairs of one profile; heights are scaled, and 0 where \p present is 0;
 /// an empty \p present: no point is missing.
@@ -77,12 +75,12 @@ private:
         slope_ = square > 0
                      ? over_points([&](std::size_t i) { return (position(i) - middle) * (z_[i] - level); }) / square
                      : F(0);
-        residual_.resize(fast_fft_size(size_ + longest_));  // padded with zeros for the transform
+        residual_.resize(math::fast_fft_size(size_ + longest_));  // padded with zeros for the transform
         // z - level - slope u with the rounding errors of the difference and of the product
         for (std::size_t i = 0; i < size_; ++i) {
             if (!whole_ && !present_[i]) continue;
             const F u = position(i);  // exact, so that differences of the line are slope times lag
-            const RoundedSum<F> difference = two_sum(z_[i], -level);
+            const math::RoundedSum<F> difference = math::two_sum(z_[i], -level);
             const F product = slope_ * u, product_lost = std::fma(slope_, u, -product);
             residual_[i] = (difference.sum - product) + (difference.error - product_lost);
         }
@@ -93,7 +91,7 @@ private:
     }
 
     /// \p spectrum becomes the transform of its norms: a real even spectrum is its own inverse.
-    static void transform_norms(RealFft<F>& fft, std::vector<std::complex<F>>& spectrum) {
+    static void transform_norms(math::RealFft<F>& fft, std::vector<std::complex<F>>& spectrum) {
         std::vector<F> even(fft.size());
         for (std::size_t k = 0; k < spectrum.size(); ++k)
             even[k] = even[(fft.size() - k) % fft.size()] = std::norm(spectrum[k]) * (F(1) / static_cast<F>(fft.size()));
@@ -101,13 +99,13 @@ private:
     }
 
     void correlate_whole() {
-        RealFft<F> fft(residual_.size());
+        math::RealFft<F> fft(residual_.size());
         std::vector<std::complex<F>> spectrum;
         fft.forward(residual_, spectrum);
         transform_norms(fft, spectrum);
         const F zero = over_points([&](std::size_t i) { return residual_[i] * residual_[i]; });
         // squares outside the pairs' beginnings and ends; last n less first n points
-        CompensatedSum<F> left_out, edges;
+        math::CompensatedSum<F> left_out, edges;
         for (std::size_t n = 1; n <= longest_; ++n) {
             const F head = residual_[n - 1], tail = residual_[size_ - n];
             left_out.add(head * head + tail * tail);
@@ -124,7 +122,7 @@ private:
 
     /// With points missing: pairs, sum of differences and sum of squared differences are three correlations.
     void correlate_present() {
-        RealFft<F> fft(residual_.size());
+        math::RealFft<F> fft(residual_.size());
         const std::size_t half = fft.size() / 2;
         const F scale = F(1) / static_cast<F>(fft.size());
         std::vector<std::complex<F>> spectrum, other, mask;
@@ -188,7 +186,7 @@ private:
     /// Returns which lags are settled.
     std::vector<char> in_segments(std::size_t to) {
         std::vector<char> settled(to + 1);
-        RealFft<F> fft(fast_fft_size(16 * to));
+        math::RealFft<F> fft(math::fast_fft_size(16 * to));
         const std::size_t width = fft.size(), begins = width - to, half = width / 2;
         std::vector<F> x, y;
         std::vector<std::complex<F>> begin, end, product(half + 1);
@@ -255,21 +253,19 @@ private:
     std::vector<std::size_t> inaccurate_lags_;  // lags whose sum may be wrong, rising
 };
 
-}  // namespace detail
-
 /// S of \p profile at all lags of 1, 2, ... \p longest samples (0: all there are).
 /// \throws domain_error as structure_function() does, and for a profile of fewer than 2 or more than 2^29 points.
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest = 0,
                                                                   Divisor divisor = Divisor::pairs) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     require_positive("spacing", profile.spacing);
     const std::size_t points = profile.size();
     if (points < 2 || points > std::size_t{1} << 29)
         throw domain_error("profile has " + std::to_string(points) + " points: must be between 2 and 2^29");
     if (longest >= points)
-        detail::refuse("lag", std::to_string(longest) + " samples", "between 1 and " + std::to_string(points - 1));
-    const F scale = static_cast<F>(detail::height_scale(profile));
+        refuse("lag", std::to_string(longest) + " samples", "between 1 and " + std::to_string(points - 1));
+    const F scale = static_cast<F>(height_scale(profile));
     std::vector<F> heights(points);
     std::vector<char> present;
     if (profile.present() < points) present.resize(points);
@@ -278,7 +274,7 @@ template <Real T>
         if (!present.empty()) present[i] = exists ? 1 : 0;
         heights[i] = exists ? static_cast<F>(profile.heights[i]) / scale : F(0);
     }
-    detail::AllLags<F> all(heights, present, longest == 0 ? points - 1 : longest);
+    parts::AllLags<F> all(heights, present, longest == 0 ? points - 1 : longest);
     StructureFunction<T> result;
     result.step.resize(all.sum.size());
     result.lag.resize(all.sum.size());
@@ -290,9 +286,9 @@ template <Real T>
     std::size_t kept = 0;  // lags without enough pairs are left out in place
     for (std::size_t k = 0; k < result.pairs.size(); ++k) {
         const std::size_t pairs = result.pairs[k];
-        const std::size_t count = detail::divided_by(pairs, divisor);
+        const std::size_t count = divided_by(pairs, divisor);
         if (count == 0) continue;
-        const T value = detail::mean_square<T>(static_cast<F>(result.value[k]), static_cast<F>(count), scale);
+        const T value = mean_square<T>(static_cast<F>(result.value[k]), static_cast<F>(count), scale);
         result.step[kept] = k + 1;
         result.lag[kept] = static_cast<T>(k + 1) * profile.spacing;
         result.value[kept] = value;
@@ -306,4 +302,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

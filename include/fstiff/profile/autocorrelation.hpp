@@ -31,18 +31,18 @@ struct Autocorrelation {
 /// Autocorrelation of \p profile. \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     profile.validate(16);
     const std::size_t size = profile.size(), lags = size / 2;
     if (size > std::size_t{1} << 29)
         throw domain_error("profile has " + std::to_string(size) + " points: must be at most 2^29");
-    const T mean = mean_height(profile), unit = power_of_two_below(rms_height(profile));
+    const T mean = parts::mean_height(profile), unit = math::power_of_two_below(rms_height(profile));
     std::vector<F> z(size), mask(size, F(1));
     for (std::size_t i = 0; i < size; ++i) {
         if (std::isnan(profile.heights[i])) mask[i] = 0;
         z[i] = mask[i] > 0 ? static_cast<F>((profile.heights[i] - mean) / unit) : F(0);
     }
-    RealFft<F> fft(fast_fft_size(size + lags));
+    math::RealFft<F> fft(math::fast_fft_size(size + lags));
     const auto correlate = [&](std::vector<F>& data) {
         std::vector<std::complex<F>> spectrum;
         fft.forward(data, spectrum);
@@ -64,6 +64,8 @@ template <Real T>
     return result;
 }
 
+namespace parts {
+
 /// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before
 /// has no pair. \throws domain_error unless 0 < threshold < 1.
 template <Real T>
@@ -79,5 +81,7 @@ template <Real T>
     }
     return {};
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

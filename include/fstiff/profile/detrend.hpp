@@ -44,18 +44,16 @@ template <Real T>
 void subtract_product(T& value, T& carry, T a, T b) {
     const T product = a * b;
     const T product_error = std::fma(a, b, -product);
-    const RoundedSum<T> next = two_sum(value, -product);
+    const math::RoundedSum<T> next = math::two_sum(value, -product);
     carry += next.error - product_error;
     value = next.sum;
 }
-
-}  // namespace detail
 
 /// \p profile without the \p form.
 /// \throws domain_error when it has fewer points than the form has coefficients, or an infinite height.
 template <Real T>
 [[nodiscard]] Profile<T> detrend(const Profile<T>& profile, Form form) {
-    const std::size_t terms = detail::coefficients(form);
+    const std::size_t terms = coefficients(form);
     for (const T z : profile.heights)
         require(std::isnan(z) || std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z,
                 "finite, or NaN for a missing point");
@@ -66,17 +64,17 @@ template <Real T>
         throw domain_error("profile has " + std::to_string(points) + " points: must be at least " +
                            std::to_string(terms) + " to remove this form");
 
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     const auto count = static_cast<S>(points);
     const S last = static_cast<S>(profile.size() > 1 ? profile.size() - 1 : 1);
     const auto position = [&](std::size_t i) { return 2 * static_cast<S>(i) / last - 1; };  // in [-1, 1]
     const auto mean_over_points = [&](const auto& f) {
-        CompensatedSum<S> sum;
+        math::CompensatedSum<S> sum;
         for (std::size_t i = 0; i < profile.size(); ++i)
             if (!std::isnan(profile.heights[i])) sum.add(f(i));
         return sum.value() / count;
     };
-    detail::OrthogonalPolynomials<S> p;
+    OrthogonalPolynomials<S> p;
     p.centre = mean_over_points(position);
     p.mean_square =
         mean_over_points([&](std::size_t i) { return (position(i) - p.centre) * (position(i) - p.centre); });
@@ -96,11 +94,13 @@ template <Real T>
             const S c =
                 mean_over_points([&](std::size_t i) { return p(position(i))[k] * (value[i] + carry[i]); }) / norm[k];
             for (std::size_t i = 0; i < value.size(); ++i)
-                detail::subtract_product(value[i], carry[i], c, p(position(i))[k]);
+                subtract_product(value[i], carry[i], c, p(position(i))[k]);
         }
     }
     for (std::size_t i = 0; i < value.size(); ++i) result.heights[i] = static_cast<T>(value[i] + carry[i]);
     return result;
 }
+
+}  // namespace detail
 
 }  // namespace fstiff

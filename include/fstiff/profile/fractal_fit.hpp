@@ -27,7 +27,7 @@
 
 namespace fstiff {
 
-namespace detail {
+namespace parts {
 
 template <Real T>
 void check_options(const FractalFitOptions<T>& options) {
@@ -71,7 +71,7 @@ template <Real F>
 void set_slope_error(LogStructure<F>& log) {
     Matrix<F> sampled = covariance_of(log, F(1));
     sampled.diagonal().array() += F(1e-8);
-    const Matrix<F> root = cholesky(sampled);
+    const Matrix<F> root = detail::cholesky(sampled);
     log.slope_error = Vector<F>::Zero(log.lag.size());
     for (Eigen::Index k = 0; k < root.cols(); ++k) {
         const Vector<F> column = root.col(k);
@@ -83,18 +83,16 @@ void set_slope_error(LogStructure<F>& log) {
     log.slope_error = log.slope_error.cwiseSqrt().eval();
 }
 
-}  // namespace detail
-
 template <Real T>
-FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options) {
-    using F = Accumulator<T>;
+FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+    using F = math::Accumulator<T>;
     profile.validate(16);
-    detail::check_options(options);
+    check_options(options);
     const std::size_t points = profile.size();
     // beyond the usual quarter of the points only when the window asks for it
     std::size_t longest = points / 4;
     if (options.window) {
-        detail::check_window(*options.window, profile.length());
+        check_window(*options.window, profile.length());
         const auto last = static_cast<std::size_t>(options.window->to / profile.spacing * T(1.0001));
         longest = (std::max)(longest, (std::min)(points - 2, last));
     }
@@ -110,38 +108,41 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOpt
         measured.resample = [&](const std::vector<std::size_t>& steps) {
             const Profile<F> heights{std::vector<F>(profile.heights.begin(), profile.heights.end()),
                                      static_cast<F>(profile.spacing)};
-            return detail::bootstrap_log_structure(heights, steps, options.resamples, options.seed, options.progress);
+            return bootstrap_log_structure(heights, steps, options.resamples, options.seed, options.progress);
         };
-    const T tip_length = options.tip_radius > T(0) ? tip_cutoff(profile, options.tip_radius) : T(0);
-    FractalFit<T> result = detail::fit_measured(measured, options, tip_length);
+    const T tip_length = options.tip_radius > T(0) ? detail::tip_cutoff(profile, options.tip_radius) : T(0);
+    FractalFit<T> result = fit_measured(measured, options, tip_length);
     result.seed = options.seed;
     return result;
 }
+
+}  // namespace parts
 
 /// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
 /// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
 /// of lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {}) {
-    FractalFitOptions<T> how = options;
+[[nodiscard]] FractalFit<T> fit_fractal(const parts::LevelledProfile<T>& levelled,
+                                        const parts::FractalFitOptions<T>& options = {}) {
+    parts::FractalFitOptions<T> how = options;
     how.lambda_s = (std::max)(how.lambda_s, levelled.lambda_s.value_or(T(0)));
     if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
         how.longest = *levelled.lambda_c;
-    return detail::fit_profile(levelled.of_structure(), how);
+    return parts::fit_profile(levelled.of_structure(), how);
 }
 
 /// D and G of \p profile as it is. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {}) {
-    return detail::fit_profile(profile, options);
+[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const parts::FractalFitOptions<T>& options = {}) {
+    return parts::fit_profile(profile, options);
 }
 
 /// D and G of a structure function, with its resamples; options.divisor, .seed and .resamples are not used.
 /// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
 template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
-                                        const FractalFitOptions<T>& options = {}) {
-    detail::check_options(options);
+[[nodiscard]] FractalFit<T> fit_fractal(const parts::MeasuredStructureFunction<T>& measured,
+                                        const parts::FractalFitOptions<T>& options = {}) {
+    parts::check_options(options);
     require_positive("spacing", measured.spacing);
     require(measured.profiles >= T(1) && measured.profiles <= (std::numeric_limits<T>::max)(), "profiles",
             measured.profiles, "finite and at least 1");
@@ -162,16 +163,16 @@ template <Real T>
         require(s.value[k] >= T(0) && s.value[k] <= (std::numeric_limits<T>::max)(), "structure function", s.value[k],
                 "finite and not negative");
     }
-    if (options.window) detail::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
-    return detail::fit_measured(measured, options, T(0));
+    if (options.window) parts::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
+    return parts::fit_measured(measured, options, T(0));
 }
 
-namespace detail {
+namespace parts {
 
 /// What the result says of its window.
 template <Real T>
-void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
-                const ChosenRange<Accumulator<T>>& chosen, T spacing, const ReliableLags<T>& reliable) {
+void set_window(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>& log,
+                const ChosenRange<math::Accumulator<T>>& chosen, T spacing, const ReliableLags<T>& reliable) {
     const IndexRange& range = chosen.range;
     const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
     result.reliable_from = reliable.from;
@@ -203,12 +204,13 @@ void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
 
 /// D, G, and their errors.
 template <Real T>
-void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, const LogStructure<Accumulator<T>>& log,
-                 const LineFitter<Accumulator<T>>& fitter, const Matrix<Accumulator<T>>& resampled, T spacing,
-                 const FractalFitOptions<T>& options) {
-    using F = Accumulator<T>;
+void set_fractal(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T>>& line,
+                 const LogStructure<math::Accumulator<T>>& log, const detail::LineFitter<math::Accumulator<T>>& fitter,
+                 const Matrix<math::Accumulator<T>>& resampled, T spacing, const FractalFitOptions<T>& options) {
+    using F = math::Accumulator<T>;
     const IndexRange& range = line.range;
-    const FractalLine<F> main = fractal_line<F>(line, options.convention, static_cast<F>(options.gamma));
+    const detail::FractalLine<F> main =
+        detail::fractal_line<F>(line, options.convention, static_cast<F>(options.gamma));
     const auto expected = [&](const Vector<F>& row) { return std::sqrt(fitter.covariance_of(row, row, range)); };
     // a profile that is not much longer than the longest lag knows its own scatter badly: the deviation of Student's t
     const F longest = std::exp(log.lag[range.last]);
@@ -230,7 +232,7 @@ void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, cons
     result.sampling_dimension_error = static_cast<T>(of_dimension);
     result.sampling_log_roughness_error = static_cast<T>(of_log_g);
     F product = 0;  // of the shares of the window
-    set_neighbours(result, main, range, log, fitter, spacing, beyond_model, product, options);
+    detail::set_neighbours(result, main, range, log, fitter, spacing, beyond_model, product, options);
     const F dimension_error = std::hypot(of_dimension, static_cast<F>(result.window_dimension_error));
     const F log_g_error = std::hypot(of_log_g, static_cast<F>(result.window_log_roughness_error));
     result.dimension_roughness_correlation = static_cast<T>(
@@ -263,9 +265,9 @@ StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
 
 /// D of the ordinary straight line over \p range, and its error. Returns the slope.
 template <Real T>
-Accumulator<T> set_ordinary_line(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
+math::Accumulator<T> set_ordinary_line(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>& log,
                                  const IndexRange& range) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
     const F slope = regression_slope(x, y, 0, x.size() - 1);
     const auto centred = (x.array() - x.mean()).eval();
@@ -289,9 +291,9 @@ template <Real T>
 
 /// S2 of the fitted \p line at the lags of its window.
 template <Real T>
-void set_fitted(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, const LogStructure<Accumulator<T>>& log,
-                T spacing) {
-    using F = Accumulator<T>;
+void set_fitted(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T>>& line,
+                const LogStructure<math::Accumulator<T>>& log, T spacing) {
+    using F = math::Accumulator<T>;
     for (Eigen::Index k = 0; k < line.range.count(); ++k) {
         const auto at = static_cast<std::size_t>(line.range.first + k);
         result.fitted.step.push_back(log.step[at]);
@@ -302,12 +304,10 @@ void set_fitted(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, const
     }
 }
 
-}  // namespace detail
-
 template <Real T>
-FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
+FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
                                    T tip_length) {
-    using F = Accumulator<T>;  // the fit of a float profile is done in double
+    using F = math::Accumulator<T>;  // the fit of a float profile is done in double
     FractalFit<T> result;
     result.structure_function = measured.structure_function;
     result.second_differences = measured.second_differences;
@@ -331,8 +331,8 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     const IndexRange& range = chosen.range;
     F power = std::clamp(set_ordinary_line(result, log, range), F(0.05), F(1.95));
     const F log_gamma = std::log(static_cast<F>(options.gamma));
-    std::optional<LineFitter<F>> fitter;
-    LogFit<F> line;
+    std::optional<detail::LineFitter<F>> fitter;
+    detail::LogFit<F> line;
     for (int round = 0; round < 4; ++round) {  // covariance, filter and ends of the band hang on the slope, weakly
         const bool band_ends = range.first > 0 && log.slope[0] > power + F(0.3);  // S2 is steeper at shorter lags
         fitter.emplace(log, covariance_of(log, power), power, log_gamma, band_ends);
@@ -355,10 +355,12 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     set_fractal(result, line, log, *fitter, resampled, spacing, options);
     set_fitted(result, line, log, spacing);
     result.curved =
-        is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
-        flattens(log, range, line.slope) ||
+        detail::is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
+        detail::flattens(log, range, line.slope) ||
         std::any_of(result.neighbours.begin(), result.neighbours.end(), [](const auto& one) { return one.disagrees; });
     return result;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

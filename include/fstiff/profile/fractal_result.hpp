@@ -18,6 +18,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// How D and G are fitted.
 template <Real T = double>
 struct FractalFitOptions {
@@ -47,7 +49,7 @@ struct MeasuredStructureFunction {
     T apart{};  ///< how far neighbours of them stand apart [spacings]: closer than half the lag, they see the same waves;
                 ///< 0: they are independent
     /// ln S2 at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S2 in any unit.
-    std::function<Eigen::Matrix<Accumulator<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>
+    std::function<Eigen::Matrix<math::Accumulator<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>
         resample{};
 };
 
@@ -62,6 +64,8 @@ struct NeighbourWindow {
     bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
 };
 
+}  // namespace parts
+
 /// D and G of a structure function, with their errors and what they rest on.
 template <Real T = double>
 struct FractalFit {
@@ -74,15 +78,15 @@ struct FractalFit {
     T sampling_log_roughness_error{};     ///< its share of sampling
     T window_log_roughness_error{};       ///< and of the window
     T dimension_roughness_correlation{};  ///< of the errors of D and ln G
-    std::vector<NeighbourWindow<T>> neighbours;  ///< that the share of the window comes from
+    std::vector<parts::NeighbourWindow<T>> neighbours;  ///< that the share of the window comes from
     T regression_dimension_error{};  ///< ordinary least-squares error of D, as if all lags were independent: too small
     T model_dimension_error{};       ///< from the covariance of a Gaussian self-affine profile
     T bootstrap_dimension_error{};   ///< from the moving-block bootstrap; 0 when left out
     T line_dimension{};              ///< D of the ordinary straight line over the same window
     LagWindow<T> window;             ///< shortest and longest lag used [m]
     bool automatic_window{};
-    WindowEnd begins{};     ///< why the window begins there
-    WindowEnd ends{};       ///< and ends there
+    parts::WindowEnd begins{};     ///< why the window begins there
+    parts::WindowEnd ends{};       ///< and ends there
     T reliable_from{};      ///< shortest lag that resolution and tip allow [m]; 0: not restricted
     bool behind_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
     T slope_tolerance{};    ///< that the automatic window took; 0 for a window given

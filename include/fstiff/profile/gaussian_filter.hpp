@@ -25,7 +25,7 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Share of a wave of \p wavelength that the waviness keeps. \throws domain_error unless both lengths are positive.
 template <Real T>
@@ -44,22 +44,20 @@ template <Real T>
     return roughness;
 }
 
-namespace detail {
-
 /// The weighted means of the head of this file, with a cut-off of \p least spacings at least.
 template <Real T>
 Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     require_positive("spacing", profile.spacing);
     // a cut-off of exactly so many spacings is in, whatever its rounding
     if (!(cutoff >= static_cast<T>(least) * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) &&
           cutoff <= profile.length()))
-        detail::refuse("cut-off", cutoff,
+        refuse("cut-off", cutoff,
                        "at least " + std::to_string(least) + " spacings and at most the length of the profile");
-    const T scale = detail::height_scale(profile);
+    const T scale = height_scale(profile);
     const T mean = mean_height(profile);
     const std::size_t size = profile.size();
-    GaussianSmoother<F> smooth(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing));
+    math::GaussianSmoother<F> smooth(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing));
     std::vector<F> heights(size), mask(size);
     for (std::size_t i = 0; i < size; ++i) {
         const bool exists = !std::isnan(profile.heights[i]);
@@ -74,12 +72,10 @@ Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
     return means;
 }
 
-}  // namespace detail
-
 /// The long waves of \p profile. \throws domain_error for a cut-off or a profile out of range.
 template <Real T>
 [[nodiscard]] Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff) {
-    return detail::gaussian_means(profile, cutoff, 5);
+    return gaussian_means(profile, cutoff, 5);
 }
 
 /// \p profile without its short waves: the same sums, for a cut-off of two spacings and more. Below five spacings the
@@ -87,7 +83,7 @@ template <Real T>
 /// \throws domain_error as above.
 template <Real T>
 [[nodiscard]] Profile<T> gaussian_low_pass(const Profile<T>& profile, T cutoff) {
-    return detail::gaussian_means(profile, cutoff, 2);
+    return gaussian_means(profile, cutoff, 2);
 }
 
 /// \p profile without them. \throws domain_error as above.
@@ -97,8 +93,6 @@ template <Real T>
     for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
     return roughness;
 }
-
-namespace detail {
 
 /// g of the file's head: exp(-t) = 1/2 and (1 + t) exp(-t) = 1/2 for t = pi g^2.
 template <Real T>
@@ -114,7 +108,7 @@ public:
         : size_(size),
           order_(order),
           reach_(reach(size, width * robust_width<F>[order / 2])),
-          fft_(fast_fft_size(size + reach_)) {
+          fft_(math::fast_fft_size(size + reach_)) {
         const F unit = width * robust_width<F>[order / 2];
         shapes_.resize(2 * static_cast<std::size_t>(order) + 1);
         std::vector<F> kernel(fft_.size());
@@ -151,7 +145,7 @@ private:
     std::size_t size_;
     int order_;
     std::size_t reach_;
-    RealFft<F> fft_;
+    math::RealFft<F> fft_;
     std::vector<std::vector<std::complex<F>>> shapes_;
     std::vector<std::complex<F>> spectrum_, product_;
 };
@@ -165,19 +159,17 @@ F regression_value(const std::vector<std::vector<F>>& s, const std::vector<std::
     return (a * t[0][i] + b * t[1][i] + c * t[2][i]) / (a * s[0][i] + b * s[1][i] + c * s[2][i]);
 }
 
-}  // namespace detail
-
 /// The long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
 template <Real T>
-[[nodiscard]] RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2) {
-    using F = Accumulator<T>;
+[[nodiscard]] math::RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2) {
+    using F = math::Accumulator<T>;
     require_positive("spacing", profile.spacing);
     require(order == 0 || order == 2, "order", order, "0 or 2");
     require(cutoff >= 5 * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= profile.length(),
             "cut-off", cutoff, "at least 5 spacings and at most the length of the profile");
-    const T scale = detail::height_scale(profile), mean = mean_height(profile);
+    const T scale = height_scale(profile), mean = mean_height(profile);
     const std::size_t size = profile.size(), terms = static_cast<std::size_t>(order) + 1;
-    detail::RegressionSums<F> regression(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing), order);
+    parts::RegressionSums<F> regression(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing), order);
     std::vector<std::vector<F>> s, t;
     const auto exists = [&](std::size_t i) { return !std::isnan(profile.heights[i]); };
     std::vector<F> heights(size);
@@ -187,13 +179,13 @@ template <Real T>
         regression(weights, 2 * terms - 1, s);
         regression(weighted, terms, t);
     };
-    const auto found = detail::robust_means(
-        heights, static_cast<F>(detail::robust_share[order / 2]), exists, sum, [&](std::size_t i) { return s[0][i]; },
-        [&](std::size_t i) { return detail::regression_value(s, t, i); });
-    RobustWaviness<Profile<T>> result{profile, found.left_out, found.iterations, found.converged};
+    const auto found = math::robust_means(
+        heights, static_cast<F>(robust_share[order / 2]), exists, sum, [&](std::size_t i) { return s[0][i]; },
+        [&](std::size_t i) { return regression_value(s, t, i); });
+    math::RobustWaviness<Profile<T>> result{profile, found.left_out, found.iterations, found.converged};
     for (std::size_t i = 0; i < size; ++i)
         if (exists(i)) result.waviness.heights[i] = static_cast<T>(found.waviness[i]) * scale + mean;
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -27,6 +27,8 @@ struct LagWindow {
     T from{}, to{};
 };
 
+namespace parts {
+
 /// Why a window begins or ends where it does.
 enum class WindowEnd {
     given,       ///< by hand
@@ -40,24 +42,26 @@ enum class WindowEnd {
     length,      ///< the longest lag searched: of longer ones the profile holds too few
 };
 
+}  // namespace parts
+
 /// To follow "begins" or "ends".
 template <>
-inline constexpr auto names<WindowEnd> = name_list<WindowEnd>({
-    {WindowEnd::given, "as given"},
-    {WindowEnd::sampling, "at the first lag searched"},
-    {WindowEnd::resolution, "at the resolution"},
-    {WindowEnd::lambda_s, "at lambda_s"},
-    {WindowEnd::tip, "where the tip no longer shows"},
-    {WindowEnd::smooth, "where the profile becomes smooth"},
-    {WindowEnd::saturated, "where the structure function saturates"},
-    {WindowEnd::bend, "where the slope changes"},
-    {WindowEnd::length, "at the longest lag searched"},
+inline constexpr auto names<parts::WindowEnd> = name_list<parts::WindowEnd>({
+    {parts::WindowEnd::given, "as given"},
+    {parts::WindowEnd::sampling, "at the first lag searched"},
+    {parts::WindowEnd::resolution, "at the resolution"},
+    {parts::WindowEnd::lambda_s, "at lambda_s"},
+    {parts::WindowEnd::tip, "where the tip no longer shows"},
+    {parts::WindowEnd::smooth, "where the profile becomes smooth"},
+    {parts::WindowEnd::saturated, "where the structure function saturates"},
+    {parts::WindowEnd::bend, "where the slope changes"},
+    {parts::WindowEnd::length, "at the longest lag searched"},
 });
+
+namespace parts {
 
 /// In words, to follow "begins" or "ends".
 [[nodiscard]] constexpr std::string_view describe(WindowEnd end) { return name_of(end); }
-
-namespace detail {
 
 template <Real T>
 using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
@@ -131,9 +135,9 @@ struct LogStructure {
 
 /// Lags at which nothing differs (S2 = 0) have no logarithm, and are left out with those that are not reliable.
 template <Real T>
-LogStructure<Accumulator<T>> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
+LogStructure<math::Accumulator<T>> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
                                            const ReliableLags<T>& reliable) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     LogStructure<F> log;
     log.points = points;
     std::vector<F> lag, value;
@@ -223,9 +227,9 @@ struct ChosenRange {
 
 /// The window that was given. \throws domain_error when it holds too few lags.
 template <Real T>
-ChosenRange<Accumulator<T>> given_range(const LogStructure<Accumulator<T>>& log, const LagWindow<T>& window, T spacing,
-                                        const ReliableLags<T>& reliable) {
-    using F = Accumulator<T>;
+ChosenRange<math::Accumulator<T>> given_range(const LogStructure<math::Accumulator<T>>& log, const LagWindow<T>& window,
+                                              T spacing, const ReliableLags<T>& reliable) {
+    using F = math::Accumulator<T>;
     const F slack = F(1e-4);
     const F from = std::log(static_cast<F>(window.from / spacing)) - slack;
     const F to = std::log(static_cast<F>(window.to / spacing)) + slack;
@@ -251,9 +255,9 @@ ChosenRange<Accumulator<T>> given_range(const LogStructure<Accumulator<T>>& log,
 
 /// The window that is found. \throws domain_error when there is none.
 template <Real T>
-ChosenRange<Accumulator<T>> automatic_range(const LogStructure<Accumulator<T>>& log, T spacing,
+ChosenRange<math::Accumulator<T>> automatic_range(const LogStructure<math::Accumulator<T>>& log, T spacing,
                                             const ReliableLags<T>& reliable) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     for (const auto& [tolerance, behind_plateau] :
          {std::pair{F(0.2), false}, {F(0.2), true}, {F(0.3), false}, {F(0.45), false}, {F(0.3), true}, {F(0.45), true}})
         if (const auto range = straight_range(log, tolerance, behind_plateau, {0, log.lag.size() - 1}))
@@ -279,6 +283,6 @@ WindowEnd why_there(const LogStructure<F>& log, const IndexRange& range, Eigen::
     return slope < F(0.2) ? WindowEnd::saturated : WindowEnd::bend;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 }  // namespace fstiff

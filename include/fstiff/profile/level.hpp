@@ -3,7 +3,7 @@
 /// \file
 /// A profile without its form, with what was removed and the profile before the filters.
 ///
-///     const auto flat = fstiff::level(profile, fstiff::Form::line);
+///     const auto flat = fstiff::parts::level(profile, fstiff::Form::line);
 ///     const auto fit = fstiff::fit_fractal(flat);
 ///
 /// Units       heights, cut-off [m]
@@ -14,7 +14,7 @@
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// A profile without its form, and behind which cut-offs.
 template <Real T = double>
@@ -40,9 +40,10 @@ template <Real T>
                                        std::optional<std::type_identity_t<T>> cutoff = {},
                                        std::type_identity_t<T> resolution = 0,
                                        std::optional<std::type_identity_t<T>> lambda_s = {}) {
-    LevelledProfile<T> flat{.profile = detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
+    LevelledProfile<T> flat{
+        .profile = detail::detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
     if (form != Form::none)
-        detail::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
+        math::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
                                               flat.profile.heights.data(), profile.size(), resolution);
     if (lambda_s) {
         flat.unfiltered = cutoff ? gaussian_roughness(flat.profile, *cutoff) : flat.profile;
@@ -63,4 +64,4 @@ template <Real T>
     return levelled;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -26,7 +26,7 @@
 
 namespace fstiff {
 
-namespace detail {
+namespace parts {
 
 /// \p Sum: S, or CompensatedSum<S>.
 template <Real S, class Sum = S>
@@ -51,12 +51,12 @@ struct TripleSums {
 
 private:
     static void put(S& sum, S term) { sum += term; }
-    static void put(CompensatedSum<S>& sum, S term) { sum.add(term); }
+    static void put(math::CompensatedSum<S>& sum, S term) { sum.add(term); }
     static S total(S sum) { return sum; }
-    static S total(const CompensatedSum<S>& sum) { return sum.value(); }
+    static S total(const math::CompensatedSum<S>& sum) { return sum.value(); }
 };
 
-}  // namespace detail
+}  // namespace parts
 
 /// What neighbours and triples of a profile say of its peaks.
 template <Real T = double>
@@ -79,11 +79,11 @@ struct PeakStatistics {
 template <Real T>
 [[nodiscard]] PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     profile.validate(16);
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     PeakStatistics<T> result;
     result.rms_height = rms_height(profile);
     const T scale = result.rms_height;  // heights below are in units of sigma
-    detail::TripleSums<S, CompensatedSum<S>> sums;
+    parts::TripleSums<S, math::CompensatedSum<S>> sums;
     const std::vector<T>& z = profile.heights;
     for (std::size_t i = 1; i + 1 < z.size(); ++i) sums.add((z[i] - z[i - 1]) / scale, (z[i + 1] - z[i]) / scale);
     result.triples = sums.triples;
@@ -109,15 +109,17 @@ template <Real T>
     return result;
 }
 
+namespace parts {
+
 /// Moments of \p profile about its mean: remove its form first, with detrend(). \throws domain_error for a profile out
 /// of range, without a triple of neighbours, or whose moments leave the range of numbers.
 template <Real T>
 [[nodiscard]] SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
     profile.validate(16);
-    using S = Accumulator<T>;
-    const T scale = detail::height_scale(profile);
-    CompensatedSum<S> slope;
-    detail::TripleSums<S, CompensatedSum<S>> sums;
+    using S = math::Accumulator<T>;
+    const T scale = height_scale(profile);
+    math::CompensatedSum<S> slope;
+    TripleSums<S, math::CompensatedSum<S>> sums;
     std::size_t pairs = 0;
     S before = std::numeric_limits<S>::quiet_NaN();
     const std::vector<T>& z = profile.heights;
@@ -145,5 +147,7 @@ template <Real T>
     require(moments.bandwidth() <= (std::numeric_limits<T>::max)(), "Nayak's alpha", moments.bandwidth(), "finite");
     return moments;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

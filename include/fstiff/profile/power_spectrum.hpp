@@ -35,7 +35,7 @@ struct PowerSpectrum {
 
     /// Integral of q^\p order C dq: m0, m2, m4 by 0, 2, 4 [m^(2-order)].
     [[nodiscard]] T moment(int order) const {
-        CompensatedSum<Accumulator<T>> sum;
+        math::CompensatedSum<math::Accumulator<T>> sum;
         for (std::size_t k = 0; k < size(); ++k) {
             const T share = k == 0 || k + 1 == size() ? T(0.5) : T(1);
             sum.add(share * value[k] * step * std::pow(wavenumber[k], static_cast<T>(order)));
@@ -43,6 +43,8 @@ struct PowerSpectrum {
         return static_cast<T>(sum.value());
     }
 };
+
+namespace parts {
 
 /// A range of wavelengths [m], both ends included.
 template <Real T = double>
@@ -59,23 +61,21 @@ struct SpectralFit {
     std::size_t bins{};          ///< means of C that the line goes through
 };
 
-namespace detail {
-
 /// Heights from the first to the last point that exists, gaps bridged.
 template <Real T>
-std::vector<Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
-    std::vector<Accumulator<T>> heights;
+std::vector<math::Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
+    std::vector<math::Accumulator<T>> heights;
     std::size_t gap = 0;
     for (const T z : profile.heights) {
         if (std::isnan(z)) {
             gap += heights.empty() ? 0 : 1;
             continue;
         }
-        const Accumulator<T> next = static_cast<Accumulator<T>>((z - mean) / scale);
-        const Accumulator<T> last = heights.empty() ? next : heights.back();
+        const math::Accumulator<T> next = static_cast<math::Accumulator<T>>((z - mean) / scale);
+        const math::Accumulator<T> last = heights.empty() ? next : heights.back();
         for (std::size_t k = 1; k <= gap; ++k)
-            heights.push_back(last +
-                              (next - last) * static_cast<Accumulator<T>>(k) / static_cast<Accumulator<T>>(gap + 1));
+            heights.push_back(last + (next - last) * static_cast<math::Accumulator<T>>(k) /
+                                         static_cast<math::Accumulator<T>>(gap + 1));
         gap = 0;
         heights.push_back(next);
     }
@@ -89,7 +89,7 @@ struct SpectralBin {
 };
 
 /// Those of the values \p first to \p end - 1.
-template <Real T, Real F = Accumulator<T>>
+template <Real T, Real F = math::Accumulator<T>>
 std::vector<SpectralBin<F>> spectral_bins(const PowerSpectrum<T>& spectrum, std::size_t first, std::size_t end) {
     std::vector<SpectralBin<F>> bins;
     for (std::size_t k = first; k < end;) {
@@ -113,28 +113,28 @@ std::vector<SpectralBin<F>> spectral_bins(const PowerSpectrum<T>& spectrum, std:
     return bins;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// Spectrum of \p profile as it is: remove its form first, with detrend().
 /// \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape = SpectrumWindow::hann) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     profile.validate(16);
-    const T scale = detail::height_scale(profile);
-    std::vector<F> z = detail::bridged(profile, mean_height(profile), scale);
+    const T scale = parts::height_scale(profile);
+    std::vector<F> z = parts::bridged(profile, parts::mean_height(profile), scale);
     const std::size_t points = z.size();
     std::vector<F> window(points);
-    CompensatedSum<F> weight, squares, weighted;
+    math::CompensatedSum<F> weight, squares, weighted;
     for (std::size_t i = 0; i < points; ++i) {
-        window[i] = window_weight<F>(shape, i, points);
+        window[i] = parts::window_weight<F>(shape, i, points);
         weight.add(window[i]);
         squares.add(window[i] * window[i]);
         weighted.add(window[i] * z[i]);
     }
     const F mean = weighted.value() / weight.value();
     for (std::size_t i = 0; i < points; ++i) z[i] = window[i] * (z[i] - mean);
-    RealFft<F> fft(fast_fft_size(points));
+    math::RealFft<F> fft(math::fast_fft_size(points));
     std::vector<std::complex<F>> transform;
     fft.forward(z, transform);
 
@@ -155,12 +155,14 @@ template <Real T>
     return spectrum;
 }
 
+namespace parts {
+
 /// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
 /// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
 template <Real T>
 [[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
                                           const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {}) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
     const F turn = 2 * numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
@@ -176,7 +178,7 @@ template <Real T>
         std::clamp(std::ceil(longest / static_cast<F>(fit.window.to) * F(1 - 1e-6)), F(1), last + 1));
     const auto end = static_cast<std::size_t>(
         std::clamp(std::floor(longest / static_cast<F>(fit.window.from) * F(1 + 1e-6)), F(0), last) + 1);
-    const auto bins = detail::spectral_bins(spectrum, first, end);
+    const auto bins = spectral_bins(spectrum, first, end);
     fit.bins = bins.size();
     if (bins.size() < 4 || bins.back().x - bins.front().x < std::log(F(3.1)))
         throw domain_error("window of the power spectrum: holds " + std::to_string(bins.size()) +
@@ -198,5 +200,7 @@ template <Real T>
     fit.dimension_error = static_cast<T>(1 / std::sqrt(moment) / 2);
     return fit;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -52,10 +52,12 @@ struct Profile {
     }
 };
 
+namespace parts {
+
 /// Mean of the heights that exist [m]. \throws domain_error when there is none.
 template <Real T>
 [[nodiscard]] T mean_height(const Profile<T>& profile) {
-    CompensatedSum<Accumulator<T>> sum;
+    math::CompensatedSum<math::Accumulator<T>> sum;
     std::size_t count = 0;
     for (const T z : profile.heights)
         if (!std::isnan(z)) {
@@ -63,27 +65,29 @@ template <Real T>
             ++count;
         }
     if (count == 0) throw domain_error("profile has 0 points: must be at least 1");
-    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(count));
+    return static_cast<T>(sum.value() / static_cast<math::Accumulator<T>>(count));
 }
+
+}  // namespace parts
 
 /// Rq: root of the mean square of the heights about their mean [m]. \throws domain_error when no point exists.
 template <Real T>
 [[nodiscard]] T rms_height(const Profile<T>& profile) {
-    const T mean = mean_height(profile);
+    const T mean = parts::mean_height(profile);
     T largest = 0;  // scaled by, so that no square leaves the range of numbers
     for (const T z : profile.heights)
         if (!std::isnan(z)) largest = (std::max)(largest, std::abs(z - mean));
     if (largest == T(0)) return T(0);
-    CompensatedSum<Accumulator<T>> squares, firsts;
+    math::CompensatedSum<math::Accumulator<T>> squares, firsts;
     std::size_t count = 0;
     for (const T z : profile.heights)
         if (!std::isnan(z)) {
-            const Accumulator<T> scaled = (z - mean) / largest;
+            const math::Accumulator<T> scaled = (z - mean) / largest;
             squares.add(scaled * scaled);
             firsts.add(scaled);
             ++count;
         }
-    const auto n = static_cast<Accumulator<T>>(count);
+    const auto n = static_cast<math::Accumulator<T>>(count);
     const auto offset = firsts.value() / n;  // what the rounding of the mean left behind
     return largest * static_cast<T>(std::sqrt(squares.value() / n - offset * offset));
 }

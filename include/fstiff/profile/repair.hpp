@@ -17,11 +17,11 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/profile/profile.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// How many spikes \p profile holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
-Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true) {
+math::Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);
     const std::size_t size = profile.size();
     require(size >= 5, "points of a profile with spikes", size, "at least 5");
@@ -31,15 +31,15 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
         neighbours.clear();
         for (std::size_t k = i < 2 ? 0 : i - 2; k < (std::min)(size, i + 3); ++k)
             if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
-        if (neighbours.size() >= 2) differences[i] = profile.heights[i] - median(neighbours);
+        if (neighbours.size() >= 2) differences[i] = profile.heights[i] - math::median(neighbours);
     }
-    return detail::spikes_among(profile.heights.data(), differences, limit, remove);
+    return math::spikes_among(profile.heights.data(), differences, limit, remove);
 }
 
 /// Fills the missing points of \p profile. \throws domain_error where every point is missing.
 template <Real T>
-Repair fill_missing(Profile<T>& profile) {
-    Repair repair;
+math::Repair fill_missing(Profile<T>& profile) {
+    math::Repair repair;
     const std::size_t size = profile.size();
     std::size_t from = 0;  // of the run of missing points
     for (std::size_t i = 0; i <= size; ++i) {
@@ -60,4 +60,4 @@ Repair fill_missing(Profile<T>& profile) {
     return repair;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -17,7 +17,7 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/surface/nesting_indices.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Why lambda_c is what it is.
 enum class CutOffReason {
@@ -41,7 +41,7 @@ struct RoughnessCutOff {
 /// Mean of the absolute heights of \p roughness, whose mean line is 0: Ra [m]. 0 where every point is missing.
 template <Real T>
 [[nodiscard]] T mean_deviation(const Profile<T>& roughness) {
-    Accumulator<T> sum = 0, points = 0;
+    math::Accumulator<T> sum = 0, points = 0;
     for (const T z : roughness.heights)
         if (!std::isnan(z)) sum += std::abs(z), points += 1;
     return points > 0 ? static_cast<T>(sum / points) : T(0);
@@ -78,4 +78,4 @@ template <Real T>
     return choice;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

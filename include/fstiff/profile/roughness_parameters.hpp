@@ -67,7 +67,7 @@ void measure_sections(const std::vector<F>& z, std::size_t first, std::size_t co
 /// Mean square of the slopes by seven points, times the square of the spacing; none where there is no slope.
 template <Real F>
 [[nodiscard]] std::optional<F> mean_square_rise(const std::vector<F>& z) {
-    CompensatedSum<F> squares;
+    math::CompensatedSum<F> squares;
     std::size_t slopes = 0;
     for (std::size_t i = 3; i + 3 < z.size(); ++i) {
         const F rise = ((z[i + 3] - z[i - 3]) - 9 * (z[i + 2] - z[i - 2]) + 45 * (z[i + 1] - z[i - 1])) / 60;
@@ -86,23 +86,23 @@ template <Real F>
 template <Real T>
 [[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
                                                           std::optional<std::type_identity_t<T>> cutoff = {}) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     profile.validate(16);
     if (cutoff) require_positive("cut-off", *cutoff);
     const std::size_t size = profile.size();
     RoughnessParameters<T> result;
     result.rms_height = rms_height(profile);
-    const F unit = static_cast<F>(power_of_two_below(result.rms_height));
-    const T mean = mean_height(profile);
+    const F unit = static_cast<F>(math::power_of_two_below(result.rms_height));
+    const T mean = parts::mean_height(profile);
     std::vector<F> z(size);
-    CompensatedSum<F> rest;
+    math::CompensatedSum<F> rest;
     for (std::size_t i = 0; i < size; ++i) {
         z[i] = static_cast<F>(profile.heights[i] - mean) / unit;
         if (!std::isnan(z[i])) rest.add(z[i]);
     }
     const F points = static_cast<F>(profile.present());
     const F offset = rest.value() / points;  // what the rounding of the mean left behind
-    CompensatedSum<F> firsts, squares, thirds, fourths;
+    math::CompensatedSum<F> firsts, squares, thirds, fourths;
     F high = -std::numeric_limits<F>::infinity(), low = -high;
     for (F& one : z) {
         if (std::isnan(one)) continue;

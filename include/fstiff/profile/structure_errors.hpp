@@ -19,7 +19,7 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/lag_window.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::parts {
 
 /// Covariance of ln S2 at the lags \p step, \p triples of each, of a Gaussian profile whose S grows as n^\p power.
 template <Real T>
@@ -68,7 +68,7 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
     // four times the longest lag, so that what a block holds is nearly independent of its neighbours
     const std::size_t block =
         std::clamp<std::size_t>(4 * step.back() / cell + 1, 1, std::max<std::size_t>(1, cells / 4));
-    BlockBootstrap<T> bootstrap(cells, block, static_cast<std::size_t>(resamples), seed);
+    math::BlockBootstrap<T> bootstrap(cells, block, static_cast<std::size_t>(resamples), seed);
     const T scale = 2 * height_scale(profile);
     Matrix<T> resampled(static_cast<Eigen::Index>(step.size()), resamples);
     for (std::size_t k = 0; k < step.size(); ++k) {
@@ -106,4 +106,4 @@ T sample_spread(const Vector<T>& row, const Matrix<T>& samples) {
     return std::sqrt(variance);
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::parts

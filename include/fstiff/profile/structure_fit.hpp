@@ -38,8 +38,8 @@ T share_of_oblique_waves(T power) {
 
 /// Lower triangular root L of a = L L^T, which must be positive definite.
 template <Real T>
-Matrix<T> cholesky(const Matrix<T>& a) {
-    Matrix<T> l = Matrix<T>::Zero(a.rows(), a.cols());
+parts::Matrix<T> cholesky(const parts::Matrix<T>& a) {
+    parts::Matrix<T> l = parts::Matrix<T>::Zero(a.rows(), a.cols());
     for (Eigen::Index j = 0; j < a.rows(); ++j) {
         T left = a(j, j);
         for (Eigen::Index k = 0; k < j; ++k) left -= l(j, k) * l(j, k);
@@ -55,7 +55,7 @@ Matrix<T> cholesky(const Matrix<T>& a) {
 
 /// L^-1 a.
 template <Real T>
-Matrix<T> forward_substituted(const Matrix<T>& l, Matrix<T> a) {
+parts::Matrix<T> forward_substituted(const parts::Matrix<T>& l, parts::Matrix<T> a) {
     for (Eigen::Index column = 0; column < a.cols(); ++column)
         for (Eigen::Index i = 0; i < l.rows(); ++i) {
             T sum = a(i, column);
@@ -69,11 +69,11 @@ Matrix<T> forward_substituted(const Matrix<T>& l, Matrix<T> a) {
 /// what they give of the values, and of the columns a and b, tells how the line moves.
 template <Real T = double>
 struct LogFit {
-    IndexRange range;
+    parts::IndexRange range;
     T reference{};       ///< ln n of the middle of the window
     T level{}, slope{};  ///< ln S2 there, without a and b, and p
-    Vector<T> level_row, slope_row;
-    Vector<T> fitted;  ///< what the whole sum above gives at the lags of range, to be compared with ln S2
+    parts::Vector<T> level_row, slope_row;
+    parts::Vector<T> fitted;  ///< what the whole sum above gives at the lags of range, to be compared with ln S2
     T short_waves{}, long_waves{};  ///< a, b
     T residual{};                   ///< weighted sum of squares
     bool finite_band{};             ///< a or b differs from 0 by two of its standard deviations
@@ -85,7 +85,7 @@ template <Real T>
 class LineFitter {
 public:
     /// \p covariance of log.value; \p band_ends: no wave is much shorter than the window.
-    LineFitter(const LogStructure<T>& log, Matrix<T> covariance, T power, T log_gamma, bool band_ends)
+    LineFitter(const parts::LogStructure<T>& log, parts::Matrix<T> covariance, T power, T log_gamma, bool band_ends)
         : log_(log),
           covariance_(std::move(covariance)),
           power_(power),
@@ -102,10 +102,10 @@ public:
         }
     }
 
-    const Vector<T>& y() const { return y_; }
+    const parts::Vector<T>& y() const { return y_; }
 
     /// The line in \p lags. The columns a and b are those of the window \p band.
-    LogFit<T> fit(const IndexRange& lags, const IndexRange& band) const {
+    LogFit<T> fit(const parts::IndexRange& lags, const parts::IndexRange& band) const {
         LogFit<T> line = fit_with(lags, band, false);
         const T width = log_.lag[lags.last] - log_.lag[lags.first];
         if (width > 2 * log_gamma_ && lags.count() >= 12)
@@ -114,8 +114,8 @@ public:
     }
 
     /// Covariance of row_a * ln S2 and row_b * ln S2 by sampling alone, and with what a and b of \p band may be.
-    T covariance_of(const Vector<T>& row_a, const Vector<T>& row_b, const IndexRange& band) const {
-        const Matrix<T> ends = band_columns(band);
+    T covariance_of(const parts::Vector<T>& row_a, const parts::Vector<T>& row_b, const parts::IndexRange& band) const {
+        const parts::Matrix<T> ends = band_columns(band);
         const T a = row_a.dot(ends.col(0)) * row_b.dot(ends.col(0)) * short_sd_ * short_sd_;
         const T b = row_a.dot(ends.col(1)) * row_b.dot(ends.col(1)) * long_sd * long_sd;
         return row_a.dot(covariance_.lazyProduct(row_b)) + a + b;
@@ -125,21 +125,21 @@ private:
     static constexpr T long_sd = T(0.5);
 
     /// a and b at all lags: each is 1 at its own end of the band.
-    Matrix<T> band_columns(const IndexRange& band) const {
-        Matrix<T> columns(log_.lag.size(), 2);
+    parts::Matrix<T> band_columns(const parts::IndexRange& band) const {
+        parts::Matrix<T> columns(log_.lag.size(), 2);
         columns.col(0) = ((-power_ * (log_.lag.array() - log_.lag[band.first])).min)(T(2)).exp();
         columns.col(1) = (((4 - power_) * (log_.lag.array() - log_.lag[band.last])).min)(T(2)).exp();
         return columns;
     }
 
-    LogFit<T> fit_with(const IndexRange& range, const IndexRange& band, bool log_periodic) const {
+    LogFit<T> fit_with(const parts::IndexRange& range, const parts::IndexRange& band, bool log_periodic) const {
         const Eigen::Index count = range.count(), terms = log_periodic ? 8 : 4;
         LogFit<T> line;
         line.range = range;
         line.log_periodic = log_periodic;
         line.reference = (log_.lag[range.first] + log_.lag[range.last]) / 2;
-        const Vector<T> x = log_.lag.segment(range.first, count).array() - line.reference;
-        Matrix<T> columns(count, terms);
+        const parts::Vector<T> x = log_.lag.segment(range.first, count).array() - line.reference;
+        parts::Matrix<T> columns(count, terms);
         columns.col(0).setOnes();
         columns.col(1) = x;
         columns.block(0, 2, count, 2) = band_columns(band).block(range.first, 0, count, 2);
@@ -149,37 +149,37 @@ private:
                 columns.col(2 + 2 * harmonic) = angle.cos();
                 columns.col(3 + 2 * harmonic) = angle.sin();
             }
-        const Matrix<T> root = cholesky<T>(covariance_.block(range.first, range.first, count, count));
+        const parts::Matrix<T> root = cholesky<T>(covariance_.block(range.first, range.first, count, count));
         // two more values, 0, for what a and b are before the fit
-        Matrix<T> weighted = Matrix<T>::Zero(count + 2, terms);
+        parts::Matrix<T> weighted = parts::Matrix<T>::Zero(count + 2, terms);
         weighted.topRows(count) = forward_substituted<T>(root, columns);
         weighted(count, 2) = 1 / short_sd_;
         weighted(count + 1, 3) = 1 / long_sd;
-        const Matrix<T> inverse_root = forward_substituted<T>(root, Matrix<T>::Identity(count, count));
-        const Matrix<T> solver = PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
-        const Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
-        const Vector<T> found = solver.lazyProduct(y);
+        const parts::Matrix<T> inverse_root = forward_substituted<T>(root, parts::Matrix<T>::Identity(count, count));
+        const parts::Matrix<T> solver = math::PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
+        const parts::Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
+        const parts::Vector<T> found = solver.lazyProduct(y);
         const auto spread = [&](Eigen::Index term) {
-            const Vector<T> row = solver.row(term).transpose();
+            const parts::Vector<T> row = solver.row(term).transpose();
             return std::sqrt(row.dot(covariance_.block(range.first, range.first, count, count).lazyProduct(row)));
         };
         line.level = found[0], line.slope = found[1], line.short_waves = found[2] + expected_short_,
         line.long_waves = found[3];
         line.finite_band = std::abs(found[2]) > 2 * spread(2) || std::abs(found[3]) > 2 * spread(3);
-        const Vector<T> missed = y - columns.lazyProduct(found);
-        const Vector<T> left = inverse_root.lazyProduct(missed);
+        const parts::Vector<T> missed = y - columns.lazyProduct(found);
+        const parts::Vector<T> left = inverse_root.lazyProduct(missed);
         line.residual = left.squaredNorm();
         line.fitted = log_.value.segment(range.first, count) - missed;
-        line.level_row = line.slope_row = Vector<T>::Zero(log_.lag.size());
+        line.level_row = line.slope_row = parts::Vector<T>::Zero(log_.lag.size());
         line.level_row.segment(range.first, count) = solver.row(0).transpose();
         line.slope_row.segment(range.first, count) = solver.row(1).transpose();
         return line;
     }
 
-    const LogStructure<T>& log_;
-    Matrix<T> covariance_;
+    const parts::LogStructure<T>& log_;
+    parts::Matrix<T> covariance_;
     T power_, log_gamma_, short_sd_, expected_short_;
-    Vector<T> y_;
+    parts::Vector<T> y_;
 };
 
 }  // namespace fstiff::detail

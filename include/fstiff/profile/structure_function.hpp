@@ -36,6 +36,8 @@ struct StructureFunction {
     [[nodiscard]] std::size_t size() const { return lag.size(); }
 };
 
+namespace parts {
+
 /// What the sum of (2.8) is divided by.
 enum class Divisor { pairs, paper };
 
@@ -52,13 +54,17 @@ enum class Divisor { pairs, paper };
     return lags;
 }
 
+}  // namespace parts
+
 /// S of \p profile at logarithmic_lags up to a quarter of its points. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor = Divisor::pairs) {
-    return structure_function(profile, std::span<const std::size_t>(logarithmic_lags(profile.size() / 4)), divisor);
+[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile,
+                                                      parts::Divisor divisor = parts::Divisor::pairs) {
+    return structure_function(profile, std::span<const std::size_t>(parts::logarithmic_lags(profile.size() / 4)),
+                              divisor);
 }
 
-namespace detail {
+namespace parts {
 
 /// Power of two near the largest height: squares of scaled heights stay in range, and scaling is exact.
 template <Real T>
@@ -70,7 +76,7 @@ T height_scale(const Profile<T>& profile) {
         low = (std::min)(low, z);
         high = (std::max)(high, z);
     }
-    return low < high ? power_of_two_below(high / 2 - low / 2) : T(1);  // a range that cannot overflow
+    return low < high ? math::power_of_two_below(high / 2 - low / 2) : T(1);  // a range that cannot overflow
 }
 
 /// What the sum over \p pairs is divided by.
@@ -80,7 +86,7 @@ constexpr std::size_t divided_by(std::size_t pairs, Divisor divisor) {
 
 /// The mean of squares of differences, \p sum of them of heights in units of \p scale.
 template <Real T>
-T mean_square(Accumulator<T> sum, Accumulator<T> count, Accumulator<T> scale) {
+T mean_square(math::Accumulator<T> sum, math::Accumulator<T> count, math::Accumulator<T> scale) {
     const T value = static_cast<T>(sum / count * scale * scale);
     require(sum == 0 || (value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)()),
             "structure function", value, "a number of normal size: these heights are too large or too small");
@@ -97,55 +103,59 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
     StructureFunction<T> result;
     for (const std::size_t n : lags) {
         if (n < 1 || reach * n >= points)
-            detail::refuse("lag", std::to_string(n) + " samples",
+            refuse("lag", std::to_string(n) + " samples",
                            "between 1 and " + std::to_string(points > 0 ? (points - 1) / reach : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
         constexpr std::size_t run = 512;
-        Accumulator<T> sum = 0;
+        math::Accumulator<T> sum = 0;
         std::size_t pairs = 0;
         for (std::size_t start = 0; start < points - reach * n; start += run) {
             const std::size_t end = (std::min)(start + run, points - reach * n);
-            Accumulator<T> part = 0;
+            math::Accumulator<T> part = 0;
             for (std::size_t i = start; i < end; ++i) {
                 const T here = difference(i, n);
                 if (!whole && std::isnan(here)) continue;
-                part += static_cast<Accumulator<T>>(here) * here;
+                part += static_cast<math::Accumulator<T>>(here) * here;
                 ++pairs;
             }
             sum += part;
         }
-        const std::size_t count = detail::divided_by(pairs, divisor);
+        const std::size_t count = divided_by(pairs, divisor);
         if (count == 0) continue;
         result.step.push_back(n);
         result.lag.push_back(static_cast<T>(n) * profile.spacing);
-        result.value.push_back(detail::mean_square<T>(sum, static_cast<Accumulator<T>>(count), scale));
+        result.value.push_back(mean_square<T>(sum, static_cast<math::Accumulator<T>>(count), scale));
         result.pairs.push_back(pairs);
     }
     return result;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// S of \p profile at \p lags (in samples, any order). \throws domain_error for a lag outside 1 ... N-1, a spacing that
 /// is not positive, an infinite height, or heights whose squares leave the range of numbers.
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
-                                                      Divisor divisor = Divisor::pairs) {
-    const T scale = detail::height_scale(profile);
+                                                      parts::Divisor divisor = parts::Divisor::pairs) {
+    const T scale = parts::height_scale(profile);
     const T* const z = profile.heights.data();
-    return detail::mean_squares(profile, lags, 1, scale, divisor,
+    return parts::mean_squares(profile, lags, 1, scale, divisor,
                                 [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
 }
+
+namespace parts {
 
 /// S2 of \p profile at \p lags (in samples, any order); a lag of which no triple exists is left out. `pairs` counts
 /// triples. \throws domain_error as structure_function(), for a lag above (N-1)/2.
 template <Real T>
 [[nodiscard]] StructureFunction<T> second_differences(const Profile<T>& profile, std::span<const std::size_t> lags) {
-    const T scale = 2 * detail::height_scale(profile);  // a second difference is at most four heights
+    const T scale = 2 * height_scale(profile);  // a second difference is at most four heights
     const T* const z = profile.heights.data();
-    return detail::mean_squares(profile, lags, 2, scale, Divisor::pairs, [=](std::size_t i, std::size_t n) {
+    return mean_squares(profile, lags, 2, scale, Divisor::pairs, [=](std::size_t i, std::size_t n) {
         return (z[i + 2 * n] - z[i + n]) / scale - (z[i + n] - z[i]) / scale;
     });
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -19,16 +19,16 @@
 
 #include <optional>
 
-namespace fstiff {
+namespace fstiff::detail {
 
 /// The least (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
 /// \throws domain_error for a step of 0, a spacing that is not positive or an infinite height.
 template <Real T>
 [[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
     require_positive("spacing", profile.spacing);
-    if (step == 0) detail::refuse("step of the curvature", "0 samples", "at least 1");
+    if (step == 0) parts::refuse("step of the curvature", "0 samples", "at least 1");
     const std::vector<T>& z = profile.heights;
-    const T scale = detail::height_scale(profile);  // refuses infinite heights, and keeps the differences in range
+    const T scale = parts::height_scale(profile);  // refuses infinite heights, and keeps the differences in range
     std::optional<T> least;
     for (std::size_t i = step; i < z.size() && z.size() - i > step; ++i) {
         const T bend = (z[i + step] - z[i]) / scale - (z[i] - z[i - step]) / scale;
@@ -45,7 +45,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius) {
     require_positive("tip radius", tip_radius);
-    const std::vector<std::size_t> steps = logarithmic_lags(std::max<std::size_t>(profile.size() / 8, 1));
+    const std::vector<std::size_t> steps = parts::logarithmic_lags(std::max<std::size_t>(profile.size() / 8, 1));
     // from the longest scale down to the first that is too sharp
     std::size_t reliable = 0;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
@@ -57,4 +57,4 @@ template <Real T>
     return T(0);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::detail

@@ -22,14 +22,14 @@ namespace fstiff::detail {
 
 /// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.
 template <Real F>
-bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const IndexRange& range) {
-    const Vector<F> x =
+bool is_curved(const LineFitter<F>& fitter, const parts::LogStructure<F>& log, const parts::IndexRange& range) {
+    const parts::Vector<F> x =
         log.lag.segment(range.first, range.count()).array() - (log.lag[range.first] + log.lag[range.last]) / 2;
     const auto bends = [&](Eigen::Index degree, F change_of_slope) {  // that one of the term gives
-        Matrix<F> powers(x.size(), degree + 1);
+        parts::Matrix<F> powers(x.size(), degree + 1);
         for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
-        Vector<F> row = Vector<F>::Zero(log.lag.size());
-        row.segment(range.first, range.count()) = PivotedQr<F>(powers).solver().row(degree).transpose();
+        parts::Vector<F> row = parts::Vector<F>::Zero(log.lag.size());
+        row.segment(range.first, range.count()) = math::PivotedQr<F>(powers).solver().row(degree).transpose();
         const F bend = std::abs(row.dot(fitter.y()));
         return bend * change_of_slope > F(0.2) && bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
     };
@@ -40,7 +40,7 @@ bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const In
 /// Whether a part of the window is a plateau: a local slope below 0.2, below \p slope of the fit by 0.3 and more than
 /// chance.
 template <Real F>
-bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
+bool flattens(const parts::LogStructure<F>& log, const parts::IndexRange& range, F slope) {
     for (Eigen::Index k = range.first; k <= range.last; ++k)
         if (log.slope[k] < F(0.2) && slope - log.slope[k] > (std::max)(F(0.3), F(1.5) * log.slope_error[k]))
             return true;
@@ -52,22 +52,22 @@ template <Real F>
 struct FractalLine {
     F dimension{}, log_g{};  // G in units of the spacing
     F log_g_of_dimension{};  // how ln G changes with D, at one level of S2
-    Vector<F> dimension_row, log_g_row;
+    parts::Vector<F> dimension_row, log_g_row;
 };
 
 /// D and G of a line; without G unless its slope is between 0 and 2.
 template <Real F>
-FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
+FractalLine<F> fractal_line(const LogFit<F>& line, parts::StructureConvention convention, F gamma) {
     FractalLine<F> found;
     found.dimension = 2 - line.slope / 2;
     found.dimension_row = -line.slope_row / 2;
-    found.log_g_row = Vector<F>::Zero(line.slope_row.size());
+    found.log_g_row = parts::Vector<F>::Zero(line.slope_row.size());
     if (!(found.dimension > F(1) && found.dimension < F(2))) return found;
     // of D and ln(S2/lag^2) at the reference lag
     const F level = line.level - 2 * line.reference;
     const auto log_g = [&](F d) {
         return (level - std::log(4 - std::pow(F(2), 4 - 2 * d)) -
-                std::log(structure_constant<F>(d, convention, gamma))) /
+                std::log(parts::structure_constant<F>(d, convention, gamma))) /
                (2 * (d - 1));
     };
     const F nearby = F(1e-4) * (std::min)(found.dimension - 1, 2 - found.dimension);
@@ -80,20 +80,21 @@ FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention conventio
 
 /// The halves of \p range that hold enough lags, and the straight windows on either side of it.
 template <Real F>
-std::vector<IndexRange> neighbours_of(const LogStructure<F>& log, const IndexRange& range, bool automatic) {
-    std::vector<IndexRange> found;
+std::vector<parts::IndexRange> neighbours_of(const parts::LogStructure<F>& log, const parts::IndexRange& range,
+                                             bool automatic) {
+    std::vector<parts::IndexRange> found;
     const F middle = (log.lag[range.first] + log.lag[range.last]) / 2;
     Eigen::Index centre = range.first;
     while (centre < range.last && log.lag[centre] < middle) ++centre;
-    const auto enough = static_cast<Eigen::Index>(min_window_lags);
-    for (const IndexRange half : {IndexRange{range.first, centre}, {centre, range.last}})
+    const auto enough = static_cast<Eigen::Index>(parts::min_window_lags);
+    for (const parts::IndexRange half : {parts::IndexRange{range.first, centre}, {centre, range.last}})
         if (half.count() >= enough) found.push_back(half);
     if (!automatic) return found;
     const Eigen::Index end = log.lag.size() - 1;
-    for (const IndexRange side : {IndexRange{0, range.first}, {range.last, end}})
+    for (const parts::IndexRange side : {parts::IndexRange{0, range.first}, {range.last, end}})
         for (const F tolerance : {F(0.2), F(0.3)}) {
-            std::optional<IndexRange> beside = straight_range(log, tolerance, false, side);
-            if (!beside) beside = straight_range(log, tolerance, true, side);
+            std::optional<parts::IndexRange> beside = parts::straight_range(log, tolerance, false, side);
+            if (!beside) beside = parts::straight_range(log, tolerance, true, side);
             if (!beside) continue;
             found.push_back(*beside);
             break;
@@ -103,17 +104,18 @@ std::vector<IndexRange> neighbours_of(const LogStructure<F>& log, const IndexRan
 
 /// What the windows beside the one of \p main say of D and ln G: the shares of the window in their errors.
 template <Real T>
-void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& main, const IndexRange& range,
-                    const LogStructure<Accumulator<T>>& log, const LineFitter<Accumulator<T>>& fitter, T spacing,
-                    Accumulator<T> beyond_model, Accumulator<T>& product, const FractalFitOptions<T>& options) {
-    using F = Accumulator<T>;
+void set_neighbours(FractalFit<T>& result, const FractalLine<math::Accumulator<T>>& main,
+                    const parts::IndexRange& range, const parts::LogStructure<math::Accumulator<T>>& log,
+                    const LineFitter<math::Accumulator<T>>& fitter, T spacing, math::Accumulator<T> beyond_model,
+                    math::Accumulator<T>& product, const parts::FractalFitOptions<T>& options) {
+    using F = math::Accumulator<T>;
     F weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
     product = 0;
     const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
-    for (const IndexRange& lags : neighbours_of(log, range, result.automatic_window)) {
+    for (const parts::IndexRange& lags : neighbours_of(log, range, result.automatic_window)) {
         const FractalLine<F> other =
             fractal_line<F>(fitter.fit(lags, range), options.convention, static_cast<F>(options.gamma));
-        NeighbourWindow<T> neighbour;
+        parts::NeighbourWindow<T> neighbour;
         neighbour.window = {lag(lags.first), lag(lags.last)};
         neighbour.half = lags.first >= range.first && lags.last <= range.last;
         neighbour.dimension = static_cast<T>(other.dimension);
@@ -121,7 +123,7 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
         if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
         const F width = log.lag[lags.last] - log.lag[lags.first];
         if (!neighbour.half) weights += width;
-        const auto excess = [&](const Vector<F>& row, F difference) {
+        const auto excess = [&](const parts::Vector<F>& row, F difference) {
             const F expected = fitter.covariance_of(row, row, range) * beyond_model;
             return std::pair{(std::max)(F(0), difference * difference - 2 * expected), std::sqrt(expected)};
         };
@@ -141,7 +143,7 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
     }
     of_dimension /= weights, of_log_g /= weights, product /= weights;
     if (result.automatic_window &&
-        log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<F>(min_window_ratio))) {
+        log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<F>(parts::min_window_ratio))) {
         // In so short a window the search allows a bend that moves D by up to half the tolerance, of the standard
         // deviation t. What the difference of the halves, with the error s, shows of it is in their share; t^2 s^2/(t^2
         // + s^2) is not.

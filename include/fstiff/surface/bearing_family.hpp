@@ -33,7 +33,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Heights about the upper end of the core, u = 0. \throws domain_error naming the parameter that is out of range.
 template <Real T>
@@ -44,10 +44,11 @@ template <Real T>
     const T first = core.peak_share, second = core.core_and_peak_share, end = 8;
     require(first >= 0 && first < second && second <= 1, "Smr1", first, "from 0 to below Smr2, which is 1 at most");
     // the slope of a tail of the share s beyond |zeta| = z with the area h s/2
-    const auto tail = [](T height, T share, T z) { return height * share / 2 / (normal_density(z) - z * share); };
+    const auto tail = [](T height, T share, T z) { return height * share / 2 / (math::normal_density(z) - z * share); };
     std::vector<typename BearingSlope<T>::Knot> knots;
     const bool peaks = first > 0 && core.reduced_peak_height > 0, valleys = second < 1 && core.reduced_valley_depth > 0;
-    const T upper = first > 0 ? normal_quantile(1 - first) : T(4), lower = second < 1 ? normal_quantile(1 - second) : T(-4);
+    const T upper = first > 0 ? math::normal_quantile(1 - first) : T(4),
+            lower = second < 1 ? math::normal_quantile(1 - second) : T(-4);
     if (valleys)
         knots.push_back({-end, -core.core_height -
                                    tail(core.reduced_valley_depth, 1 - second, -lower) * (lower + end)});
@@ -57,8 +58,6 @@ template <Real T>
     return BearingSlope<T>(std::move(knots));
 }
 
-namespace detail {
-
 /// Mean, mean square about it, skewness and kurtosis of f over normal numbers, by the trapezoidal rule.
 template <Real T, class F>
 [[nodiscard]] std::array<T, 4> normal_moments(const F& f) {
@@ -66,7 +65,7 @@ template <Real T, class F>
     const T step = T(1) / 32, middle = f(T(0));
     T mass = 0;
     for (int i = -256; i <= 256; ++i) {
-        const T z = step * T(i), weight = normal_density(z) * step, y = f(z) - middle;
+        const T z = step * T(i), weight = math::normal_density(z) * step, y = f(z) - middle;
         T power = weight;
         mass += weight;
         for (T& one : raw) one += power *= y;
@@ -147,12 +146,10 @@ template <Real T>
     return best;
 }
 
-}  // namespace detail
-
 /// Mean, mean square about it, skewness and kurtosis of the heights of \p curve.
 template <Real T>
 [[nodiscard]] std::array<T, 4> normal_moments(const BearingSlope<T>& curve) {
-    return detail::normal_moments<T>([&](T zeta) { return curve.height(zeta); });
+    return normal_moments<T>([&](T zeta) { return curve.height(zeta); });
 }
 
 /// Between which skewness and kurtosis bearing_of_moments takes.
@@ -175,7 +172,7 @@ template <Real T>
     const T end = 8;
     const T sign = skewness < 0 ? T(-1) : T(1);
     const auto knots_of = [&](const auto& f) {
-        const auto m = detail::normal_moments<T>(f);
+        const auto m = normal_moments<T>(f);
         std::vector<typename BearingSlope<T>::Knot> knots;
         for (int i = -1024; i <= 1024; ++i) {
             const T zeta = end * T(i) / 1024, height = sign * (f(sign * zeta) - m[0]) / std::sqrt(m[1]);
@@ -188,10 +185,10 @@ template <Real T>
     T q = 1;
     for (int i = 0; i < 200; ++i) q = 1 + skewness * skewness / ((q + 2) * (q + 2));
     const bool bounded = kurtosis < ((q + 2) * q + 3) * q * q - 3;
-    const auto found = detail::fitted_johnson<T>(bounded, std::abs(skewness), kurtosis);
+    const auto found = fitted_johnson<T>(bounded, std::abs(skewness), kurtosis);
     require(found.off < T(1e-7), "kurtosis", kurtosis, "one that a curve of Johnson's has within zeta of -8 to 8");
     const T steepness = std::exp(found.log_steepness);
-    return knots_of([&](T z) { return detail::johnson(bounded, steepness, found.bend, z); });
+    return knots_of([&](T z) { return johnson(bounded, steepness, found.bend, z); });
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

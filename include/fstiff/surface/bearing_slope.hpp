@@ -30,7 +30,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// f as straight lines between knots.
 template <Real T = double>
@@ -60,7 +60,7 @@ public:
         for (std::size_t from = 0, to = 0; from < sorted.size(); from = to) {
             to = from + 1;
             while (to < sorted.size() && sorted[to] == sorted[from]) ++to;
-            const T score = normal_quantile((static_cast<T>(from) + static_cast<T>(to)) / (2 * count));
+            const T score = math::normal_quantile((static_cast<T>(from) + static_cast<T>(to)) / (2 * count));
             use(from, to, score);
             if (to == sorted.size() || knots.empty() || score - knots.back().score >= spacing)
                 knots.push_back({score, sorted[from]});
@@ -151,4 +151,4 @@ private:
     std::vector<std::size_t> first_;  ///< of each cell, the first knot that can end a line there
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -29,6 +29,8 @@ namespace fstiff {
 /// A parameter of a contact; first those of the surface, which index SurfaceParameters::correlation.
 enum class Parameter { rms_height, peak_radius, peak_density, fractal_dimension, r, theta, effective_modulus, offset };
 
+namespace parts {
+
 /// How a parameter varies; see above.
 enum class Variation { as_it_is, log, between };
 
@@ -59,19 +61,15 @@ struct ParameterRow {
     [[nodiscard]] std::string starting_range() const;
 };
 
-namespace detail {
-
 // UTF-8 by its bytes, which no compiler reads in a code page
 inline constexpr std::string_view micrometre = "\xC2\xB5m", per_square_millimetre = "1/mm\xC2\xB2";
-
-}  // namespace detail
 
 // clang-format off
 /// In the order of Parameter.
 inline constexpr std::array parameter_table{
-    ParameterRow{Parameter::rms_height,        "rms_height",        "sigma",  "sigma",  "m",     detail::micrometre, 1e6,  Variation::log},
-    ParameterRow{Parameter::peak_radius,       "peak_radius",       "R",      "R",      "m",     detail::micrometre, 1e6,  Variation::log},
-    ParameterRow{Parameter::peak_density,      "peak_density",      "D_p",    "Dp",     "1/m^2", detail::per_square_millimetre, 1e-6, Variation::log},
+    ParameterRow{Parameter::rms_height,        "rms_height",        "sigma",  "sigma",  "m",     micrometre, 1e6,  Variation::log},
+    ParameterRow{Parameter::peak_radius,       "peak_radius",       "R",      "R",      "m",     micrometre, 1e6,  Variation::log},
+    ParameterRow{Parameter::peak_density,      "peak_density",      "D_p",    "Dp",     "1/m^2", per_square_millimetre, 1e-6, Variation::log},
     ParameterRow{Parameter::fractal_dimension, "fractal_dimension", "D",      "D",      "",      "",      1,    Variation::between, {1, "1"}, {2, "2"}},
     ParameterRow{Parameter::r,                 "r",                 "r",      "r",      "",      "",      1,    Variation::between, {0, "0"}, {1, "1"}, true},
     ParameterRow{Parameter::theta,             "theta",             "theta",  "theta",  "rad",   "rad",   1,    Variation::between, {0, "0"}, {numbers::pi_v<long double> / 2, "pi/2"}},
@@ -84,8 +82,6 @@ inline constexpr std::size_t surface_parameter_count = static_cast<std::size_t>(
 /// Their rows.
 inline constexpr auto surface_parameter_table = std::span(parameter_table).first<surface_parameter_count>();
 
-namespace detail {
-
 consteval std::array<Named<Parameter>, parameter_table.size()> parameter_keys() {
     std::array<Named<Parameter>, parameter_table.size()> keys{};
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -96,10 +92,12 @@ consteval std::array<Named<Parameter>, parameter_table.size()> parameter_keys() 
     return keys;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 template <>
-inline constexpr auto names<Parameter> = detail::parameter_keys();
+inline constexpr auto names<Parameter> = parts::parameter_keys();
+
+namespace parts {
 
 /// The place of \p which in arrays of parameters.
 [[nodiscard]] constexpr std::size_t index_of(Parameter which) noexcept { return static_cast<std::size_t>(which); }
@@ -181,5 +179,7 @@ inline std::string ParameterRow::starting_range() const {
     if (variation == Variation::as_it_is) return text;
     return text + (variation == Variation::between ? ", to start a fit from" : " to start a fit from");
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -21,10 +21,14 @@ struct Fractal {
     T roughness{};  ///< G [m], > 0
 };
 
+namespace parts {
+
 /// \throws domain_error unless 1 < D < 2.
 template <Real T>
 constexpr void require_fractal_dimension(T dimension) {
     require(dimension > T(1) && dimension < T(2), "fractal_dimension", dimension, "between 1 and 2, both excluded");
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

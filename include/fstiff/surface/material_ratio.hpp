@@ -31,7 +31,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// The core of the material ratio curve, and what stands above and below it.
 template <Real T = double>
@@ -46,8 +46,6 @@ struct MaterialRatio {
 /// Of \p heights in any order. \throws domain_error when fewer than 16 exist, or all are of one height.
 template <Real T>
 [[nodiscard]] MaterialRatio<T> material_ratio(std::span<const T> heights);
-
-namespace detail {
 
 /// Heights, and differences of them, that count as one, over the range of the heights: a few roundings.
 template <Real F>
@@ -85,7 +83,7 @@ public:
     }
     /// int (z - level) over the places.
     [[nodiscard]] F area_above(F level, F from, F to) const {
-        CompensatedSum<F> sum;
+        math::CompensatedSum<F> sum;
         visit(from, to, [&](F a, F b, F za, F zb) { sum.add((b - a) * ((za - level) + (zb - level)) / 2); });
         return sum.value();
     }
@@ -127,11 +125,9 @@ template <Real F>
     return found;
 }
 
-}  // namespace detail
-
 template <Real T>
 MaterialRatio<T> material_ratio(std::span<const T> heights) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     std::vector<F> z;
     z.reserve(heights.size());
     for (const T height : heights)
@@ -144,10 +140,10 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
     const F datum = z[z.size() / 2], scale = z.front() - z.back(), places = static_cast<F>(z.size() - 1);
     for (F& one : z) one = (one - datum) / scale;
 
-    const detail::FallingCurve<F> curve(z);
-    const F width = F(2) / 5 * places, from = detail::flattest_place(z, width), to = (std::min)(from + width, places);
+    const parts::FallingCurve<F> curve(z);
+    const F width = F(2) / 5 * places, from = flattest_place(z, width), to = (std::min)(from + width, places);
     const F middle = (from + to) / 2;
-    CompensatedSum<F> area, moment;
+    math::CompensatedSum<F> area, moment;
     curve.visit(from, to, [&](F a, F b, F za, F zb) {
         const F part = b - a, mean = (za + zb) / 2;
         area.add(part * mean);
@@ -167,4 +163,4 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

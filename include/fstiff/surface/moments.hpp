@@ -35,6 +35,8 @@ struct SpectralMoments {
     }
 };
 
+namespace parts {
+
 template <Real T>
 inline constexpr T min_plausible_gradient = T(1e-6);  ///< rms gradient below which a unit of length is likely wrong
 template <Real T>
@@ -52,6 +54,8 @@ template <Real T>
     return 3 * std::sqrt(numbers::pi_v<T>) / 8;
 }
 
+}  // namespace parts
+
 /// Of the mean peak radius R [m] and the density of peaks D_p [1/m^2] of a surface of the rms height \p rms_height [m].
 /// \throws domain_error unless all are finite and positive.
 template <Real T>
@@ -59,9 +63,11 @@ template <Real T>
     require_positive("rms_height", rms_height);
     require_positive("peak_radius", peak_radius);
     require_positive("peak_density", peak_density);
-    const T curvature = radius_times_rms_curvature<T>() / peak_radius, m4 = curvature * curvature;
+    const T curvature = parts::radius_times_rms_curvature<T>() / peak_radius, m4 = curvature * curvature;
     return {rms_height * rms_height, m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * peak_density), m4};
 }
+
+namespace parts {
 
 /// Of the rms gradient g of the surface and Nayak's alpha: m2 = g^2/2, m4 = alpha m2^2/m0.
 /// \throws domain_error unless all are finite and positive.
@@ -84,5 +90,7 @@ template <Real T>
 [[nodiscard]] T peak_density_of(const SpectralMoments<T>& moments) {
     return moments.m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

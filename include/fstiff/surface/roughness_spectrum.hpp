@@ -36,7 +36,7 @@
 
 namespace fstiff {
 
-namespace detail {
+namespace parts {
 
 /// int_1^x q^(s-1) dq = (x^s - 1)/s with log_x = ln x.
 template <Real T>
@@ -50,7 +50,7 @@ template <Real T>
     return std::exp(s * log_x) / power_integral(s, log_x);
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// C(q) = C0 q^(-2-2H) from q_rolloff to q2, constant from q1 to q_rolloff.
 template <Real T = double>
@@ -74,7 +74,7 @@ struct BandSpectrum {
     [[nodiscard]] T integral(int n) const {
         const T s = T(n) - 1 - 2 * hurst, begin = std::pow(q_rolloff, s);
         const T flat = begin * -std::expm1(T(n + 1) * std::log(q1 / q_rolloff)) / T(n + 1);
-        return C0 * (flat + begin * detail::power_integral(s, std::log(q2 / q_rolloff)));
+        return C0 * (flat + begin * parts::power_integral(s, std::log(q2 / q_rolloff)));
     }
     [[nodiscard]] T m0() const { return 2 * numbers::pi_v<T> * integral(1); }
     [[nodiscard]] T m2() const { return numbers::pi_v<T> * integral(3); }
@@ -111,6 +111,8 @@ struct SpectrumShells {
     }
 };
 
+namespace parts {
+
 /// \p spectrum of heights \p factor times as high.
 template <Real T>
 [[nodiscard]] SpectrumShells<T> scaled(SpectrumShells<T> spectrum, std::type_identity_t<T> factor) {
@@ -127,7 +129,7 @@ template <Real T>
     const T log_ratio = std::log(widest);
     if (!std::isfinite(log_ratio)) return 0;
     const auto is_too_wide = [&](T hurst) {  // alpha of a band grows with H and with q2/q1
-        const auto F = [&](T s) { return detail::power_integral(s - 2 * hurst, log_ratio); };
+        const auto F = [&](T s) { return power_integral(s - 2 * hurst, log_ratio); };
         return moments.bandwidth() > T(1.5) * (F(T(0)) / F(T(2))) * (F(T(4)) / F(T(2)));
     };
     T low = 0, high = 1;
@@ -140,6 +142,8 @@ template <Real T>
     return high;
 }
 
+}  // namespace parts
+
 /// The band without a flat part that has the moments \p moments and the Hurst exponent \p hurst.
 /// \throws domain_error unless 0 < H <= 1 and alpha > 3/2, with ln(q2/q1) between 0.001 and 60.
 template <Real T>
@@ -150,8 +154,8 @@ template <Real T>
     require_positive("m4", moments.m4);
     const T alpha = moments.bandwidth(), low = T(1e-3), high = 60;
     const auto log_alpha = [hurst](T log_ratio) {
-        const auto F = [&](T s) { return detail::power_integral(s, log_ratio); };
-        const auto slope = [&](T s) { return detail::power_integral_slope(s, log_ratio); };
+        const auto F = [&](T s) { return parts::power_integral(s, log_ratio); };
+        const auto slope = [&](T s) { return parts::power_integral_slope(s, log_ratio); };
         const T zero = -2 * hurst, two = 2 - 2 * hurst, four = 4 - 2 * hurst;
         return std::pair(std::log(T(1.5)) + std::log(F(zero) / F(two)) + std::log(F(four) / F(two)),
                          slope(zero) + slope(four) - 2 * slope(two));
@@ -159,7 +163,7 @@ template <Real T>
     require(alpha > T(1.5), "Nayak's alpha = m0 m4/m2^2", alpha,
             "greater than 1.5, which every isotropic surface exceeds (rms_gradient states m2 in another way)");
     const T target = std::log(alpha);
-    const auto found = newton_bracketed(
+    const auto found = math::newton_bracketed(
         [&](T x) {
             const auto [value, slope] = log_alpha(x);
             return std::pair(value - target, slope);
@@ -168,7 +172,7 @@ template <Real T>
     require(found.converged(), "Nayak's alpha = m0 m4/m2^2", alpha,
             "that of a band with ln(q2/q1) between 0.001 and 60 at this Hurst exponent");
     const T log_ratio = found.root;
-    const T F0 = detail::power_integral(-2 * hurst, log_ratio), F2 = detail::power_integral(2 - 2 * hurst, log_ratio);
+    const T F0 = parts::power_integral(-2 * hurst, log_ratio), F2 = parts::power_integral(2 - 2 * hurst, log_ratio);
     BandSpectrum<T> band;
     band.hurst = hurst;
     band.q1 = band.q_rolloff = std::sqrt(2 * moments.m2 / moments.m0 * (F0 / F2));
@@ -176,6 +180,8 @@ template <Real T>
     band.C0 = moments.m0 / (2 * numbers::pi_v<T> * F0) * std::pow(band.q1, 2 * hurst);
     return band;
 }
+
+namespace parts {
 
 /// The waves of \p band up to the wave number at which Nayak's alpha reaches \p alpha; all of them where it does not.
 /// \throws domain_error as BandSpectrum::validate, and unless alpha > 2, which a flat part alone does not reach.
@@ -192,11 +198,13 @@ template <Real T>
         const T slope = unit * (2 / m.m0 + T(0.75) * q * q * q * q / m.m4 - 2 * q * q / m.m2);
         return std::pair(std::log(m.bandwidth() / alpha), slope);
     };
-    const auto found = newton_bracketed(excess, 4 * std::numeric_limits<T>::epsilon(), highest, highest / 2,
+    const auto found = math::newton_bracketed(excess, 4 * std::numeric_limits<T>::epsilon(), highest, highest / 2,
                                         4 * std::numeric_limits<T>::epsilon() * (1 + highest));
     if (!found.converged()) throw domain_error("alpha of the cut: not found in the band");
     band.q2 = band.q_rolloff * std::exp(found.root);
     return band;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -29,6 +29,8 @@ template <>
 inline constexpr auto names<SpectrumWindow> = name_list<SpectrumWindow>({{SpectrumWindow::hann, "hann"},
                                                                          {SpectrumWindow::none, "none"}});
 
+namespace parts {
+
 /// w_i of \p points.
 template <Real T>
 [[nodiscard]] T window_weight(SpectrumWindow window, std::size_t i, std::size_t points) {
@@ -36,5 +38,7 @@ template <Real T>
     const T sine = std::sin(numbers::pi_v<T> * (static_cast<T>(i) + T(0.5)) / static_cast<T>(points));
     return sine * sine;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

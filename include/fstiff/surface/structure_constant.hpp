@@ -28,13 +28,20 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// Which coefficient links S to G.
 enum class StructureConvention { exact, paper, majumdar_tien };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<StructureConvention> =
-    name_list<StructureConvention>({{StructureConvention::exact, "exact"},
-                                    {StructureConvention::paper, "paper"},
-                                    {StructureConvention::majumdar_tien, "majumdar_tien"}});
+inline constexpr auto names<parts::StructureConvention> =
+    name_list<parts::StructureConvention>({{parts::StructureConvention::exact, "exact"},
+                                    {parts::StructureConvention::paper, "paper"},
+                                    {parts::StructureConvention::majumdar_tien, "majumdar_tien"}});
+
+namespace parts {
 
 /// c(D), dimensionless.
 /// \throws domain_error unless 1 < D < 2 and gamma > 1.
@@ -85,5 +92,7 @@ template <Real T>
             "further from 1: the fractal roughness G is beyond the range of numbers");
     return roughness;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

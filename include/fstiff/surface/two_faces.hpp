@@ -41,15 +41,13 @@ struct RoughFace {
     std::optional<T> r{}, theta{};                              ///< both or none [1, rad]
 };
 
-namespace detail {
+namespace parts {
 
 /// Whether G, which leaves every range of numbers as D -> 1, is one.
 template <Real T>
 [[nodiscard]] bool is_number(T roughness) {
     return roughness >= (std::numeric_limits<T>::min)() && roughness <= (std::numeric_limits<T>::max)();
 }
-
-}  // namespace detail
 
 /// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2, or none where G leaves the
 /// range of numbers.
@@ -62,12 +60,10 @@ template <Real T>
     face.moments = {face.moments.m0 * square, face.moments.m2 * square, face.moments.m4 * square};
     if (face.fractal_dimension && face.fractal_roughness) {
         *face.fractal_roughness *= std::pow(factor, 1 / (*face.fractal_dimension - 1));
-        if (!detail::is_number(*face.fractal_roughness)) face.fractal_roughness.reset();
+        if (!is_number(*face.fractal_roughness)) face.fractal_roughness.reset();
     }
     return face;
 }
-
-namespace detail {
 
 /// Mean square slope of neighbours, r sigma sigma_kappa.
 template <Real T>
@@ -75,7 +71,7 @@ template <Real T>
     return *face.r * face.roughness.rms_height * std::sqrt(face.moments.m4);
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// R, D_p, sigma and R_p of the sum.
 /// \throws domain_error naming the parameter that is out of range.
@@ -86,9 +82,11 @@ template <Real T>
     };
     const SpectralMoments<T> sum = of(a) + of(b);
     const bool known = a.max_peak_height > T(0) && b.max_peak_height > T(0);
-    return {std::hypot(a.rms_height, b.rms_height), peak_radius_of(sum), peak_density_of(sum),
+    return {std::hypot(a.rms_height, b.rms_height), parts::peak_radius_of(sum), parts::peak_density_of(sum),
             known ? a.max_peak_height + b.max_peak_height : T(0)};
 }
+
+namespace parts {
 
 /// Share of \p a in the structure function of the sum at the distance of its peaks; in m2 where a G is not known.
 template <Real T>
@@ -102,25 +100,27 @@ template <Real T>
     return s(a) / (s(a) + s(b));
 }
 
+}  // namespace parts
+
 /// The sum of two faces. What one of them does not know (D; r and theta) the sum does not know, nor a G beyond the range of numbers.
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] RoughFace<T> sum_of_faces(const RoughFace<T>& a, const RoughFace<T>& b) {
     RoughFace<T> sum{sum_of_faces(a.roughness, b.roughness), a.moments + b.moments};
     if (a.fractal_dimension && b.fractal_dimension) {
-        const T share = share_of_face(a, b);
+        const T share = parts::share_of_face(a, b);
         const T dimension = share * *a.fractal_dimension + (1 - share) * *b.fractal_dimension;
         sum.fractal_dimension = dimension;
         if (a.fractal_roughness && b.fractal_roughness) {
             const T lag = 1 / std::sqrt(sum.roughness.peak_density);
-            const T s = structure_function_at(lag, Fractal<T>{*a.fractal_dimension, *a.fractal_roughness}) +
-                        structure_function_at(lag, Fractal<T>{*b.fractal_dimension, *b.fractal_roughness});
-            const T roughness = lag * std::exp(log_fractal_roughness(dimension, lag, s));
-            if (detail::is_number(roughness)) sum.fractal_roughness = roughness;
+            const T s = parts::structure_function_at(lag, Fractal<T>{*a.fractal_dimension, *a.fractal_roughness}) +
+                        parts::structure_function_at(lag, Fractal<T>{*b.fractal_dimension, *b.fractal_roughness});
+            const T roughness = lag * std::exp(parts::log_fractal_roughness(dimension, lag, s));
+            if (parts::is_number(roughness)) sum.fractal_roughness = roughness;
         }
     }
     if (a.r && a.theta && b.r && b.theta) {
-        const T slope_a = detail::slope_of_triples(a), slope_b = detail::slope_of_triples(b), slope = slope_a + slope_b;
+        const T slope_a = parts::slope_of_triples(a), slope_b = parts::slope_of_triples(b), slope = slope_a + slope_b;
         const T sine_a = std::sin(*a.theta), sine_b = std::sin(*b.theta);
         sum.r = slope / (sum.roughness.rms_height * std::sqrt(sum.moments.m4));
         sum.theta = std::asin(std::sqrt((slope_a / slope) * sine_a * sine_a + (slope_b / slope) * sine_b * sine_b));

@@ -25,11 +25,16 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// What stands beyond the longest wavelength: waves as strong as the longest one, or none.
 enum class LongWaves { plateau, none };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<LongWaves> = name_list<LongWaves>({{LongWaves::plateau, "plateau"},
-                                                               {LongWaves::none, "none"}});
+inline constexpr auto names<parts::LongWaves> = name_list<parts::LongWaves>({{parts::LongWaves::plateau, "plateau"},
+                                                               {parts::LongWaves::none, "none"}});
 
 /// Which self-affine surface is made.
 template <Real T = double>
@@ -38,20 +43,20 @@ struct SelfAffineOptions {
     T rms{};                  ///< [m]
     T longest_wavelength{};   ///< where the spectrum rolls off [m]; 0: the longest side
     T shortest_wavelength{};  ///< no wave is shorter [m]; 0: two samples, of the larger spacing
-    LongWaves long_waves = LongWaves::plateau;
+    parts::LongWaves long_waves = parts::LongWaves::plateau;
     bool exact_rms = true;  ///< rms of the realisation, not of the mean over all seeds
     std::uint64_t seed = 1;
 };
 
-namespace detail {
+namespace parts {
 
 /// Two standard normal numbers of the wave with \p kx and \p ky periods.
 template <Real T>
 std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_t ky) {
     std::uint64_t state = seed;
-    state = splitmix64(state) ^
+    state = math::splitmix64(state) ^
             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(ky)) << 32 | static_cast<std::uint32_t>(kx));
-    return normal_pair<T>(state);
+    return math::normal_pair<T>(state);
 }
 
 template <Real W>
@@ -61,7 +66,7 @@ using Waves = Eigen::Array<std::complex<W>, Eigen::Dynamic, Eigen::Dynamic, Eige
 template <Real W>
 Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_waves(Waves<W> waves, Eigen::Index rows) {
     std::vector<std::complex<W>> in, out;
-    ComplexFft<W> along_x(static_cast<std::size_t>(waves.cols()));
+    math::ComplexFft<W> along_x(static_cast<std::size_t>(waves.cols()));
     for (Eigen::Index j = 0; j < rows; ++j) {
         in.assign(waves.row(j).begin(), waves.row(j).end());
         along_x.backward(in, out);
@@ -69,7 +74,7 @@ Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_wave
     }
     if (waves.rows() == 1) return waves.real();
     Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights(waves.rows(), waves.cols());
-    ComplexFft<W> along_y(static_cast<std::size_t>(waves.rows()));
+    math::ComplexFft<W> along_y(static_cast<std::size_t>(waves.rows()));
     for (Eigen::Index i = 0; i < waves.cols(); ++i) {
         in.assign(waves.col(i).begin(), waves.col(i).end());
         along_y.backward(in, out);
@@ -81,7 +86,7 @@ Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_wave
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
 template <Real T>
 HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
-    using W = Accumulator<T>;
+    using W = math::Accumulator<T>;
     using Index = Eigen::Index;
     require(options.hurst > T(0) && options.hurst < T(1), "hurst", options.hurst, "between 0 and 1, both excluded");
     require_positive("rms", options.rms);
@@ -90,7 +95,7 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
     for (const std::size_t points : {columns, map ? rows : columns})
         require(points >= 4 && points <= max_points, "points of a side", points, "between 4 and 2^28");
     if (columns > max_points / rows)
-        detail::refuse("points", std::to_string(columns) + " x " + std::to_string(rows), "at most 2^28");
+        refuse("points", std::to_string(columns) + " x " + std::to_string(rows), "at most 2^28");
     const W period_x = static_cast<W>(columns) * dx, period_y = map ? static_cast<W>(rows) * dy : W(0);
     const W side = (std::max)(period_x, period_y), step = map ? (std::max)(dx, dy) : dx;
     const W longest = options.longest_wavelength == T(0) ? side : static_cast<W>(options.longest_wavelength);
@@ -137,14 +142,14 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
     return {(heights * (static_cast<W>(options.rms) / std::sqrt(square))).template cast<T>(), dx, dy};
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// z at x = 0, spacing, ...: one period of points * spacing [m].
 /// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
 template <Real T>
 [[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
     require_positive("spacing", spacing);
-    const HeightMap<T> row = detail::self_affine(options, points, 1, spacing, spacing);
+    const HeightMap<T> row = parts::self_affine(options, points, 1, spacing, spacing);
     return {{row.heights.data(), row.heights.data() + row.size()}, spacing};
 }
 
@@ -155,7 +160,7 @@ template <Real T>
     require_positive("dx", dx);
     require_positive("dy", dy);
     require(rows >= 4, "points of a side", rows, "between 4 and 2^28");
-    return detail::self_affine(options, columns, rows, dx, dy);
+    return parts::self_affine(options, columns, rows, dx, dy);
 }
 
 }  // namespace fstiff

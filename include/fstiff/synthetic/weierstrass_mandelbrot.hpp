@@ -24,6 +24,8 @@
 
 namespace fstiff {
 
+namespace detail {
+
 /// Phases of the waves.
 enum class Phases { random, zero };
 
@@ -36,8 +38,6 @@ struct WeierstrassMandelbrotOptions {
     Phases phases = Phases::random;
     std::uint64_t seed = 1;  ///< of the random phases
 };
-
-namespace detail {
 
 /// The fraction of a turn in \p turns, as an integer: 2^64 is one turn.
 inline std::uint64_t turn_fraction(long double turns) {
@@ -54,8 +54,8 @@ template <Real T = double>
 class WeierstrassMandelbrot {
 public:
     /// \throws domain_error naming the parameter that is out of range.
-    WeierstrassMandelbrot(const Fractal<T>& fractal, const WeierstrassMandelbrotOptions<T>& options) {
-        require_fractal_dimension(fractal.dimension);
+    WeierstrassMandelbrot(const Fractal<T>& fractal, const detail::WeierstrassMandelbrotOptions<T>& options) {
+        parts::require_fractal_dimension(fractal.dimension);
         require_positive("fractal_roughness", fractal.roughness);
         require_positive("longest_wavelength", options.longest_wavelength);
         require_positive("shortest_wavelength", options.shortest_wavelength);
@@ -76,7 +76,8 @@ public:
             const long double wavelength = options.longest_wavelength * share;
             const T ratio = static_cast<T>(fractal.roughness / wavelength);
             const T amplitude = static_cast<T>(wavelength) * std::pow(ratio, fractal.dimension - 1);
-            terms_.push_back({amplitude, wavelength, options.phases == Phases::zero ? 0 : splitmix64(state)});
+            terms_.push_back(
+                {amplitude, wavelength, options.phases == detail::Phases::zero ? 0 : math::splitmix64(state)});
         }
     }
 

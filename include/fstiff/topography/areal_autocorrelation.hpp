@@ -22,14 +22,21 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// Which pairs of points a lag has.
 enum class LagPairs {
     measured,  ///< those within the map
     periodic   ///< those across its edges too
 };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<LagPairs> = name_list<LagPairs>({{LagPairs::measured, "measured"},
-                                                             {LagPairs::periodic, "periodic"}});
+inline constexpr auto names<parts::LagPairs> = name_list<parts::LagPairs>({{parts::LagPairs::measured, "measured"},
+                                                             {parts::LagPairs::periodic, "periodic"}});
+
+namespace parts {
 
 /// The autocorrelation of a map at every lag up to a reach.
 template <Real T = double>
@@ -95,8 +102,6 @@ template <Real T>
     return result;
 }
 
-namespace detail {
-
 /// sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, of \p u(row, column) padded with
 /// zeros to \p width x \p height.
 template <Real T, class Values>
@@ -105,8 +110,8 @@ void correlate_map(const Values& u, Eigen::Index rows, Eigen::Index columns, std
     using Complex = std::complex<T>;
     using Index = Eigen::Index;
     const auto half = static_cast<Index>(width / 2);
-    RealFft<T> along_x(width);
-    ComplexFft<T> along_y(height);
+    math::RealFft<T> along_x(width);
+    math::ComplexFft<T> along_y(height);
     Eigen::Array<Complex, Eigen::Dynamic, 1> waves(rows * (half + 1));  // one column of the map behind the other
     std::vector<T> line(static_cast<std::size_t>(columns));
     std::vector<Complex> in, out;
@@ -192,8 +197,6 @@ private:
     T threshold_;
 };
 
-}  // namespace detail
-
 /// Autocorrelation of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
 template <Real T>
 [[nodiscard]] ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map,
@@ -207,12 +210,13 @@ template <Real T>
     result.reach_x = columns / 2, result.reach_y = rows / 2;
     result.dx = map.dx, result.dy = map.dy;
     const auto padded = [&](Index points, Index reach) {
-        return periodic ? static_cast<std::size_t>(points) : fast_fft_size(static_cast<std::size_t>(points + reach));
+        return periodic ? static_cast<std::size_t>(points)
+                        : math::fast_fft_size(static_cast<std::size_t>(points + reach));
     };
     const std::size_t width = padded(columns, result.reach_x), height = padded(rows, result.reach_y);
-    const detail::MapHeights<T> heights(map);
+    const MapHeights<T> heights(map);
     const auto correlate = [&](const auto& u, typename HeightMap<T>::Array& into) {
-        detail::correlate_map<T>(u, rows, columns, height, width, result.reach_x, result.reach_y + 1, into);
+        correlate_map<T>(u, rows, columns, height, width, result.reach_x, result.reach_y + 1, into);
     };
     const auto missing = [&](Index j, Index i) { return std::isnan(map.heights(j, i)); };
     correlate(
@@ -241,7 +245,7 @@ template <Real T>
                                                       std::type_identity_t<T> threshold = T(0.2)) {
     require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
     constexpr int directions = 720;
-    const detail::LagRays<T> rays(correlation, threshold);
+    const parts::LagRays<T> rays(correlation, threshold);
     TextureParameters<T> result;
     bool all_end = true;
     for (int k = 0; k < directions; ++k) {
@@ -261,5 +265,7 @@ template <Real T>
     if (result.shortest && all_end) result.aspect_ratio = *result.shortest / result.longest;
     return result;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -25,6 +25,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// Moments of a map, and what follows from them.
 template <Real T = double>
 struct ArealStatistics {
@@ -42,8 +44,6 @@ struct ArealStatistics {
     std::size_t inner{};  ///< points whose eight neighbours exist
 };
 
-namespace detail {
-
 /// Mean squares of the first and second differences of neighbours.
 template <Real S>
 struct DifferenceSums {
@@ -54,9 +54,9 @@ struct DifferenceSums {
 /// Means of the squares along x (\p right 1) or y (\p down 1), in the unit of \p heights.
 /// \throws domain_error without three neighbours.
 template <Real T>
-DifferenceSums<Accumulator<T>> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights,
+DifferenceSums<math::Accumulator<T>> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights,
                                                 Eigen::Index down, Eigen::Index right) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     DifferenceSums<S> d;
     const auto height = [&](Eigen::Index j, Eigen::Index i) { return heights.of(map.heights(j, i)); };
     for (Eigen::Index j = 0; j + down < map.rows(); ++j) {
@@ -100,31 +100,29 @@ void visit_inner_points(const HeightMap<T>& map, const MapBlock& block, const Us
         }
 }
 
-}  // namespace detail
-
 /// Statistics of \p map, about its mean. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
     const Index rows = map.rows(), columns = map.columns();
     const auto& z = map.heights;
     ArealStatistics<T> result;
 
-    const detail::MapHeights<T> heights(map);
+    const MapHeights<T> heights(map);
     const T unit = heights.unit;
     const S mean = heights.mean, variance = heights.variance;
     const auto height = [&](Index j, Index i) { return heights.of(z(j, i)); };
 
-    const auto x = detail::mean_differences(map, heights, 0, 1), y = detail::mean_differences(map, heights, 1, 0);
+    const auto x = mean_differences(map, heights, 0, 1), y = mean_differences(map, heights, 1, 0);
     const S slope_x = unit / static_cast<S>(map.dx), slope_y = unit / static_cast<S>(map.dy);
     const S m2_x = x.first * slope_x * slope_x, m2_y = y.first * slope_y * slope_y;
     const S bend_x = slope_x / static_cast<S>(map.dx), bend_y = slope_y / static_cast<S>(map.dy);
     const S m4_x = x.second * bend_x * bend_x, m4_y = y.second * bend_y * bend_y;
 
     S curvature = 0, summit_height = 0;
-    detail::visit_inner_points(map, {0, rows, 0, columns}, [&](Index j, Index i, bool summit) {
+    visit_inner_points(map, {0, rows, 0, columns}, [&](Index j, Index i, bool summit) {
         ++result.inner;
         if (!summit) return;
         ++result.summits;
@@ -161,6 +159,8 @@ template <Real T>
     return result;
 }
 
+}  // namespace parts
+
 /// Roughness parameters of a map, ISO 25178-2.
 template <Real T = double>
 struct ArealParameters {
@@ -178,15 +178,15 @@ struct ArealParameters {
 /// Parameters of \p map. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map) {
-    return areal_parameters(map, areal_statistics(map));
+    return areal_parameters(map, parts::areal_statistics(map));
 }
 
-namespace detail {
+namespace parts {
 
 /// Mean over the cells of their area over dx dy, less 1.
 template <Real T>
 [[nodiscard]] std::optional<T> developed_area_ratio(const HeightMap<T>& map) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     const auto& z = map.heights;
     const S dx = static_cast<S>(map.dx), dy = static_cast<S>(map.dy);
     S all = 0;
@@ -211,16 +211,16 @@ template <Real T>
     return static_cast<T>(all / static_cast<S>(cells));
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// Parameters of \p map with the statistics \p known. \throws domain_error for a map out of range.
 template <Real T>
-[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatistics<T>& known) {
-    using S = Accumulator<T>;
+[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const parts::ArealStatistics<T>& known) {
+    using S = math::Accumulator<T>;
     map.validate();
-    const detail::MapHeights<T> heights(map);
+    const parts::MapHeights<T> heights(map);
     const auto mean_of = [&](const auto& term) {
-        return detail::mean_over_points(map, [&](T z) { return term(heights.of(z) - heights.mean); });
+        return parts::mean_over_points(map, [&](T z) { return term(heights.of(z) - heights.mean); });
     };
     const S unit = static_cast<S>(heights.unit), variance = heights.variance;
     S high = -std::numeric_limits<S>::infinity(), low = -high;
@@ -238,7 +238,7 @@ template <Real T>
     result.max_pit_depth = static_cast<T>(-low * unit);
     result.max_height = static_cast<T>((high - low) * unit);
     result.rms_gradient = known.rms_gradient;
-    result.developed_area_ratio = detail::developed_area_ratio(map);
+    result.developed_area_ratio = parts::developed_area_ratio(map);
     return result;
 }
 

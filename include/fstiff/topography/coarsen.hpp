@@ -9,9 +9,7 @@
 
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::parts {
 
 /// Each row of \p fine on \p to longer cells, turned: cell j of row i stands in row j, column i.
 template <Real T>
@@ -29,8 +27,6 @@ typename HeightMap<T>::Array coarsened_rows(const typename HeightMap<T>::Array& 
     return coarse;
 }
 
-}  // namespace detail
-
 /// \p map on \p columns by \p rows cells over the same area.
 /// \throws domain_error for missing points, less than 1 cell and more than there are.
 template <Real T>
@@ -41,7 +37,7 @@ template <Real T>
     HeightMap<T> coarse;
     coarse.dx = map.dx * T(map.columns()) / T(columns);
     coarse.dy = map.dy * T(map.rows()) / T(rows);
-    coarse.heights = detail::coarsened_rows<T>(detail::coarsened_rows<T>(map.heights, columns), rows);
+    coarse.heights = coarsened_rows<T>(coarsened_rows<T>(map.heights, columns), rows);
     return coarse;
 }
 
@@ -58,4 +54,4 @@ template <Real T>
     return coarsened(map, side(map.columns()), side(map.rows()));
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

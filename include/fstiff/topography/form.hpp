@@ -30,6 +30,8 @@ inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none
                                                            {MapForm::quadratic, "quadratic"},
                                                            {MapForm::cubic, "cubic"}});
 
+namespace parts {
+
 /// A map without its form, which knows what was removed.
 template <Real T = double>
 struct LevelledMap {
@@ -50,12 +52,10 @@ template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
     LevelledMap<T> flat{remove_form(map, form), form};
     if (form != MapForm::none)
-        detail::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
+        math::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
                                               static_cast<std::size_t>(map.size()), resolution);
     return flat;
 }
-
-namespace detail {
 
 /// Legendre's polynomials 0 to 3 at the points of a side, one a column.
 template <Real S>
@@ -85,7 +85,7 @@ Eigen::Array<S, 1, Eigen::Dynamic> existing(const HeightMap<T>& map, Eigen::Inde
 /// Means of f_s f_t over the points that exist; row by row, since v is constant along a row.
 template <Real T, class Polynomials>
 auto normal_matrix(const HeightMap<T>& map, const Polynomials& px, const Polynomials& py, Eigen::Index degree) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     using Index = Eigen::Index;
     const Index terms = (degree + 1) * (degree + 2) / 2;
     Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> normal =
@@ -104,12 +104,10 @@ auto normal_matrix(const HeightMap<T>& map, const Polynomials& px, const Polynom
     return normal;
 }
 
-}  // namespace detail
-
 /// \p map without the \p form. \throws domain_error for a map out of range, or whose points do not determine the form.
 template <Real T>
 [[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
     using Index = Eigen::Index;
     map.validate();
@@ -119,14 +117,15 @@ template <Real T>
     if (map.present() < terms)
         throw domain_error("map of which " + std::to_string(map.present()) + " points exist: must be at least " +
                            terms_shown + " to remove this form");
-    const auto px = detail::legendre_of_side<S>(map.columns()), py = detail::legendre_of_side<S>(map.rows());
+    const auto px = legendre_of_side<S>(map.columns()), py = legendre_of_side<S>(map.rows());
     // so that no sum leaves the range of numbers
-    const S unit = power_of_two_below(static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
-    const auto each_term = [&](const auto& use) { detail::each_term(degree, use); };
+    const S unit =
+        math::power_of_two_below(static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
+    const auto each_term = [&](const auto& use) { parts::each_term(degree, use); };
     using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>() / unit;
     // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
-    const PivotedQr<S> solver(detail::normal_matrix(map, px, py, degree), S(1e-12));
+    const math::PivotedQr<S> solver(normal_matrix(map, px, py, degree), S(1e-12));
     if (solver.rank() < terms)
         throw domain_error("map whose points determine " + std::to_string(solver.rank()) + " of the " + terms_shown +
                            " terms of this form: must be spread over more rows and columns");
@@ -141,7 +140,7 @@ template <Real T>
         for (Index j = 0; j < map.rows(); ++j) {
             Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
             each_term([&](Index t, Index k, Index l) { along[k] += c[t] * py(j, l); });
-            const auto exists = detail::existing<S>(map, j);
+            const auto exists = existing<S>(map, j);
             for (Index k = degree; k >= 0; --k) z.row(j) -= along[k] * (px.col(k).transpose() * exists);
         }
     }
@@ -157,5 +156,7 @@ template <Real T>
         result.heights = z.template cast<T>();
     return result;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

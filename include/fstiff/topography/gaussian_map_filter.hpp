@@ -22,7 +22,7 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// \p map without its long waves. \throws domain_error as above.
 template <Real T>
@@ -32,15 +32,14 @@ template <Real T>
     return high;
 }
 
-namespace detail {
-
 template <Real F>
 using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The weighted sums of every row of \p z, then of every column.
 template <Real F, Real T>
-void smooth_both_ways(F* z, const HeightMap<T>& map, std::pair<GaussianSmoother<F>, GaussianSmoother<F>>& along) {
-    constexpr std::size_t lines = GaussianSmoother<F>::lines;
+void smooth_both_ways(F* z, const HeightMap<T>& map,
+                      std::pair<math::GaussianSmoother<F>, math::GaussianSmoother<F>>& along) {
+    constexpr std::size_t lines = math::GaussianSmoother<F>::lines;
     const auto height = static_cast<std::size_t>(map.rows()), width = static_cast<std::size_t>(map.columns());
     for (std::size_t j = 0; j < height; j += lines)
         along.first.of_lines(z + j * width, 1, width, (std::min)(lines, height - j));
@@ -58,19 +57,21 @@ void require_cut_off(const HeightMap<T>& map, T cutoff) {
 
 /// Along x and along y.
 template <Real T>
-[[nodiscard]] std::pair<GaussianSmoother<Accumulator<T>>, GaussianSmoother<Accumulator<T>>> smoothers(
-    const HeightMap<T>& map, T cutoff) {
-    using F = Accumulator<T>;
+[[nodiscard]] std::pair<math::GaussianSmoother<math::Accumulator<T>>, math::GaussianSmoother<math::Accumulator<T>>>
+smoothers(const HeightMap<T>& map, T cutoff) {
+    using F = math::Accumulator<T>;
     const auto along = [&](Eigen::Index points, T step) {
-        return GaussianSmoother<F>(static_cast<std::size_t>(points), static_cast<F>(cutoff) / static_cast<F>(step));
+        return math::GaussianSmoother<F>(static_cast<std::size_t>(points),
+                                         static_cast<F>(cutoff) / static_cast<F>(step));
     };
     return {along(map.columns(), map.dx), along(map.rows(), map.dy)};
 }
 
 /// Heights about their mean; 0 where a point is missing.
 template <Real T>
-[[nodiscard]] FilteredHeights<Accumulator<T>> present_or_zero(const HeightMap<T>& map, const MapHeights<T>& heights) {
-    using F = Accumulator<T>;
+[[nodiscard]] FilteredHeights<math::Accumulator<T>> present_or_zero(const HeightMap<T>& map,
+                                                                    const MapHeights<T>& heights) {
+    using F = math::Accumulator<T>;
     FilteredHeights<F> z(map.rows(), map.columns());
     for (Eigen::Index k = 0; k < map.size(); ++k) {
         const T height = map.heights.data()[k];
@@ -79,17 +80,15 @@ template <Real T>
     return z;
 }
 
-}  // namespace detail
-
 /// \p map without its short waves. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
 [[nodiscard]] HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
-    using F = Accumulator<T>;
-    detail::require_cut_off(map, cutoff);
-    const detail::MapHeights<T> heights(map);
-    auto along = detail::smoothers(map, cutoff);
-    detail::FilteredHeights<F> z = detail::present_or_zero(map, heights);
-    detail::smooth_both_ways(z.data(), map, along);
+    using F = math::Accumulator<T>;
+    require_cut_off(map, cutoff);
+    const MapHeights<T> heights(map);
+    auto along = smoothers(map, cutoff);
+    FilteredHeights<F> z = present_or_zero(map, heights);
+    smooth_both_ways(z.data(), map, along);
     if (map.present() == map.size()) {  // the weights are a product as well
         std::vector<F> of_x(static_cast<std::size_t>(map.columns()), F(1)),
             of_y(static_cast<std::size_t>(map.rows()), F(1));
@@ -99,9 +98,9 @@ template <Real T>
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 z(j, i) /= of_x[static_cast<std::size_t>(i)] * of_y[static_cast<std::size_t>(j)];
     } else {
-        detail::FilteredHeights<F> weights =
+        FilteredHeights<F> weights =
             map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<F>();
-        detail::smooth_both_ways(weights.data(), map, along);
+        smooth_both_ways(weights.data(), map, along);
         z /= weights;  // of a missing point it may be 0/0, and is not used
     }
     HeightMap<T> low;
@@ -124,23 +123,23 @@ template <Real T>
 
 /// The long waves of \p map. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
-[[nodiscard]] RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) {
-    using F = Accumulator<T>;
-    detail::require_cut_off(map, cutoff);
-    const detail::MapHeights<T> scaled(map);
-    auto along = detail::smoothers(map, cutoff);
+[[nodiscard]] math::RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) {
+    using F = math::Accumulator<T>;
+    require_cut_off(map, cutoff);
+    const MapHeights<T> scaled(map);
+    auto along = smoothers(map, cutoff);
     const auto exists = [&](std::size_t k) { return !std::isnan(map.heights.data()[k]); };
-    const auto z = detail::present_or_zero(map, scaled);
+    const auto z = present_or_zero(map, scaled);
     std::vector<F> sums, weights;
     const auto sum = [&](const std::vector<F>& delta, const std::vector<F>& weighted) {
         weights = delta, sums = weighted;
-        detail::smooth_both_ways(sums.data(), map, along);
-        detail::smooth_both_ways(weights.data(), map, along);
+        smooth_both_ways(sums.data(), map, along);
+        smooth_both_ways(weights.data(), map, along);
     };
-    const auto found = detail::robust_means(
+    const auto found = math::robust_means(
         std::vector<F>(z.data(), z.data() + z.size()), F(0.01), exists, sum,
         [&](std::size_t k) { return weights[k]; }, [&](std::size_t k) { return sums[k] / weights[k]; });
-    RobustWaviness<HeightMap<T>> result{map, found.left_out, found.iterations, found.converged};
+    math::RobustWaviness<HeightMap<T>> result{map, found.left_out, found.iterations, found.converged};
     for (std::size_t k = 0; k < found.waviness.size(); ++k)
         if (exists(k))
             result.waviness.heights.data()[k] =
@@ -156,4 +155,4 @@ template <Real T>
     return high;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

@@ -17,7 +17,7 @@
 
 namespace fstiff {
 
-namespace detail {
+namespace parts {
 
 /// Range of the heights that exist; without any, low is the largest number and high the lowest.
 template <Real T>
@@ -76,7 +76,7 @@ void validate_map(const T* z, Eigen::Index rows, Eigen::Index columns, T dx, T d
     require(range.high > range.low, "map of constant height", range.low, "of varying height");
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// A map in SI units. heights(j, i) is the height at x = i dx, y = j dy: a row of the array is a profile along x.
 template <Real T = double>
@@ -99,7 +99,7 @@ struct HeightMap {
     /// \throws domain_error unless both spacings are positive, no height is infinite, the map has \p least points a
     /// side, as many exist, and they are not all of one height.
     void validate(Eigen::Index least = 3) const {
-        detail::validate_map(heights.data(), rows(), columns(), dx, dy, least);
+        parts::validate_map(heights.data(), rows(), columns(), dx, dy, least);
     }
     /// \throws domain_error "map with N missing points: must be filled \p before".
     void require_whole(const char* before) const {
@@ -108,17 +108,17 @@ struct HeightMap {
     }
 };
 
+namespace parts {
+
 /// Mean of the heights that exist [m]. \throws domain_error when there is none.
 template <Real T>
 [[nodiscard]] T mean_height(const HeightMap<T>& map) {
-    CompensatedSum<Accumulator<T>> sum;
+    math::CompensatedSum<math::Accumulator<T>> sum;
     for (Eigen::Index k = 0; k < map.size(); ++k)
         if (!std::isnan(map.heights.data()[k])) sum.add(map.heights.data()[k]);
     if (map.present() == 0) throw domain_error("map of which 0 points exist: must be at least 1");
-    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(map.present()));
+    return static_cast<T>(sum.value() / static_cast<math::Accumulator<T>>(map.present()));
 }
-
-namespace detail {
 
 template <Real T>
 HeightRange<T> height_range(const HeightMap<T>& map) {
@@ -129,26 +129,26 @@ HeightRange<T> height_range(const HeightMap<T>& map) {
 template <Real T>
 T height_scale(const HeightMap<T>& map) {
     const HeightRange<T> range = height_range(map);
-    return range.low < range.high ? power_of_two_below(range.high / 2 - range.low / 2) : T(1);
+    return range.low < range.high ? math::power_of_two_below(range.high / 2 - range.low / 2) : T(1);
 }
 
 /// Mean of \p term(height) over the points that exist, a sum a row so that rounding does not add up.
 template <Real T, class Term>
-Accumulator<T> mean_over_points(const HeightMap<T>& map, const Term& term) {
-    Accumulator<T> sum = 0;
+math::Accumulator<T> mean_over_points(const HeightMap<T>& map, const Term& term) {
+    math::Accumulator<T> sum = 0;
     for (Eigen::Index j = 0; j < map.rows(); ++j) {
-        Accumulator<T> row = 0;
+        math::Accumulator<T> row = 0;
         for (const T z : map.heights.row(j))
             if (!std::isnan(z)) row += term(z);
         sum += row;
     }
-    return sum / static_cast<Accumulator<T>>(map.present());
+    return sum / static_cast<math::Accumulator<T>>(map.present());
 }
 
 /// Heights of a map about one of its points, in a unit: an offset is gone before anything is squared.
 template <Real T>
 struct MapHeights {
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
     T datum{}, unit{};
     S mean{};      // [unit] above the datum
     S variance{};  // [unit^2]
@@ -165,13 +165,13 @@ struct MapHeights {
     S of(T z) const { return (static_cast<S>(z) - datum) / unit; }
 };
 
-}  // namespace detail
+}  // namespace parts
 
 /// Sq: root of the mean square of the heights about their mean [m]. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] T rms_height(const HeightMap<T>& map) {
     map.validate();
-    const detail::MapHeights<T> heights(map);
+    const parts::MapHeights<T> heights(map);
     return static_cast<T>(std::sqrt(heights.variance) * heights.unit);
 }
 

@@ -15,35 +15,45 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// Which neighbours of a point are its own island's: the four that share a side, or those that share a corner too.
 enum class Connectivity { four, eight };
 
 /// Whether an island that reaches the edge of the map counts.
 enum class BorderIslands { kept, dropped };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<BorderIslands> = name_list<BorderIslands>({{BorderIslands::kept, "keep"},
-                                                                       {BorderIslands::dropped, "drop"}});
+inline constexpr auto names<parts::BorderIslands> =
+    name_list<parts::BorderIslands>({{parts::BorderIslands::kept, "keep"}, {parts::BorderIslands::dropped, "drop"}});
+
+namespace parts {
 
 /// Height of an island above the level: its highest point, or twice its mean; of a paraboloid the same.
 enum class IslandHeight { peak, twice_mean };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<IslandHeight> = name_list<IslandHeight>({{IslandHeight::peak, "peak"},
-                                                                     {IslandHeight::twice_mean, "twice-mean"}});
+inline constexpr auto names<parts::IslandHeight> = name_list<parts::IslandHeight>({{parts::IslandHeight::peak, "peak"},
+                                                                     {parts::IslandHeight::twice_mean, "twice-mean"}});
 
 /// What counts as an island, and at which levels.
 template <Real T = double>
 struct IslandOptions {
-    Connectivity connectivity = Connectivity::eight;
-    BorderIslands border = BorderIslands::kept;
+    parts::Connectivity connectivity = parts::Connectivity::eight;
+    parts::BorderIslands border = parts::BorderIslands::kept;
     std::size_t min_points = 1;  ///< smaller islands do not count
-    IslandHeight height = IslandHeight::peak;
+    parts::IslandHeight height = parts::IslandHeight::peak;
     std::vector<T> levels{};  ///< cutting levels [m], in any order; none: by bearing area
     std::size_t quantiles =
         200;                  ///< levels at bearing areas (k - 1/2)/quantiles; 0, or more than points: at every height
     ProgressHook progress{};  ///< of the sweep
 };
 
-namespace detail {
+namespace parts {
 
 /// What is known of all islands that count.
 template <Real S>
@@ -55,7 +65,7 @@ struct IslandTotal {
         islands += sign;
         points += sign * island_points;
         const S term = sign > 0 ? island_height : -island_height;
-        const RoundedSum<S> next = two_sum(height, term);
+        const math::RoundedSum<S> next = math::two_sum(height, term);
         height_error += next.error;
         height = next.sum;
     }
@@ -87,7 +97,7 @@ private:
 template <Real T>
 class IslandForest {
 public:
-    using S = Accumulator<T>;
+    using S = math::Accumulator<T>;
 
     /// \p datum is what mean heights are summed from. A point that changes no height leaves their sum alone where \p
     /// quick; else it is taken out and put in again, with its rounding.
@@ -215,6 +225,6 @@ private:
     std::vector<IslandTotal<S>> tile_totals_;
 };
 
-}  // namespace detail
+}  // namespace parts
 
 }  // namespace fstiff

@@ -17,6 +17,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// How the spread of the representative island is found.
 struct IslandSpread {
     std::size_t tiles = 4;        ///< a side; 1 leaves the spread out
@@ -24,6 +26,8 @@ struct IslandSpread {
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples
 };
+
+}  // namespace parts
 
 /// R and D_p at the level at which islands are densest.
 template <Real T = double>
@@ -42,7 +46,7 @@ struct RepresentativeIslands {
     IslandCurve<T> curve;
 };
 
-namespace detail {
+namespace parts {
 
 /// Islands, points and summed height above the level, of one tile at one level.
 template <Real S>
@@ -56,13 +60,13 @@ struct TileTotal {
 /// tiles at the highest level, then at the next.
 template <Real T>
 void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
-                    const std::vector<TileTotal<Accumulator<T>>>& lines, const std::vector<std::size_t>& held,
-                    const std::vector<Accumulator<T>>& area, const IslandSpread& spread) {
-    using S = Accumulator<T>;
+                    const std::vector<TileTotal<math::Accumulator<T>>>& lines, const std::vector<std::size_t>& held,
+                    const std::vector<math::Accumulator<T>>& area, const IslandSpread& spread) {
+    using S = math::Accumulator<T>;
     // relative to the pair of the whole map, so that no square leaves the range of numbers
     const S whole_density = static_cast<S>(result.islands) / static_cast<S>(map.present());
     const S cell = static_cast<S>(map.dx) * static_cast<S>(map.dy);
-    BlockDraw draw(held.size(), 1, spread.seed);
+    math::BlockDraw draw(held.size(), 1, spread.seed);
     std::vector<std::size_t> drawn(held.size());
     S d1 = 0, r1 = 0, dd = 0, rr = 0, dr = 0;
     std::size_t count = 0;
@@ -101,30 +105,30 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
             std::clamp((dr - d1 * r1 / n) * small_sample / std::sqrt(variance_d) / std::sqrt(variance_r), S(-1), S(1)));
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// The curve, and the pair of density and radius at its greatest density.
 /// \throws domain_error as above, when no island counts at any level, or when fewer than two tiles hold points.
 template <Real T>
 [[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,
                                                               const IslandOptions<T>& options = {},
-                                                              const IslandSpread& spread = {}) {
-    using S = Accumulator<T>;
+                                                              const parts::IslandSpread& spread = {}) {
+    using S = math::Accumulator<T>;
     constexpr std::size_t max_lines = std::size_t(1) << 22;
     require(spread.tiles >= 1 && spread.tiles <= 32, "tiles a side", spread.tiles, "between 1 and 32");
     require(spread.tiles == 1 || (spread.resamples >= 2 && spread.resamples <= 100000), "resamples", spread.resamples,
             "between 2 and 100000");
     const std::size_t all_tiles = spread.tiles * spread.tiles;
 
-    std::vector<detail::TileTotal<S>> lines;  // all tiles of the highest level, then of the next
+    std::vector<parts::TileTotal<S>> lines;  // all tiles of the highest level, then of the next
     RepresentativeIslands<T> result;
     result.curve =
-        detail::sweep_islands(map, options, spread.tiles, [&](T level, const detail::IslandForest<T>& forest) {
+        detail::sweep_islands(map, options, spread.tiles, [&](T level, const parts::IslandForest<T>& forest) {
             if (all_tiles == 1) return;
             if (lines.size() + all_tiles > max_lines)
                 throw domain_error(
                     "levels times tiles of the spread: must be at most 2^22; take 1 tile or fewer levels");
-            for (const detail::IslandTotal<S>& tile : forest.tile_totals())
+            for (const parts::IslandTotal<S>& tile : forest.tile_totals())
                 lines.push_back({static_cast<S>(tile.islands), static_cast<S>(tile.points),
                                  tile.height_above(forest.reference(level))});
         });
@@ -139,7 +143,7 @@ template <Real T>
             "greater than 0, with islands of some height: this border and this least size leave none");
     if (all_tiles == 1) return result;
 
-    const detail::TileGrid tile(map.rows(), map.columns(), spread.tiles);
+    const parts::TileGrid tile(map.rows(), map.columns(), spread.tiles);
     std::vector<S> area(all_tiles, S(0));  // in points
     for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
         if (!std::isnan(map.heights.data()[p])) area[tile(p)] += 1;
@@ -149,7 +153,7 @@ template <Real T>
     require(held.size() >= 2, "tiles that hold points", held.size(), "at least 2 for a spread");
     result.tiles = held.size();
     result.seed = spread.seed;
-    detail::resample_tiles(result, map, lines, held, area, spread);
+    parts::resample_tiles(result, map, lines, held, area, spread);
     return result;
 }
 

@@ -28,11 +28,11 @@ enum class Edges {
 template <>
 inline constexpr auto names<Edges> = name_list<Edges>({{Edges::mirrored, "mirrored"}, {Edges::periodic, "periodic"}});
 
+namespace parts {
+
 /// Numbers on a grid: rows along y, columns along x.
 template <Real T>
 using GridField = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-namespace detail {
 
 /// Wave number of coefficient \p k of a line, in units of 2 pi/L.
 template <Real T>
@@ -60,7 +60,7 @@ public:
     }
 
     /// Wave number of coefficient \p k, in units of 2 pi/L.
-    [[nodiscard]] T wave_number(std::size_t k) const { return detail::wave_number<T>(k, edges_); }
+    [[nodiscard]] T wave_number(std::size_t k) const { return parts::wave_number<T>(k, edges_); }
 
     /// wave_weight() of coefficient \p k.
     [[nodiscard]] T weight(std::size_t k) const { return wave_weight<T>(k, points_, edges_); }
@@ -100,7 +100,7 @@ public:
 private:
     std::size_t points_;
     Edges edges_;
-    RealFft<T> fft_;
+    math::RealFft<T> fft_;
     std::vector<T> line_;
     std::vector<std::complex<T>> spectrum_, turn_;
 };
@@ -108,14 +108,14 @@ private:
 /// The same of `lines` lines at once, several times as fast.
 template <Real T>
 class LinesTransform {
-    static constexpr std::size_t width = FftOfLines<T>::width;
+    static constexpr std::size_t width = math::FftOfLines<T>::width;
 
 public:
     /// Two to each lane: one is the real part of what is transformed, one the imaginary part.
     static constexpr std::size_t lines = 2 * width;
 
     LinesTransform(std::size_t points, Edges edges) : points_(points), edges_(edges), values_(points * lines, T(0)) {
-        if (!is_smooth_size(points)) {
+        if (!math::is_smooth_size(points)) {
             one_.emplace(points, edges);
             line_.resize(points);
             return;
@@ -180,7 +180,7 @@ public:
     }
 
 private:
-    using V = Lanes<T, int(width)>;
+    using V = math::Lanes<T, int(width)>;
     struct Pair {
         V re, im;
     };
@@ -226,12 +226,12 @@ private:
 
     std::size_t points_;
     Edges edges_;
-    std::optional<FftOfLines<T>> fft_;
+    std::optional<math::FftOfLines<T>> fft_;
     std::optional<LineTransform<T>> one_;  ///< of lengths that kissfft does not take at once
     std::vector<T> values_, re_, im_, line_;
     std::vector<std::complex<T>> turn_;
 };
 
-}  // namespace detail
+}  // namespace parts
 
 }  // namespace fstiff

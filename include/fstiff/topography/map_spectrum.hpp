@@ -32,13 +32,13 @@ namespace detail {
 /// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] but their mean: k along x, l along y, in units of 2 pi
 /// over the side. A cosine and a sine are a wave each.
 template <Real T, class Use>
-void visit_waves(GridField<T> heights, Edges edges, const Use& use) {
+void visit_waves(parts::GridField<T> heights, Edges edges, const Use& use) {
     const auto columns = static_cast<std::size_t>(heights.cols()), rows = static_cast<std::size_t>(heights.rows());
     const T scale = heights.abs().maxCoeff();
     heights /= scale;
-    constexpr std::size_t lines = LinesTransform<T>::lines;
-    LinesTransform<T> along_x(columns, edges), along_y(rows, edges);
-    GridField<T> turned(heights.cols(), heights.rows());
+    constexpr std::size_t lines = parts::LinesTransform<T>::lines;
+    parts::LinesTransform<T> along_x(columns, edges), along_y(rows, edges);
+    parts::GridField<T> turned(heights.cols(), heights.rows());
     for (std::size_t j = 0; j < rows; j += lines) {
         const std::size_t count = (std::min)(lines, rows - j);
         along_x.load(heights.data() + j * columns, 1, columns, count);
@@ -48,7 +48,7 @@ void visit_waves(GridField<T> heights, Edges edges, const Use& use) {
     const T unit = scale / T(heights.size());
     std::vector<T> number_y(rows), weight_y(rows);
     for (std::size_t j = 0; j < rows; ++j)
-        number_y[j] = wave_number<T>(j, edges), weight_y[j] = wave_weight<T>(j, rows, edges);
+        number_y[j] = parts::wave_number<T>(j, edges), weight_y[j] = parts::wave_weight<T>(j, rows, edges);
     for (std::size_t i = 0; i < columns; ++i) {
         T* const line = turned.data() + i * rows;
         if (i % lines == 0) {
@@ -57,7 +57,7 @@ void visit_waves(GridField<T> heights, Edges edges, const Use& use) {
             along_y.forward();
             along_y.store(line, 1, rows, count);
         }
-        const T k = wave_number<T>(i, edges), weight = wave_weight<T>(i, columns, edges);
+        const T k = parts::wave_number<T>(i, edges), weight = parts::wave_weight<T>(i, columns, edges);
         for (std::size_t j = 0; j < rows; ++j) {
             const T h = line[j] * unit;
             if (i + j > 0) use(k, number_y[j], weight * weight_y[j] * h * h);
@@ -117,6 +117,8 @@ template <Real T>
     return spectrum;
 }
 
+namespace detail {
+
 /// One-sided spectrum of the sections of a map along one axis.
 template <Real T = double>
 struct SectionSpectrum {
@@ -133,26 +135,28 @@ struct SectionSpectrum {
     }
 };
 
+}  // namespace detail
+
 /// The power spectrum of a map over all directions, and of its sections.
 template <Real T = double>
 struct RadialSpectrum {
     std::vector<T> wavenumber;       ///< mean |q| of a shell [rad/m]
     std::vector<T> value;            ///< C [m^4]
     std::vector<std::size_t> waves;  ///< in the shell
-    SectionSpectrum<T> along_x, along_y;
+    detail::SectionSpectrum<T> along_x, along_y;
 };
 
 namespace detail {
 
 /// \p map about its mean, times \p window over its rms.
 template <Real T>
-[[nodiscard]] GridField<T> windowed(const HeightMap<T>& map, SpectrumWindow window) {
-    GridField<T> heights = map.heights - map.heights.mean();
+[[nodiscard]] parts::GridField<T> windowed(const HeightMap<T>& map, SpectrumWindow window) {
+    parts::GridField<T> heights = map.heights - map.heights.mean();
     if (window == SpectrumWindow::none) return heights;
     const auto weights = [window](Eigen::Index points) {  // of mean square 1
         Eigen::Array<T, Eigen::Dynamic, 1> all(points);
         for (Eigen::Index i = 0; i < points; ++i)
-            all[i] = window_weight<T>(window, static_cast<std::size_t>(i), static_cast<std::size_t>(points)) *
+            all[i] = parts::window_weight<T>(window, static_cast<std::size_t>(i), static_cast<std::size_t>(points)) *
                      std::sqrt(T(8) / 3);
         return all;
     };
@@ -174,7 +178,7 @@ template <Real T>
     std::vector<T> power(shells + 1), lengths(shells + 1);
     std::vector<std::size_t> waves(shells + 1);
     const auto section = [](Index points, T unit) {
-        SectionSpectrum<T> one;
+        detail::SectionSpectrum<T> one;
         one.step = unit;
         one.halved = points % 2 == 0;
         one.value.resize(static_cast<std::size_t>(points / 2));
@@ -186,7 +190,7 @@ template <Real T>
                              .waves = {},
                              .along_x = section(columns, grid.unit_x),
                              .along_y = section(rows, grid.unit_y)};
-    const auto put = [](SectionSpectrum<T>& one, Index k, T square) {
+    const auto put = [](detail::SectionSpectrum<T>& one, Index k, T square) {
         if (k > 0) one.value[static_cast<std::size_t>(k) - 1] += square;
     };
     detail::visit_waves(detail::windowed(map, window), Edges::periodic, [&](T k, T l, T square) {

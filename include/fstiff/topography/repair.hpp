@@ -17,11 +17,11 @@
 
 #include <Eigen/SparseCholesky>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// How many spikes \p map holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
-Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true) {
+math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);
     const Eigen::Index rows = map.rows(), columns = map.columns();
     require(rows >= 3 && columns >= 3, "points a side of a map with spikes", (std::min)(rows, columns), "at least 3");
@@ -34,7 +34,7 @@ Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove
                 const std::array<T, 8> all{z(-1, -1), z(-1, 0), z(-1, 1), z(0, -1),
                                            z(0, 1),   z(1, -1), z(1, 0),  z(1, 1)};
                 if (std::none_of(all.begin(), all.end(), [](T height) { return std::isnan(height); })) {
-                    differences[static_cast<std::size_t>(j * columns + i)] = z(0, 0) - median_of_eight(all);
+                    differences[static_cast<std::size_t>(j * columns + i)] = z(0, 0) - math::median_of_eight(all);
                     continue;
                 }
             }
@@ -43,17 +43,15 @@ Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove
                 for (Eigen::Index k = std::max<Eigen::Index>(0, i - 1); k < (std::min)(columns, i + 2); ++k)
                     if ((l != j || k != i) && !std::isnan(map.heights(l, k))) neighbours.push_back(map.heights(l, k));
             if (neighbours.size() < 3) continue;
-            differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - median(neighbours);
+            differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - math::median(neighbours);
         }
-    return detail::spikes_among(map.heights.data(), differences, limit, remove);
+    return math::spikes_among(map.heights.data(), differences, limit, remove);
 }
-
-namespace detail {
 
 /// Calls \p visit(place, 1/step^2 over 1/dx^2) for the neighbours of point \p at along its sides.
 template <Real T, class Visit>
 void visit_sides(const HeightMap<T>& map, Eigen::Index at, const Visit& visit) {
-    using F = Accumulator<T>;
+    using F = math::Accumulator<T>;
     const F across = static_cast<F>(map.dx) / map.dy * (static_cast<F>(map.dx) / map.dy);
     const Eigen::Index columns = map.columns(), j = at / columns, i = at % columns;
     if (i > 0) visit(at - 1, F(1));
@@ -71,7 +69,7 @@ struct Holes {
 
     explicit Holes(const HeightMap<T>& map) : number(static_cast<std::size_t>(map.size()), -1) {
         std::vector<Eigen::Index> stack;
-        const auto find = [&](Eigen::Index at, Accumulator<T>) {
+        const auto find = [&](Eigen::Index at, math::Accumulator<T>) {
             if (!std::isnan(map.heights.data()[at]) || number[static_cast<std::size_t>(at)] >= 0) return;
             number[static_cast<std::size_t>(at)] = 0;
             stack.push_back(at);
@@ -90,24 +88,22 @@ struct Holes {
     }
 };
 
-}  // namespace detail
-
 /// Fills the missing points of \p map. \throws domain_error where every point is missing.
 template <Real T>
-Repair fill_missing(HeightMap<T>& map) {
-    using F = Accumulator<T>;
+math::Repair fill_missing(HeightMap<T>& map) {
+    using F = math::Accumulator<T>;
     using Index = Eigen::Index;
     require(map.present() > 0, "points that exist", 0, "at least 1 to fill the others");
-    const detail::Holes<T> holes(map);
-    const Repair repair{.missing = holes.points.size(), .longest = holes.longest};
+    const parts::Holes<T> holes(map);
+    const math::Repair repair{.missing = holes.points.size(), .longest = holes.longest};
     const auto size = static_cast<Index>(holes.points.size());
     if (size < 1) return repair;
-    const detail::MapHeights<T> scaled(map);
+    const MapHeights<T> scaled(map);
     std::vector<Eigen::Triplet<F>> entries;
     Eigen::Matrix<F, Eigen::Dynamic, 1> right = Eigen::Matrix<F, Eigen::Dynamic, 1>::Zero(size);
     for (Index n = 0; n < size; ++n) {
         F own = 0;
-        detail::visit_sides(map, holes.points[static_cast<std::size_t>(n)], [&](Index other, F weight) {
+        visit_sides(map, holes.points[static_cast<std::size_t>(n)], [&](Index other, F weight) {
             own += weight;
             if (const int m = holes.number[static_cast<std::size_t>(other)]; m >= 0)
                 entries.emplace_back(static_cast<int>(n), m, -weight);
@@ -126,4 +122,4 @@ Repair fill_missing(HeightMap<T>& map) {
     return repair;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

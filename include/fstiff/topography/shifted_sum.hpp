@@ -17,7 +17,7 @@
 #include <fstiff/math/random.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff {
+namespace fstiff::parts {
 
 /// Why two maps have no sum; empty where they have one.
 template <Real T>
@@ -54,10 +54,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] HeightMap<T> random_sum(const HeightMap<T>& upper, const HeightMap<T>& lower, std::uint64_t& state) {
     const auto below = [&](Eigen::Index size) {
-        return static_cast<Eigen::Index>(splitmix64(state) % static_cast<std::uint64_t>(2 * size));
+        return static_cast<Eigen::Index>(math::splitmix64(state) % static_cast<std::uint64_t>(2 * size));
     };
     const Eigen::Index rows = below(upper.rows()), columns = below(upper.columns());
     return shifted_sum(upper, lower, rows, columns);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::parts

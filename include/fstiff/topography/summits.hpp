@@ -24,6 +24,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// One point of a map that is higher than its eight neighbours, as the top of a paraboloid.
 template <Real T = double>
 struct Summit {
@@ -37,10 +39,12 @@ struct Summit {
     [[nodiscard]] T radius() const { return 2 / (max_curvature + min_curvature); }
 };
 
+}  // namespace parts
+
 /// All summits of a map.
 template <Real T = double>
 struct Summits {
-    std::vector<Summit<T>> summits;  ///< the highest first
+    std::vector<parts::Summit<T>> summits;  ///< the highest first
     T area{};                        ///< of the points that can be summits [m^2]
     T width{}, height{};             ///< of the map [m]
     T rms_height{};                  ///< of the map [m]
@@ -48,7 +52,7 @@ struct Summits {
     std::size_t ridges = 0;          ///< points above their neighbours whose paraboloid has no top
 };
 
-namespace detail {
+namespace parts {
 
 /// Height, gradient and second derivatives at one point; steps along x and y are 1.
 template <Real T>
@@ -96,14 +100,14 @@ template <Real T>
 template <Real T>
 inline constexpr T min_curvature_ratio = T(1e-3);
 
-}  // namespace detail
+}  // namespace parts
 
 /// \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] Summits<T> summits_of(const HeightMap<T>& map) {
     map.validate();
     const auto& z = map.heights;
-    const detail::MapHeights<T> heights(map);
+    const parts::MapHeights<T> heights(map);
     Summits<T> found;
     found.width = static_cast<T>(z.cols()) * map.dx;
     found.height = static_cast<T>(z.rows()) * map.dy;
@@ -111,11 +115,11 @@ template <Real T>
     std::size_t inner = 0;
     found.dx = map.dx;
     found.dy = map.dy;
-    detail::visit_inner_points(map, {0, z.rows(), 0, z.cols()}, [&](Eigen::Index j, Eigen::Index i, bool summit) {
+    parts::visit_inner_points(map, {0, z.rows(), 0, z.cols()}, [&](Eigen::Index j, Eigen::Index i, bool summit) {
         ++inner;
         if (!summit) return;
-        Summit<T> top = detail::top_of(detail::shape_by_differences<T>(z, j, i), map.dx, map.dy, T(1));
-        if (!(top.min_curvature > detail::min_curvature_ratio<T> * top.max_curvature)) {
+        parts::Summit<T> top = parts::top_of(parts::shape_by_differences<T>(z, j, i), map.dx, map.dy, T(1));
+        if (!(top.min_curvature > parts::min_curvature_ratio<T> * top.max_curvature)) {
             ++found.ridges;
             return;
         }
@@ -126,16 +130,18 @@ template <Real T>
     });
     found.area = static_cast<T>(inner) * map.dx * map.dy;
     std::sort(found.summits.begin(), found.summits.end(),
-              [](const Summit<T>& a, const Summit<T>& b) { return a.height > b.height; });
+              [](const parts::Summit<T>& a, const parts::Summit<T>& b) { return a.height > b.height; });
     return found;
 }
+
+namespace parts {
 
 /// Another map of the same surface, as far as this one tells: \p tiles by \p tiles of it, drawn with replacement. \p
 /// state is that of splitmix64, and goes on.
 template <Real T>
 [[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, std::uint64_t& state) {
     std::vector<std::size_t> times(tiles * tiles, 0);
-    for (std::size_t i = 0; i < times.size(); ++i) ++times[splitmix64(state) % times.size()];
+    for (std::size_t i = 0; i < times.size(); ++i) ++times[math::splitmix64(state) % times.size()];
     const auto tile = [&](T x, T side) {
         return (std::min)(tiles - 1, static_cast<std::size_t>(x / side * static_cast<T>(tiles)));
     };
@@ -145,5 +151,7 @@ template <Real T>
         drawn.summits.insert(drawn.summits.end(), times[tile(one.y, of.height) * tiles + tile(one.x, of.width)], one);
     return drawn;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -23,28 +23,34 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// dR/dK [m/Pa] at \p stiffness: 0 for an open gap, negative beyond. \throws domain_error as reflection.
 template <Real T>
 [[nodiscard]] T reflection_slope(T stiffness, const Impedances<T>& media, T angular_frequency) {
-    const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
-    const T c = detail::contrast(media);
+    const T s = relative_stiffness(stiffness, media, angular_frequency);
+    const T c = contrast(media);
     const T r = reflection(stiffness, media, angular_frequency);
     const T y = s <= 1 ? s : 1 / s;
     const T share = s <= 1 ? s / ((1 + s * s) * (1 + s * s)) : y * y * y / ((1 + y * y) * (1 + y * y));
     const auto [low, high] = std::minmax({media.incident, media.beyond});
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));  // 1 - c^2
-    return r > 0 || c > 0 ? -share * passed / r / angular_frequency / detail::joint_impedance(media) : T(0);
+    return r > 0 || c > 0 ? -share * passed / r / angular_frequency / joint_impedance(media) : T(0);
 }
+
+}  // namespace parts
 
 /// |R| of the stiffness \p stiffness [Pa/m]; its error is that of the stiffness carried on to first order, and the
 /// rounding of R. \throws domain_error as reflection.
 template <Real T>
 [[nodiscard]] Estimate<T> reflection(const Estimate<T>& stiffness, const Impedances<T>& media, T angular_frequency) {
     const T r = reflection(stiffness.value, media, angular_frequency);
-    const T slope = std::abs(reflection_slope(stiffness.value, media, angular_frequency));
-    return {r, slope * stiffness.error + spring_interface_ulps * std::numeric_limits<T>::epsilon() * r,
+    const T slope = std::abs(parts::reflection_slope(stiffness.value, media, angular_frequency));
+    return {r, slope * stiffness.error + parts::spring_interface_ulps * std::numeric_limits<T>::epsilon() * r,
             stiffness.evaluations};
 }
+
+namespace parts {
 
 /// A stiffness with its standard error [Pa/m].
 template <Real T = double>
@@ -65,11 +71,11 @@ template <Real T>
     require(reflection_error >= 0 && reflection_error <= (std::numeric_limits<T>::max)(), "reflection_error",
             reflection_error, "finite and not negative");
     const T k = stiffness_from_reflection(reflection, media, angular_frequency);
-    const T c = detail::contrast(media);
+    const T c = contrast(media);
     const auto [low, high] = std::minmax({media.incident, media.beyond});
     const int scale = std::ilogb(high);
     const T a = std::scalbn(low, -scale), b = std::scalbn(high, -scale);
-    const T above = detail::above_welded(reflection, a, b) / (a + b);  // R - c
+    const T above = above_welded(reflection, a, b) / (a + b);  // R - c
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));
     const T slope = -k * (passed / above) * (reflection / (reflection + c)) / ((1 - reflection) * (1 + reflection));
     return {k, -slope * reflection_error, slope, 2 * reflection_error < (std::min)(1 - reflection, above)};
@@ -82,17 +88,19 @@ struct ResolvableStiffness {
     T min_reflection{}, max_reflection{};  ///< at high, at low
 };
 
+}  // namespace parts
+
 /// The range of K whose |R| lies between \p least, or 1.01 times that of the perfect bond, and \p most; none where
 /// nothing is left. \throws domain_error unless 0 < least < most < 1, and as reflection.
 template <Real T>
-[[nodiscard]] std::optional<ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
+[[nodiscard]] std::optional<parts::ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
                                                                          T angular_frequency, T least = T(0.1),
                                                                          T most = T(0.99)) {
     require(least > 0 && least < 1, "least", least, "greater than 0 and less than 1");
     require(most > least && most < 1, "most", most, "greater than least and less than 1");
-    least = (std::max)(least, T(1.01) * welded_reflection(media));
+    least = (std::max)(least, T(1.01) * parts::welded_reflection(media));
     if (least >= most) return std::nullopt;
-    return ResolvableStiffness<T>{stiffness_from_reflection(most, media, angular_frequency),
+    return parts::ResolvableStiffness<T>{stiffness_from_reflection(most, media, angular_frequency),
                                   stiffness_from_reflection(least, media, angular_frequency), least, most};
 }
 

@@ -24,9 +24,13 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// The bound on the relative error of every function below (of the modulus where it is complex), in units of epsilon.
 /// Measured: reflection 1.7, complex amplitudes 2.4, transmitted_energy 3.8, stiffness_from_reflection 2.1.
 inline constexpr int spring_interface_ulps = 5;
+
+}  // namespace parts
 
 /// Acoustic impedances [kg/(m^2 s)] of the body that the wave comes from and of the body beyond.
 template <Real T = double>
@@ -43,12 +47,16 @@ template <Real T>
     return density * velocity;
 }
 
+namespace parts {
+
 /// omega = 2 pi f [rad/s] from [Hz]. \throws domain_error unless positive.
 template <Real T>
 [[nodiscard]] T angular_frequency(T frequency) {
     require_positive("frequency", frequency);
     return 2 * numbers::pi_v<T> * frequency;
 }
+
+}  // namespace parts
 
 /// |R| of an interface of stiffness \p stiffness [Pa/m] between two bodies of one impedance, eq. (5.1).
 /// \throws domain_error naming the argument that is out of range.
@@ -63,7 +71,7 @@ template <Real T>
     return stiffness_from_reflection(reflection, Impedances<T>{impedance, impedance}, angular_frequency);
 }
 
-namespace detail {
+namespace parts {
 
 template <Real T>
 void require_wave(const Impedances<T>& media, T angular_frequency) {
@@ -105,29 +113,31 @@ T above_welded(T r, T low, T high) noexcept {
     return (product - difference) + (product_rest + r * sum_rest - difference_rest);
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// |R| between unlike bodies; the same from either side. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] T reflection(T stiffness, const Impedances<T>& media, T angular_frequency) {
-    const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
-    const T welded = detail::contrast(media);
+    const T s = parts::relative_stiffness(stiffness, media, angular_frequency);
+    const T welded = parts::contrast(media);
     // Divided by the larger of 1 and s, so that s may be 0 or infinite.
     return s <= 1 ? std::hypot(T(1), s * welded) / std::hypot(T(1), s)
                   : std::hypot(1 / s, welded) / std::hypot(1 / s, T(1));
 }
 
+namespace parts {
+
 /// |R| of the perfect bond, |z1-z2|/(z1+z2): the least reflection coefficient that any stiffness gives.
 template <Real T>
 [[nodiscard]] T welded_reflection(const Impedances<T>& media) {
-    detail::require_wave(media, T(1));
-    return detail::contrast(media);
+    require_wave(media, T(1));
+    return parts::contrast(media);
 }
 
 /// Share of the energy that passes, (z2/z1)|T|^2 = 1 - |R|^2, with all its digits where |R| is close to 1.
 template <Real T>
 [[nodiscard]] T transmitted_energy(T stiffness, const Impedances<T>& media, T angular_frequency) {
-    const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
+    const T s = relative_stiffness(stiffness, media, angular_frequency);
     const auto [low, high] = std::minmax({media.incident, media.beyond});
     const T share = s <= 1 ? s / std::hypot(T(1), s) : 1 / std::hypot(1 / s, T(1));
     return 4 * (low / high) * (share / (1 + low / high)) * (share / (1 + low / high));
@@ -136,8 +146,8 @@ template <Real T>
 /// R and T as complex amplitudes of displacement; K = 0 gives R = 1, T = 0.
 template <Real T>
 [[nodiscard]] std::complex<T> complex_reflection(T stiffness, const Impedances<T>& media, T angular_frequency) {
-    const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
-    const T contrast = std::copysign(detail::contrast(media), media.incident - media.beyond);
+    const T s = relative_stiffness(stiffness, media, angular_frequency);
+    const T contrast = std::copysign(parts::contrast(media), media.incident - media.beyond);
     const T rest = 2 / (1 + media.incident / media.beyond);  // 1 - contrast
     // (i + s contrast)/(i + s) with the denominator made real: only the real part can cancel, where it crosses 0.
     if (s <= 1) return {(1 + contrast * s * s) / (1 + s * s), rest * s / (1 + s * s)};
@@ -148,23 +158,25 @@ template <Real T>
 /// T of the same.
 template <Real T>
 [[nodiscard]] std::complex<T> complex_transmission(T stiffness, const Impedances<T>& media, T angular_frequency) {
-    const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
+    const T s = relative_stiffness(stiffness, media, angular_frequency);
     const T welded = 2 / (1 + media.beyond / media.incident);
     if (s <= 1) return {welded * s * s / (1 + s * s), -welded * s / (1 + s * s)};
     const T y = 1 / s;
     return {welded / (y * y + 1), -welded * y / (y * y + 1)};
 }
 
+}  // namespace parts
+
 /// K [Pa/m] from |R|, unlike media. \throws domain_error unless |z1-z2|/(z1+z2) < R < 1.
 template <Real T>
 [[nodiscard]] T stiffness_from_reflection(T reflection, const Impedances<T>& media, T angular_frequency) {
-    detail::require_wave(media, angular_frequency);
+    parts::require_wave(media, angular_frequency);
     const auto [low, high] = std::minmax({media.incident, media.beyond});
     require(reflection > 0 && reflection < 1, "reflection", reflection, "greater than 0 and less than 1");
 
     const int scale = std::ilogb(high);  // a power of 2: exact
     const T a = std::scalbn(low, -scale), b = std::scalbn(high, -scale);
-    const T above = detail::above_welded(reflection, a, b);
+    const T above = parts::above_welded(reflection, a, b);
     require(above > 0, "reflection", reflection, "greater than |z1-z2|/(z1+z2), the reflection of the welded joint");
 
     const T passed = std::sqrt((1 - reflection) * (1 + reflection));

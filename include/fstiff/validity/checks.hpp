@@ -19,7 +19,7 @@
 ///
 /// Nothing is refused: a check that does not hold says at which states, and the numbers stay as they are.
 ///
-///     for (const auto& check : fstiff::check_curve<double>(states, {.effective_modulus = 112.6e9, .rms_gradient = 0.08}))
+///     for (const auto& check : fstiff::parts::check_curve<double>(states, {.effective_modulus = 112.6e9, .rms_gradient = 0.08}))
 ///         if (!check.holds()) warn(name_of(check.concern), check.first, check.greatest, check.limit);
 ///
 /// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319 (psi); Greenwood, Proc. R. Soc. Lond. A
@@ -44,6 +44,8 @@
 #include <vector>
 
 namespace fstiff {
+
+namespace parts {
 
 template <Real T>
 inline constexpr T min_gaussian_product = T(0.0249);  ///< least sigma R D_p of an isotropic Gaussian surface
@@ -98,13 +100,17 @@ enum class Concern {
     implausible_gradient     ///< an rms gradient above 1 or below 1e-6: a unit of length is likely wrong
 };
 
+}  // namespace parts
+
 /// The word of \p concern, as JSON has it.
-[[nodiscard]] constexpr std::string_view name_of(Concern concern) {
+[[nodiscard]] constexpr std::string_view name_of(parts::Concern concern) {
     constexpr std::array<std::string_view, 10> names{
         "plasticity",   "gaussian_surface",   "interacting_asperities", "mean_planes_crossed", "above_highest_peak",
         "few_contacts", "area_above_nominal", "above_hardness",         "not_converged",       "implausible_gradient"};
     return names[static_cast<std::size_t>(concern)];
 }
+
+namespace parts {
 
 /// One check of a surface, or of all states of a curve.
 template <Real T = double>
@@ -127,14 +133,10 @@ template <Real T>
     return found == checks.end() ? nullptr : &*found;
 }
 
-namespace detail {
-
 template <Real T>
 Check<T> surface_check(Concern concern, T value, T limit, bool holds) {
     return {concern, limit, value, value, holds ? std::size_t(0) : std::size_t(1), 0};
 }
-
-}  // namespace detail
 
 /// The checks that need no state: plasticity when \p yield_strength [Pa] is known, gaussian_surface always.
 /// \throws domain_error as plasticity_index.
@@ -144,12 +146,12 @@ template <Real T>
     std::vector<Check<T>> checks;
     if (yield_strength) {
         const T psi = plasticity_index(surface, effective_modulus, *yield_strength);
-        checks.push_back(detail::surface_check(Concern::plasticity, psi, max_elastic_plasticity_index<T>,
+        checks.push_back(surface_check(Concern::plasticity, psi, max_elastic_plasticity_index<T>,
                                                psi <= max_elastic_plasticity_index<T>));
     }
     const T product = surface.rms_height * surface.peak_radius * surface.peak_density;
     constexpr T least = min_gaussian_product<T>;
-    checks.push_back(detail::surface_check(Concern::gaussian_surface, product, least, product >= least));
+    checks.push_back(surface_check(Concern::gaussian_surface, product, least, product >= least));
     return checks;
 }
 
@@ -248,5 +250,7 @@ template <Real T>
             });
     return checks;
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -37,6 +37,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// Departures from Gaussian heights beyond which K of a law over Gaussian peaks is off, and beyond which no law over a
 /// distribution of peaks is near: of skewness, of kurtosis - 3, and of the highest point over that of Gaussian summits.
 /// The numbers are those of the maps of docs/validation.md that are not Gaussian; two standard errors are asked for
@@ -158,8 +160,6 @@ template <Real T>
     return std::sqrt(2 * std::log((std::max)(static_cast<T>(summits), T(2))));
 }
 
-namespace detail {
-
 /// What the distribution of the heights does to every law over Gaussian peaks.
 template <Real T>
 [[nodiscard]] std::optional<LawFinding<T>> finding_of_heights(const LawQuestion<T>& question) {
@@ -221,14 +221,12 @@ void add_contacts(T fewest, std::vector<LawFinding<T>>& findings) {
     findings.push_back({Finding::few_contacts, fewest, T(many_contacts), {}, {1 - row->share, 1 + row->share}});
 }
 
-}  // namespace detail
-
 /// What \p question has to be told of the laws, the most important finding first. Empty where nothing is known that
 /// decides.
 template <Real T>
 [[nodiscard]] std::vector<LawFinding<T>> law_findings(const LawQuestion<T>& question) {
     std::vector<LawFinding<T>> findings;
-    const std::optional<LawFinding<T>> heights = detail::finding_of_heights(question);
+    const std::optional<LawFinding<T>> heights = finding_of_heights(question);
     if (question.has_lay)
         findings.push_back({Finding::profile_with_lay, T(lay_factor), T(1), {}, {1 / lay_factor, 1}});
     else if (heights)
@@ -240,8 +238,8 @@ template <Real T>
         findings.push_back(flow);
     }
     if (!question.has_lay && !(heights && heights->finding == Finding::far_from_gaussian))
-        detail::add_pressures(question, findings);
-    detail::add_contacts(question.fewest_contacts, findings);
+        add_pressures(question, findings);
+    add_contacts(question.fewest_contacts, findings);
     return findings;
 }
 
@@ -263,8 +261,6 @@ template <Real T>
     return advice;
 }
 
-namespace detail {
-
 /// The laws of numbers, or of a map without missing points, that \p surface has.
 template <Real T>
 [[nodiscard]] std::vector<LawName> laws_of(const Surface<T>& surface, std::size_t summits, bool yields) {
@@ -285,19 +281,19 @@ template <Real T>
     return laws;
 }
 
-}  // namespace detail
+}  // namespace parts
 
 /// The law that holds for \p surface against a smooth flat under \p pressures [Pa], with the effective modulus [Pa]
 /// and, where it is known, the yield strength of the softer body [Pa]. The number of contacts is not asked.
 /// \throws domain_error for a pressure, a modulus or a yield strength that is not positive.
 template <Real T, class Pressures>
-[[nodiscard]] LawAdvice<T> recommended_law(const Surface<T>& surface, std::type_identity_t<T> effective_modulus,
+[[nodiscard]] parts::LawAdvice<T> recommended_law(const Surface<T>& surface, std::type_identity_t<T> effective_modulus,
                                            const Pressures& pressures,
                                            std::type_identity_t<std::optional<T>> yield_strength = {}) {
     require_positive("effective_modulus", effective_modulus);
-    LawQuestion<T> question;
+    parts::LawQuestion<T> question;
     if (surface.map) question.summits = summits_of(surface.map->map).summits.size();
-    question.available = detail::laws_of(surface, question.summits, yield_strength.has_value());
+    question.available = parts::laws_of(surface, question.summits, yield_strength.has_value());
     for (const T pressure : pressures) {
         require_positive("pressure", pressure);
         question.add_pressure(pressure, effective_modulus,
@@ -307,16 +303,16 @@ template <Real T, class Pressures>
     if (surface.heights) {
         question.skewness = surface.heights->skewness;
         question.kurtosis = surface.heights->kurtosis;
-        if (!surface.map && !counted_shape(*surface.heights, surface.shape_share).is_gaussian())
-            question.heights = HeightsKnown::measured_shape;
+        if (!surface.map && !parts::counted_shape(*surface.heights, surface.shape_share).is_gaussian())
+            question.heights = parts::HeightsKnown::measured_shape;
     }
     question.highest_point = surface.max_peak_height.value / surface.rms_height.value;
-    question.has_lay = is_profile_with_lay(surface);
+    question.has_lay = parts::is_profile_with_lay(surface);
     if (yield_strength)
-        question.plasticity_index = plasticity_index<T>(
+        question.plasticity_index = parts::plasticity_index<T>(
             {surface.rms_height.value, surface.peak_radius.value, surface.peak_density.value}, effective_modulus,
             *yield_strength);
-    return law_advice(law_findings(question));
+    return parts::law_advice(parts::law_findings(question));
 }
 
 }  // namespace fstiff

@@ -4,7 +4,7 @@
 /// How far each law was off boundary elements: K of the law over K of the half space solved on the same surfaces, by
 /// p*.
 ///
-///     const auto ratio = fstiff::validated_ratio(fstiff::LawName::hertz, 0.02);
+///     const auto ratio = fstiff::parts::validated_ratio(fstiff::parts::LawName::hertz, 0.02);
 ///     if (ratio) use(ratio->low, ratio->high);          0.63 to 0.97
 ///
 /// Reference   docs/validation.md, its first table: families of periodic self-affine Gaussian surfaces, without plastic
@@ -22,6 +22,8 @@
 
 namespace fstiff {
 
+namespace parts {
+
 /// The laws of contact.
 enum class LawName {
     fractal,
@@ -37,19 +39,25 @@ enum class LawName {
     kogut_etsion,
     boundary_elements
 };
+
+}  // namespace parts
+
 template <>
-inline constexpr auto names<LawName> = name_list<LawName>({{LawName::fractal, "fractal"},
-                                                           {LawName::fractal_consistent, "fractal_consistent"},
-                                                           {LawName::hertz, "hertz"},
-                                                           {LawName::greenwood_williamson, "greenwood_williamson"},
-                                                           {LawName::hybrid, "hybrid"},
-                                                           {LawName::persson, "persson"},
-                                                           {LawName::summits, "summits"},
-                                                           {LawName::plastic, "plastic"},
-                                                           {LawName::plastic_peaks, "plastic_peaks"},
-                                                           {LawName::jackson_green, "jackson_green"},
-                                                           {LawName::kogut_etsion, "kogut_etsion"},
-                                                           {LawName::boundary_elements, "boundary_elements"}});
+inline constexpr auto names<parts::LawName> =
+    name_list<parts::LawName>({{parts::LawName::fractal, "fractal"},
+                               {parts::LawName::fractal_consistent, "fractal_consistent"},
+                               {parts::LawName::hertz, "hertz"},
+                               {parts::LawName::greenwood_williamson, "greenwood_williamson"},
+                               {parts::LawName::hybrid, "hybrid"},
+                               {parts::LawName::persson, "persson"},
+                               {parts::LawName::summits, "summits"},
+                               {parts::LawName::plastic, "plastic"},
+                               {parts::LawName::plastic_peaks, "plastic_peaks"},
+                               {parts::LawName::jackson_green, "jackson_green"},
+                               {parts::LawName::kogut_etsion, "kogut_etsion"},
+                               {parts::LawName::boundary_elements, "boundary_elements"}});
+
+namespace parts {
 
 /// Least and greatest K of a law over that of the contact.
 struct StiffnessRatio {
@@ -58,8 +66,6 @@ struct StiffnessRatio {
 
 /// The range of p* in the table.
 inline constexpr double min_validated_pressure = 0.002, max_validated_pressure = 0.25;
-
-namespace detail {
 
 inline constexpr std::array<double, 8> validated_pressures{
     min_validated_pressure, 0.004, 0.008, 0.015, 0.03, 0.06, 0.12, max_validated_pressure};
@@ -86,17 +92,15 @@ inline constexpr std::array<ValidatedLaw, 6> validated_laws{{
 }};
 // clang-format on
 
-}  // namespace detail
-
 /// The ratio of \p law at \p dimensionless_pressure (p*): of the row that p* is at, within one percent, else of the two
 /// rows on either side. None for a law or a p* that is not in the table.
 [[nodiscard]] inline std::optional<StiffnessRatio> validated_ratio(LawName law, double dimensionless_pressure) {
     constexpr double tolerance = 1.01;
-    const auto& rows = detail::validated_pressures;
-    const auto of = std::find_if(detail::validated_laws.begin(), detail::validated_laws.end(),
-                                 [&](const detail::ValidatedLaw& one) { return one.law == law; });
+    const auto& rows = validated_pressures;
+    const auto of = std::find_if(validated_laws.begin(), validated_laws.end(),
+                                 [&](const ValidatedLaw& one) { return one.law == law; });
     const double p = dimensionless_pressure;
-    if (of == detail::validated_laws.end() || !(p > 0.99 * rows.front() && p < tolerance * rows.back()))
+    if (of == validated_laws.end() || !(p > 0.99 * rows.front() && p < tolerance * rows.back()))
         return std::nullopt;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if ((std::max)(rows[i], p) < tolerance * (std::min)(rows[i], p)) return of->ratios[i];
@@ -106,5 +110,7 @@ inline constexpr std::array<ValidatedLaw, 6> validated_laws{{
     const StiffnessRatio &a = of->ratios[above - 1], &b = of->ratios[above];
     return StiffnessRatio{(std::min)(a.low, b.low), (std::max)(a.high, b.high)};
 }
+
+}  // namespace parts
 
 }  // namespace fstiff

@@ -36,7 +36,7 @@ std::string csv(const MapFractal& result) {
 /// G with its error; two digits where it is not known to a factor of two.
 std::string roughness_text(const FractalFit<double>& fit) {
     const Measurement<double> g{fit.fractal.roughness, fit.roughness_error};
-    return "G = " + rounded(g.value, is_known(g) ? 5 : 2) + " m +- " + rounded(g.error, 2) + " m";
+    return "G = " + rounded(g.value, parts::is_known(g) ? 5 : 2) + " m +- " + rounded(g.error, 2) + " m";
 }
 
 std::string window_line(const FractalFit<double>& fit) {
@@ -46,7 +46,7 @@ std::string window_line(const FractalFit<double>& fit) {
 }
 
 std::string window_reason(const FractalFit<double>& fit) {
-    return "begins " + std::string(describe(fit.begins)) + ", ends " + std::string(describe(fit.ends)) +
+    return "begins " + std::string(parts::describe(fit.begins)) + ", ends " + std::string(parts::describe(fit.ends)) +
            (fit.reliable_from > 0 ? "; lags below " + shown_length(fit.reliable_from) + " are left out" : "");
 }
 
@@ -105,7 +105,7 @@ std::string table(const FractalOptions& options, const SurfaceInput& input, cons
 
 std::string table(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
     const HeightMap<double>& map = result.levelled.map;
-    const ArealStatistics<double>& a = result.levelled.areal;
+    const parts::ArealStatistics<double>& a = result.levelled.areal;
     std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of the map " + shown_name(options.surface.file) +
                        "\n" + source_lines(input, "  file     ");
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +

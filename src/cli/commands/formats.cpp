@@ -49,7 +49,7 @@ constexpr std::array<Row, 13> rows{{
 
 /// Every form of a surface that can be asked for must be in the table.
 constexpr bool is_complete() {
-    for (const std::string_view name : choices<io::SurfaceFormat>()) {
+    for (const std::string_view name : parts::choices<io::SurfaceFormat>()) {
         bool found = name == "auto";
         for (const Row& row : rows) found = found || row.name == name;
         if (!found) return false;

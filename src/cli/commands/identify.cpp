@@ -62,13 +62,13 @@ std::string parameter_text(const Fit& fit) {
     const bool has_errors = found.covariance.size() > 0;
     TextTable parameters({"parameter", "start", "estimate", "standard error", "95 % from", "to"});
     for (const auto& p : found.parameters) {
-        const ParameterRow& row = row_of(p.parameter);
+        const parts::ParameterRow& row = parts::row_of(p.parameter);
         const auto cell = [&](double value, int digits) {
             return has_errors && std::isfinite(value * row.shown_factor) ? rounded(value * row.shown_factor, digits)
                                                                          : "-";
         };
         parameters.add({row.heading(), rounded(fit.start[p.parameter] * row.shown_factor),
-                        found.status == FitStatus::singular ? "-" : rounded(p.value * row.shown_factor),
+                        found.status == math::FitStatus::singular ? "-" : rounded(p.value * row.shown_factor),
                         cell(p.standard_error, 2), cell(p.low, 5), cell(p.high, 5)});
     }
     return parameters.str();
@@ -77,7 +77,7 @@ std::string parameter_text(const Fit& fit) {
 std::string correlation_text(const std::vector<Parameter>& wanted, const Eigen::MatrixXd& correlation) {
     Rows matrix;
     std::vector<std::string> names;
-    for (const Parameter p : wanted) names.emplace_back(row_of(p).short_name);
+    for (const Parameter p : wanted) names.emplace_back(parts::row_of(p).short_name);
     matrix.add({"", "correlation"}, names);
     for (Eigen::Index k = 0; k < correlation.cols(); ++k)
         matrix.add({"", names[static_cast<std::size_t>(k)], 1, 3},
@@ -90,11 +90,11 @@ std::string table(const Work& work) {
     for (const Fit& fit : work.found.fits) {
         const auto& found = fit.found;
         text += "\n" + title(fit) + ": " +
-                (found.status == FitStatus::not_converged ? "not converged"
-                 : found.status == FitStatus::at_bound    ? "a parameter at the end of its range"
+                (found.status == math::FitStatus::not_converged ? "not converged"
+                 : found.status == math::FitStatus::at_bound    ? "a parameter at the end of its range"
                                                           : std::string(name_of(found.status))) +
                 "\n" + parameter_text(fit);
-        if (found.status == FitStatus::singular) continue;
+        if (found.status == math::FitStatus::singular) continue;
         if (found.covariance.size() > 0 && work.wanted.size() > 1)
             text += "\n" + correlation_text(work.wanted, found.correlation);
         text += "\n  degrees of freedom " + std::to_string(found.degrees_of_freedom);
@@ -111,7 +111,8 @@ std::string csv(const Work& work) {
     for (const char* key : {"law", "theta", "r", "status", "chi_squared", "degrees_of_freedom", "parameter", "unit",
                             "start", "value", "standard_error", "low", "high"})
         headings.push_back({key});
-    for (const Parameter p : work.wanted) headings.push_back({"correlation_" + std::string(row_of(p).short_name)});
+    for (const Parameter p : work.wanted)
+        headings.push_back({"correlation_" + std::string(parts::row_of(p).short_name)});
     Rows rows = Rows::under(std::move(headings));
     for (const auto& [law, theta, r, start, points, found] : work.found.fits)
         for (const auto& p : found.parameters) {
@@ -125,10 +126,10 @@ std::string csv(const Work& work) {
                                     name_of(found.status),
                                     found.chi_squared,
                                     found.degrees_of_freedom,
-                                    row_of(p.parameter).short_name,
-                                    row_of(p.parameter).unit,
+                                    parts::row_of(p.parameter).short_name,
+                                    parts::row_of(p.parameter).unit,
                                     start[p.parameter],
-                                    found.status == FitStatus::singular ? Cell() : Cell(p.value),
+                                    found.status == math::FitStatus::singular ? Cell() : Cell(p.value),
                                     if_known(p.standard_error),
                                     if_known(p.low),
                                     if_known(p.high)};

@@ -94,19 +94,21 @@ constexpr double min_tolerance = 1.2e-14, max_tolerance = 0.1;
 using Integral = std::function<Estimate<double>(double a, double b, const PeakDistribution<double>&, double eta)>;
 
 Integral integral(const Options& options) {
-    if (options.method == "paper") return paper_integral<double>;
+    if (options.method == "paper") return parts::paper_integral<double>;
     if (options.method == "tensor") {
-        TensorOptions<double> how;
+        parts::TensorOptions<double> how;
         how.relative_tolerance = options.tolerance.value_or(how.relative_tolerance);
-        return [how](auto a, auto b, const auto& peaks, auto eta) { return tensor_integral(a, b, peaks, eta, how); };
+        return [how](auto a, auto b, const auto& peaks, auto eta) {
+            return parts::tensor_integral(a, b, peaks, eta, how);
+        };
     }
-    IntegralOptions<double> how;
+    parts::IntegralOptions<double> how;
     how.relative_tolerance = options.tolerance.value_or(how.relative_tolerance);
     return [how](auto a, auto b, const auto& peaks, auto eta) { return contact_integral(a, b, peaks, eta, how); };
 }
 
 Estimate<double> compute(const Input& input, std::size_t row, const Integral& method) {
-    return located(Place{.file = input.name, .line = input.lines[row], .before_line = ":"}, [&] {
+    return parts::located(parts::Place{.file = input.name, .line = input.lines[row], .before_line = ":"}, [&] {
         std::array<double, inputs.size()> x{};
         for (std::size_t i = 0; i < inputs.size(); ++i)
             x[i] = io::parse_number(input.rows[row][input.column[i]], inputs[i]);

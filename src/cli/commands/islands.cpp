@@ -33,10 +33,10 @@ std::string table(const IslandsRequest& options, const SurfaceInput& input, cons
     text += "  cut-offs " + sentence_of(result.levelled.cut_offs) + "\n";
     text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
             std::to_string(options.min_points) + " points at least, at the border " +
-            (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +
+            (options.border == parts::BorderIslands::kept ? "kept" : "dropped") + "; height by " +
             std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) + " levels\n\n";
     const auto with_error = [&](const ShownUnit& unit, double value, double error) {
-        const int digits = is_known<double>({value, error}) && !is_densest_at_end(r) ? 5 : 2;
+        const int digits = parts::is_known<double>({value, error}) && !parts::is_densest_at_end(r) ? 5 : 2;
         return rounded(value * unit.factor, digits) + (r.tiles > 0 ? " +- " + rounded(error * unit.factor, 2) : "") +
                " " + std::string(unit.name);
     };

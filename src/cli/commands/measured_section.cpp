@@ -213,7 +213,7 @@ TextRows map_part(Page& page, const MeasuredSurface& surface) {
     show(page, {bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())})},
          "Height against the share of the map that stands above.");
     if (surface.found.map_fit) {
-        const DirectionalFit<double>& fit = *surface.found.map_fit;
+        const parts::DirectionalFit<double>& fit = *surface.found.map_fit;
         Panel panel = structure_panel();
         if (fit.x) add_structure(panel, *fit.x, " along x");
         if (fit.y) add_structure(panel, *fit.y, " along y");
@@ -222,7 +222,7 @@ TextRows map_part(Page& page, const MeasuredSurface& surface) {
         if (!panel.lines.empty())
             show(page, {panel}, fit_caption);
     }
-    const ArealStatistics<double>& a = surface.found.map->areal;
+    const parts::ArealStatistics<double>& a = surface.found.map->areal;
     peaks.insert(peaks.end(), {{"density of summits", with_unit(a.summit_density, "1/m^2")},
                                {"mean curvature of the summits", per_length(a.summit_curvature)},
                                {"mean height of the summits", with_unit(a.summit_height, "m")},

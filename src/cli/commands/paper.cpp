@@ -70,20 +70,20 @@ Picture figure_4(Reproduction& all) {
                 .height = 260};
     for (const Surface& surface : surfaces) {
         const double hurst = 2 - surface.fractal.dimension;
-        const double longest = longest_wave(surface.fractal, surface.roughness.rms_height);
+        const double longest = parts::longest_wave(surface.fractal, surface.roughness.rms_height);
         const double most = std::pow(2 * pi, -1.5) * std::exp(-0.5);  // islands over m2/m0 of a Gaussian surface
-        const double shortest = shortest_wave(hurst, longest, surface.roughness.peak_density / most);
+        const double shortest = parts::shortest_wave(hurst, longest, surface.roughness.peak_density / most);
         constexpr std::size_t points = 1024;
         const double spacing = shortest / 4;
         SelfAffineOptions<double> options{.hurst = hurst,
                                           .rms = surface.roughness.rms_height,
                                           .longest_wavelength = longest,
                                           .shortest_wavelength = shortest,
-                                          .long_waves = LongWaves::none,
+                                          .long_waves = parts::LongWaves::none,
                                           .seed = seed};
         const HeightMap<double> map = self_affine_map<double>(options, points, points, spacing, spacing);
         IslandOptions<double> how;
-        IslandSpread spread{.tiles = 4, .resamples = 200, .seed = seed};
+        parts::IslandSpread spread{.tiles = 4, .resamples = 200, .seed = seed};
         if (bar) {  // one bar for the three maps; the sweep of a map takes nearly all the time
             const auto before = static_cast<std::size_t>(&surface - surfaces.data());
             how.progress = [&bar, before](std::string_view, std::size_t done, std::size_t of) {
@@ -148,11 +148,11 @@ Picture figure_6(Reproduction& all) {
     const Surface& surface = surfaces[0];
     const double spacing = 0.5e-6;
     constexpr std::size_t points = 16000;  // 8 mm
-    const double longest = longest_cosine(surface.fractal, surface.roughness.rms_height);
+    const double longest = parts::longest_cosine(surface.fractal, surface.roughness.rms_height);
     const WeierstrassMandelbrot<double> wm(
         surface.fractal, {.longest_wavelength = longest, .shortest_wavelength = 2 * spacing, .seed = seed});
     const Profile<double> profile = wm.sample(points, spacing);
-    FractalFitOptions<double> options;
+    parts::FractalFitOptions<double> options;
     options.seed = seed;
     const FractalFit<double> fit = fit_fractal(profile, options);
     const StructureFunction<double>&first = fit.structure_function, &second = fit.second_differences;
@@ -163,7 +163,7 @@ Picture figure_6(Reproduction& all) {
                    fitted = curve_of("what is fitted to S₂, with D and G", 1, fit.fitted,
                                      [&](auto k) { return fit.fitted.value[k]; });
     PlotLine law = curve_of("C τ^(4-2D), D and G of Table 2: a sum without ends", neutral, first,
-                            [&](auto k) { return structure_function_at(first.lag[k], surface.fractal); });
+                            [&](auto k) { return parts::structure_function_at(first.lag[k], surface.fractal); });
     law.stroke = Stroke::dashed;
     const auto row = [&](const std::string& quantity, const std::string& value, const std::string& table) {
         all.generated.add_row({"Fig. 6", surface.name, quantity, value, table});

@@ -31,7 +31,7 @@ struct Options {
 
 /// Name and value with its error of what the surface is given by.
 TextRows surface_rows(const Scene& scene) {
-    const SurfaceParameters<double>& s = scene.face.parameters;
+    const parts::SurfaceParameters<double>& s = scene.face.parameters;
     TextRows rows;
     const auto add = [&](const char* name, const std::optional<Measurement<double>>& one, std::string_view si) {
         if (one) rows.push_back({name, with_unit(one->value, si, 4, one->error)});
@@ -57,11 +57,11 @@ constexpr std::ptrdiff_t first_warnings = 5;  ///< that stand in the answer; the
 void validity_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Validity");
     TextRows rows{{"check", "value", "holds where", "verdict"}};
-    if (const auto* gaussian = find_check(results.surface_checks, Concern::gaussian_surface))
+    if (const auto* gaussian = parts::find_check(results.surface_checks, parts::Concern::gaussian_surface))
         rows.push_back({"σ R D_p, that an isotropic Gaussian surface can have", rounded(gaussian->least, 3),
                         "at least " + rounded(gaussian->limit, 3),
                         gaussian->holds() ? "holds" : "does not hold: R and D_p are of islands, not summits"});
-    const auto* plastic = find_check(results.surface_checks, Concern::plasticity);
+    const auto* plastic = parts::find_check(results.surface_checks, parts::Concern::plasticity);
     rows.push_back({"plasticity index ψ = (E/H)√(σ/R), H = 2.8 Y",
                     plastic ? rounded(plastic->least, 3) : "yield strength not given", "elastic below 1",
                     !plastic           ? "not known"
@@ -69,12 +69,12 @@ void validity_section(Page& page, const Scene& scene, const Results& results) {
                                        : "yields at first loading; an elastic K is that of unloading"});
     for (const Curve& curve : results.curves) {
         const std::string name = legend_of(curve);
-        if (const auto* pressure = find_check(curve.checks, Concern::interacting_asperities))
+        if (const auto* pressure = parts::find_check(curve.checks, parts::Concern::interacting_asperities))
             rows.push_back(
                 {"p* = p/(E g_rms), " + name, range_of(pressure->least, pressure->greatest),
                  "at most " + rounded(pressure->limit, 3),
                  pressure->holds() ? "holds" : "does not hold up to the greatest pressure: K is too small there"});
-        if (const auto* hardness = find_check(curve.checks, Concern::above_hardness))
+        if (const auto* hardness = parts::find_check(curve.checks, parts::Concern::above_hardness))
             rows.push_back({"mean contact pressure [GPa], " + name,
                             range_of(hardness->least / 1e9, hardness->greatest / 1e9),
                             scene.yield_strength ? "below 2.8 Y = " + rounded(hardness->limit / 1e9, 3) + " GPa"
@@ -288,7 +288,7 @@ Report execute(const Options& options) {
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
     // of a map a report shows the truth beside the laws
-    const scene::Law& elements = scene::find_law(LawName::boundary_elements);
+    const scene::Law& elements = scene::find_law(parts::LawName::boundary_elements);
     if (refusal_of(elements, scene).empty() && !scene.at_separations &&
         std::find(scene.laws.begin(), scene.laws.end(), &elements) == scene.laws.end())
         scene.laws.push_back(&elements);

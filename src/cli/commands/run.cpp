@@ -111,7 +111,7 @@ std::string believed(const Results& results) {
 
 /// The surface that the contact is of, and what was assumed of it.
 std::vector<std::string> surface_parts(const Scene& scene) {
-    const SurfaceParameters<double>& s = scene.face.parameters;
+    const parts::SurfaceParameters<double>& s = scene.face.parameters;
     const std::vector<Parameter> unknown = unknown_parameters(scene);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
     std::vector<std::string> parts{"sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height)),
@@ -120,7 +120,8 @@ std::vector<std::string> surface_parts(const Scene& scene) {
     if (s.max_peak_height.value > 0) parts.push_back("R_p " + shown_length(s.max_peak_height.value));
     if (s.fractal_dimension)
         parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
-    if (const auto& g = s.fractal_roughness) parts.push_back("G " + shown_length(g->value, is_known(*g) ? 5 : 2));
+    if (const auto& g = s.fractal_roughness)
+        parts.push_back("G " + shown_length(g->value, parts::is_known(*g) ? 5 : 2));
     if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
     if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
     for (const Assumed& one : assumed(scene))
@@ -175,7 +176,7 @@ std::string introduction(const Scene& scene, const Results& results) {
     for (const auto& [name, face] : measured_faces(scene)) {
         std::vector<std::string> parts;
         const MeasuredSurface& measured = *face->measured;
-        for (const ParameterRow& row : surface_parameter_table)
+        for (const parts::ParameterRow& row : parts::surface_parameter_table)
             if (const auto* known = face->parameters.find(row.parameter))
                 parts.push_back(std::string(row.symbol) + " " + shown_percent(known->error / known->value));
         parts.front() = printable(measured.file) + " (" + measured.kind + "), errors of " + parts.front();
@@ -249,8 +250,8 @@ public:
         return table("p*, K over boundary elements", [&](const Curve& curve, std::size_t i) -> std::string {
             const auto pressure = curve.value_at(i, CurveQuantity::pressure);
             if (!pressure) return "-";  // out of the law's reach
-            const double p = dimensionless_pressure(*pressure, results_.modulus, *curve.rms_gradient);
-            const auto ratio = validated_ratio(curve.law->which, p);
+            const double p = parts::dimensionless_pressure(*pressure, results_.modulus, *curve.rms_gradient);
+            const auto ratio = parts::validated_ratio(curve.law->which, p);
             return rounded(p, 2) + ": " + (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-");
         });
     }
@@ -308,8 +309,8 @@ std::string validity(const Scene& scene, const Results& results) {
     if (!results.curves.front().rms_gradient)
         return "  p* is not known, since no gradient of the surface is: docs/validation.md cannot be asked\n";
     return in_parts(scene, results, [](const Summary& summary) { return summary.validity(); }) +
-           "  by docs/validation.md: p* of " + rounded(min_validated_pressure) + " to " +
-           rounded(max_validated_pressure) + " on Gaussian surfaces without plastic flow\n";
+           "  by docs/validation.md: p* of " + rounded(parts::min_validated_pressure) + " to " +
+           rounded(parts::max_validated_pressure) + " on Gaussian surfaces without plastic flow\n";
 }
 
 /// The tables of the summary.

@@ -91,11 +91,11 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
                                                          : "")};
         double rest = 1;
         for (const sweep::Sensitivity& one : row.of_inputs) {
-            cells.push_back(fixed_text(one.first_order, 3));
-            cells.push_back(fixed_text(one.rank_correlation, 3));
+            cells.push_back(parts::fixed_text(one.first_order, 3));
+            cells.push_back(parts::fixed_text(one.rank_correlation, 3));
             rest -= one.first_order;
         }
-        cells.push_back(fixed_text(rest, 3));
+        cells.push_back(parts::fixed_text(rest, 3));
         table.add(std::move(cells));
     }
     return "\n" + table.str() +

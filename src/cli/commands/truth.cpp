@@ -51,9 +51,10 @@ TruthRequest request_of(const Options& options) {
         require_positive("--hardness", request.hardness);
     }
     if (options.modulus.empty())  // else the bodies are not those of the scene
-        request.known_hardness = scene.hardness         ? *scene.hardness
-                                 : scene.yield_strength ? hardness_over_yield_strength<double> * *scene.yield_strength
-                                                        : 0;
+        request.known_hardness = scene.hardness ? *scene.hardness
+                                 : scene.yield_strength
+                                     ? parts::hardness_over_yield_strength<double> * *scene.yield_strength
+                                     : 0;
     request.progress = progress_bar();
     return request;
 }

@@ -144,7 +144,8 @@ Option& Option::between(int least, int greatest) {
     return *this;
 }
 Option& Option::between(double least, double greatest) {
-    const std::string from = shortest_text(least), to = shortest_text(greatest);  // CLI::Range would show six decimals
+    const std::string from = parts::shortest_text(least),
+                      to = parts::shortest_text(greatest);  // CLI::Range would show six decimals
     const auto refusal = [=](const std::string& text) {
         double value = 0;
         return CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest

@@ -54,12 +54,12 @@ public:
     Option option(const std::string& name, const std::function<void(const std::string&)>& take,
                   const std::string& help);
     /// One of the words of \p Enum.
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     Option option(const std::string& name, Enum& target, const std::string& help) {
         const std::function<void(const std::string&)> take = [&target](const std::string& word) {
-            target = *find_named<Enum>(word);
+            target = *parts::find_named<Enum>(word);
         };
-        return option(name, take, help).one_of(choices<Enum>());
+        return option(name, take, help).one_of(parts::choices<Enum>());
     }
     /// A quantity that keeps its text.
     template <std::constructible_from<std::string> Quantity>

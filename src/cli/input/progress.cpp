@@ -47,7 +47,8 @@ public:
         const double rate = static_cast<double>(done - first_) / std::chrono::duration<double>(now - begun_).count();
         const auto full = static_cast<std::size_t>(share * width);
         std::cerr << "\r" << what_ << " [" << std::string(full, '#') << std::string(width - full, '.') << "] "
-                  << static_cast<int>(100 * share) << " %, " << (with_rate_ ? rounded_text(rate, 3) + "/s, " : "")
+                  << static_cast<int>(100 * share) << " %, "
+                  << (with_rate_ ? parts::rounded_text(rate, 3) + "/s, " : "")
                   << duration(static_cast<double>(all - std::min(done, all)) / rate) << " left\x1b[K" << std::flush;
     }
 

@@ -24,13 +24,13 @@ struct OptionAdder {
         arguments.option(name, to, help).between(static_cast<double>(row.more.low), static_cast<double>(row.more.high));
     }
     void operator()(bool& to) const { arguments.flag(name, to, help); }
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     void operator()(Enum& to) const {
         arguments.option(name, to, help);
     }
-    template <NamedEnum Enum>
+    template <parts::NamedEnum Enum>
     void operator()(std::optional<Enum>& to) const {
-        take<std::optional<Enum>>(to, find_named<Enum>).one_of(choices<Enum>());
+        take<std::optional<Enum>>(to, parts::find_named<Enum>).one_of(parts::choices<Enum>());
     }
 
 private:

@@ -97,7 +97,7 @@ Figure fit_figure(const Scene& scene, const MeasuredCurve& curve, const Fits& fi
     constexpr std::array<Marker, 4> markers{Marker::square, Marker::triangle, Marker::diamond, Marker::cross};
     int colour = 0;
     for (const Fit& fit : fits.fits) {
-        if (fit.found.status == FitStatus::singular) continue;
+        if (fit.found.status == math::FitStatus::singular) continue;
         PlotLine model = model_line(fits, fit, factor);
         PlotLine residual{.label = model.label, .x = {}, .y = {}};
         residual.colour = model.colour = colour;

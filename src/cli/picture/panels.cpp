@@ -103,7 +103,7 @@ void add_band(PlotLine& line, const Curve& curve, const Ends& ends) {
     if (!sampled && !is_truth(curve)) return;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const double value = curve.states[i].stiffness.value, error = curve.states[i].stiffness.error;
-        const SampledBand<double> grid{error < 0.9 * value ? value - error : 0, value, value + error, 0};
+        const parts::SampledBand<double> grid{error < 0.9 * value ? value - error : 0, value, value + error, 0};
         const auto [low, high] = ends(sampled ? curve.band[i] : grid);
         line.low.push_back(low);
         line.high.push_back(high);
@@ -118,7 +118,9 @@ Panel reflection_panel(const Scene& scene, const Results& results, const char* t
     Panel panel = quantity_panel(
         results, {.label = "|R|", .logarithmic = false},
         [&](const ContactState<double>& state) { return of(state.stiffness.value); },
-        [&](const SampledBand<double>& band) { return std::pair(of(band.high), of(band.low)); });  // R falls with K
+        [&](const parts::SampledBand<double>& band) {
+            return std::pair(of(band.high), of(band.low));
+        });  // R falls with K
     panel.title = std::string(title) + ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz";
     frame_reflection(panel);
     return panel;
@@ -155,7 +157,7 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
     Panel panel = quantity_panel(
         results, {.label = "K/A₀", .si = "Pa/m"},
         [](const ContactState<double>& state) { return state.stiffness.value; },
-        [](const SampledBand<double>& band) { return std::pair(band.low, band.high); });
+        [](const parts::SampledBand<double>& band) { return std::pair(band.low, band.high); });
     panel.title = "Normal stiffness per nominal area";
     panel.height = 360;
     if (const auto window = ultrasonic_window(scene)) panel.windows.push_back(*window);
@@ -167,7 +169,7 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
         PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low}, .y = {}};
         if (pressures.low < pressures.high) reference.x.push_back(pressures.high);
         const double rms_height = scene.face.parameters.rms_height.value;
-        for (const double p : reference.x) reference.y.push_back(linear_stiffness(p, rms_height));
+        for (const double p : reference.x) reference.y.push_back(parts::linear_stiffness(p, rms_height));
         reference.colour = neutral;
         reference.stroke = Stroke::dashed;
         panel.lines.push_back(std::move(reference));

@@ -19,7 +19,7 @@ std::string legend_of(std::string_view law, std::optional<double> theta, std::op
 std::string legend_of(const Curve& curve);
 
 /// From the ends of a band of K to those of what is drawn.
-using Ends = std::function<std::pair<double, double>(const SampledBand<double>&)>;
+using Ends = std::function<std::pair<double, double>(const parts::SampledBand<double>&)>;
 
 /// K(p) of all curves, with the bands there are.
 Panel stiffness_panel(const Scene& scene, const Results& results);

@@ -14,7 +14,7 @@ constexpr double left = 84, title_height = 26, below = 54, row_height = 24, line
 
 /// Pixels to a tenth, as short as can be.
 std::string px(double value) {
-    std::string text = fixed_text(value, 1);
+    std::string text = parts::fixed_text(value, 1);
     if (text.ends_with(".0")) text.resize(text.size() - 2);
     return text == "-0" ? "0" : text;
 }

@@ -118,10 +118,10 @@ PlotLine line_of_cells(Series& series) {
         std::sort(values.begin(), values.end());
         const std::span<const double> sorted(values);
         line.x.push_back(x);
-        line.y.push_back(sorted_quantile(sorted, 0.5));
+        line.y.push_back(math::sorted_quantile(sorted, 0.5));
         if (one) continue;
-        line.low.push_back(sorted_quantile(sorted, 0.05));
-        line.high.push_back(sorted_quantile(sorted, 0.95));
+        line.low.push_back(math::sorted_quantile(sorted, 0.05));
+        line.high.push_back(math::sorted_quantile(sorted, 0.95));
     }
     if (!one) line.band = shown_band;
     if (line.x.size() == 1) line.marker = Marker::circle;
@@ -137,7 +137,7 @@ PlotLine distribution_of(Series& series) {
     const std::size_t count = std::min<std::size_t>(values.size(), most_places);
     for (std::size_t k = 0; k < count; ++k) {
         const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-        line.x.push_back(sorted_quantile(std::span<const double>(values), share));
+        line.x.push_back(math::sorted_quantile(std::span<const double>(values), share));
         line.y.push_back(share);
     }
     return line;
