@@ -132,7 +132,8 @@ TEST_CASE("A highest point above 1.6 times that of as many Gaussian summits make
     const auto verdict = [&](double highest) {
         scene::Scene higher = read;
         test::face(higher).heights = fstiff::HeightStatistics<double>{{0, 0.1}, {3, 0.1}, {0.1, 0.01}, {}};
-        test::face(higher).surface.max_peak_height = highest * gaussian * test::face(higher).surface.rms_height;
+        auto& parameters = test::face(higher).parameters;
+        parameters.max_peak_height.value = highest * gaussian * parameters.rms_height.value;
         return test::joined(compute(higher).verdict);
     };
     CHECK_FALSE(contains(verdict(1.59), "far from Gaussian"));
