@@ -249,7 +249,7 @@ TEST_CASE("The numbers behind the conclusions are the known ones") {
         CHECK(std::abs(found.at("interaction_shift").at(s.name).second / shift - 1) < 1e-12);
     }
     CHECK(document.at("generated").size() == 19);
-    CHECK(document.at("files").size() == 20);
+    CHECK(document.at("files").size() == 14);
 }
 
 TEST_CASE("reproduce gives the same files twice, and refuses what is no folder") {

@@ -132,7 +132,8 @@ TEST_CASE("A highest point above 1.6 times that of as many Gaussian summits make
     const auto verdict = [&](double highest) {
         scene::Scene higher = read;
         test::face(higher).heights = fstiff::HeightStatistics<double>{{0, 0.1}, {3, 0.1}, {0.1, 0.01}, {}};
-        test::face(higher).surface.max_peak_height = highest * gaussian * test::face(higher).surface.rms_height;
+        auto& parameters = test::face(higher).parameters;
+        parameters.max_peak_height.value = highest * gaussian * parameters.rms_height.value;
         return test::joined(compute(higher).verdict);
     };
     CHECK_FALSE(contains(verdict(1.59), "far from Gaussian"));
@@ -277,6 +278,7 @@ TEST_CASE("Spikes are hinted at from 30 standard deviations on, and taken out fr
     };
     const std::string how = "--units um --spacing '1 um' --lambda-s none --lambda-c none";
     CHECK(contains(test::measured(how, text(90))["warnings"].dump(), "--spikes 20 takes such points out"));
+    CHECK(contains(test::measured(how, text(25))["warnings"].dump(), "--spikes 20 takes such points out"));
     CHECK_FALSE(contains(test::measured(how, text(1))["warnings"].dump(), "--spikes"));
     CHECK(test::decided(test::measured(how + " --spikes 20", text(90)), "spikes: 1 of 400 points became missing"));
 }

@@ -144,10 +144,10 @@ TEST_CASE("A key next to surface.from replaces what was measured") {
     };
     const scene::Scene measured = of(""), replaced = of("rms_height = \"2 um\"\n"),
                        summits = of("peaks = \"summits\"\n");
-    CHECK(test::face(replaced).surface.rms_height == 2e-6);
+    CHECK(test::face(replaced).parameters.rms_height.value == 2e-6);
     CHECK(compute(replaced).curves[0].states[0].stiffness.value !=
           compute(measured).curves[0].states[0].stiffness.value);
-    CHECK(test::face(summits).surface.peak_radius != test::face(measured).surface.peak_radius);
+    CHECK(test::face(summits).parameters.peak_radius.value != test::face(measured).parameters.peak_radius.value);
 }
 
 TEST_CASE("Errors of nothing make a band of no width, and none make none") {

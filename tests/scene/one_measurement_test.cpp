@@ -184,33 +184,35 @@ TEST_CASE("The command, the headers and C find the same numbers in every file of
 }
 
 TEST_CASE("The command and the headers pool several measurements of one surface to the same numbers") {
-    test::Folder folder;
-    const auto require_pooled = [&](const std::string& kind, const std::vector<std::string>& made, auto heights) {
-        std::string names;
-        for (const std::string& how : made) {
-            scene::SurfaceOptions options;
-            options.file = folder.write(kind + std::to_string(heights.size()) + ".txt",
-                                        test::run_fstiff("generate " + kind + " " + how).out);
-            names += " '" + options.file + "'";
+    const test::Folder folder;
+    const auto require_pooled = [&](const std::vector<std::string>& texts, auto heights) {
+        std::vector<std::string> files;
+        for (const std::string& text : texts) {
+            files.push_back(folder.write("made" + std::to_string(files.size()) + ".txt", text));
             heights.push_back(std::get<typename decltype(heights)::value_type>(
-                scene::read_surface_input(options).surface.data));
+                scene::read_surface_input(test::surface_options("", files.back())).surface.data));
         }
-        const auto document = test::json_of("measure" + names);
+        const auto document = test::measured_files("", files);
         const Surface<double> surface = measure(heights);
         require_same(document, surface);
-        CHECK(surface.parts.size() == made.size());
+        CHECK(surface.parts.size() == texts.size());
         CHECK(surface.neighbours.size() == 2);
         std::vector<std::string> concerns;
         for (const MeasuredConcern one : surface.concerns) concerns.emplace_back(name_of(one));
         CHECK(document["concerns"] == concerns);
     };
-    const std::string trace = "--longest '90 um' --hurst 0.4 --rms '0.3 um' --points ";
-    require_pooled("profile",  // the tables choose another lambda_s for the third
-                   {trace + "4096 --spacing '0.5 um'", trace + "3000 --spacing '0.5 um' --seed 2",
-                    trace + "2048 --spacing '0.6 um' --seed 3"},
+    const auto trace = [](std::uint64_t seed) {
+        return SelfAffineOptions<double>{
+            .hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6, .seed = seed};
+    };
+    require_pooled({test::profile_text(4096, 0.5e-6, trace(1)), test::profile_text(3000, 0.5e-6, trace(2)),
+                    test::profile_text(2048, 0.6e-6, trace(3))},  // the tables choose another lambda_s for the third
                    std::vector<Profile<double>>{});
-    const std::string map = "--spacing '0.5 um' --longest '12 um' --hurst 0.7 --rms '0.2 um' --points ";
-    require_pooled("map", {map + "96", map + "80 --seed 2"}, std::vector<HeightMap<double>>{});
+    const auto map = [](std::uint64_t seed) {
+        return SelfAffineOptions<double>{.hurst = 0.7, .rms = 0.2e-6, .longest_wavelength = 12e-6, .seed = seed};
+    };
+    require_pooled({test::map_text(96, 0.5e-6, map(1)), test::map_text(80, 0.5e-6, map(2))},
+                   std::vector<HeightMap<double>>{});
 }
 
 TEST_CASE("The command and the headers find the same K and the same band of it") {

@@ -84,12 +84,12 @@ TEST_CASE("A table of pressures asks a scene of separations, or of one pressure,
     const auto refused = [](const scene::Scene& of, const scene::PressureTableOptions& how) {
         return test::refusal([&] { (void)pressure_table(of, how); });
     };
-    test::check_sentence(refused(by_separation, {}), {"--from and --until must give the range"});
+    test::check_sentence(refused(by_separation, {}), {"from and until must give the range"});
     CHECK(refused(by_separation, {.from = 1e6, .to = 1e7}).empty());
-    test::check_sentence(refused(one, {}), {"--until", "greater than --from, 1e+06 Pa"});
+    test::check_sentence(refused(one, {}), {"until = ", "greater than from, 1e+06 Pa"});
     CHECK(refused(one, {.to = 1e7}).empty());
-    test::check_sentence(refused(one, {.peaks = 2, .to = 1e7}), {"--peaks", "between 1 and 1, as many as"});
-    test::check_sentence(refused(one, {.law = "fractal", .to = 1e7}), {"--law = \"fractal\"", "\"hertz\""});
+    test::check_sentence(refused(one, {.peaks = 2, .to = 1e7}), {"peaks = 2", "between 1 and 1, as many as"});
+    test::check_sentence(refused(one, {.law = "fractal", .to = 1e7}), {"law = \"fractal\"", "\"hertz\""});
 }
 
 TEST_CASE("A document of a measurement without its parts, or with impossible ones, is refused") {

@@ -79,11 +79,11 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
         CHECK(std::abs(sum_of_both - found) < 3 * error);
         CHECK(std::abs(sum_of_both - found) < 0.1 * found);
     };
-    check_added("rms_height", test::face(added).surface.rms_height);
-    check_added("peak_radius", test::face(added).surface.peak_radius);
-    check_added("peak_density", test::face(added).surface.peak_density);
-    check_added("r", test::face(added).r.value());
-    check_added("theta", test::face(added).theta.value());
+    check_added("rms_height", test::face(added).parameters.rms_height.value);
+    check_added("peak_radius", test::face(added).parameters.peak_radius.value);
+    check_added("peak_density", test::face(added).parameters.peak_density.value);
+    check_added("r", test::face(added).parameters.r.value().value);
+    check_added("theta", test::face(added).parameters.theta.value().value);
     // K of the added heights at random shifts against K of the one shift of 0 that was measured
     const test::Csv of_sum = test::rows_of_scene("[surface]\nfrom = \"sum.txt\"\nunits = \"m\"\n" + rest +
                                                      "laws = [\"hybrid\", \"summits\", \"boundary_elements\"]\n",
@@ -103,8 +103,8 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
                 ++compared;
             }
     CHECK(compared == 3);
-    CHECK(added.faces.at(0).surface.rms_height > 0.9e-6);
-    CHECK(added.faces.at(1).surface.rms_height < 0.7e-6);
+    CHECK(added.faces.at(0).parameters.rms_height.value > 0.9e-6);
+    CHECK(added.faces.at(1).parameters.rms_height.value < 0.7e-6);
 }
 
 TEST_CASE("What two faces cannot have is told in one sentence") {

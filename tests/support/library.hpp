@@ -148,8 +148,8 @@ inline fstiff::scene::Results results_of(const std::string& text, const std::str
 }
 
 /// The face of \p scene that a smooth one meets.
-inline const fstiff::scene::Face& face(const fstiff::scene::Scene& scene) { return scene; }
-inline fstiff::scene::Face& face(fstiff::scene::Scene& scene) { return scene; }
+inline const fstiff::scene::Face& face(const fstiff::scene::Scene& scene) { return scene.face; }
+inline fstiff::scene::Face& face(fstiff::scene::Scene& scene) { return scene.face; }
 
 /// What fstiff run prints as CSV.
 inline std::string csv_of(const fstiff::scene::Results& results) {

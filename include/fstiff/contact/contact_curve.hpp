@@ -35,8 +35,8 @@ concept HasSeparations = Real<T> && requires(const C& contact, T separation, Qua
 
 }  // namespace detail
 
-/// The states of \p contact under \p pressures [Pa], a container such as std::vector<double> or std::span<const
-/// double>. \throws domain_error for a pressure that is not finite and greater than 0.
+/// The states of \p contact under \p pressures [Pa], a container such as a vector or a span of numbers.
+/// \throws domain_error for a pressure that is not finite and greater than 0.
 template <class Pressures, detail::HasPressures<typename Pressures::value_type> Contact>
 [[nodiscard]] auto curve_at_pressures(const Contact& contact, const Pressures& pressures,
                                       Quantity wanted = Quantity::all) {

@@ -65,9 +65,9 @@ inline constexpr StiffnessRatio within_hybrid_accuracy{1 - hybrid_accuracy_perce
 inline constexpr StiffnessRatio ratio_of_crowded_peaks{0.5, 1}, within_fifth{0.8, 1.2};
 inline constexpr double hertz_from = 0.002, hertz_to = 0.008;
 
-/// Contacts below which the departure of one surface from a law counts, and its rms by the number of contacts
-/// (docs/accuracy.md).
+/// Contacts below which the departure of one surface from a law counts (docs/accuracy.md).
 inline constexpr double many_contacts = 200;
+/// The rms departure of K of one surface from a law above a number of contacts (docs/accuracy.md).
 struct ContactScatter {
     double above, share;  ///< number of contacts; of K
 };
