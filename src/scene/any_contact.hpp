@@ -93,7 +93,7 @@ private:
 template <class Contact>
 inline constexpr bool is_mean_of_tabulated = false;
 template <class One>
-inline constexpr bool is_mean_of_tabulated<parts::MeanOverShifts<One>> = fstiff::Contact<One, double>;
+inline constexpr bool is_mean_of_tabulated<MeanOverShifts<One>> = fstiff::Contact<One, double>;
 
 template <class Contact>
 class Holder : public AnyContact {
@@ -147,7 +147,7 @@ std::unique_ptr<AnyContact> held(Contact contact) {
 template <class Contact>
 std::unique_ptr<AnyContact> mean_over(std::vector<Contact> contacts) {
     if (contacts.size() == 1) return held(std::move(contacts.front()));
-    return held(parts::MeanOverShifts<Contact>(std::move(contacts)));
+    return held(MeanOverShifts<Contact>(std::move(contacts)));
 }
 
 }  // namespace fstiff::scene

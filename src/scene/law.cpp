@@ -202,7 +202,7 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
 
 std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
     const LawOptions& of = inputs.options;
-    std::vector<parts::BoundaryElementContact<double>> of_shifts;
+    std::vector<BoundaryElementContact<double>> of_shifts;
     for (const auto& map : inputs.map->maps)
         of_shifts.emplace_back(*map, inputs.effective_modulus,
                                parts::TruthOptions<double>{.points = of.points,
@@ -216,7 +216,7 @@ constexpr Quantity without_contacts =
     Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
 
 const std::array<Law, 12> table{{
-    {.which = parts::LawName::fractal,
+    {.which = LawName::fractal,
      .nature = "the print of the paper: K is not the slope of the load (docs/errata.md)",
      .needs_dimension = true,
      .load = "(3.7)",
@@ -224,7 +224,7 @@ const std::array<Law, 12> table{{
      .peaks = "(4.4)",
      .contact = joint<fractal>,
      .fit = fitted<fractal>},
-    {.which = parts::LawName::fractal_consistent,
+    {.which = LawName::fractal_consistent,
      .nature = "elastic: K of the paper, with the load whose slope it is",
      .needs_dimension = true,
      .load = "integral of (3.14)",
@@ -232,21 +232,21 @@ const std::array<Law, 12> table{{
      .peaks = "(4.4)",
      .contact = joint<fractal_consistent>,
      .fit = fitted<fractal_consistent>},
-    {.which = parts::LawName::hertz,
+    {.which = LawName::hertz,
      .nature = "elastic: K is the slope of the load",
      .load = "(3.7)",
      .stiffness = "derivative of (3.7)",
      .peaks = "(4.4)",
      .contact = joint<hertz>,
      .fit = fitted<hertz>},
-    {.which = parts::LawName::greenwood_williamson,
+    {.which = LawName::greenwood_williamson,
      .nature = "elastic, peaks of one radius",
      .has_peaks = false,
      .load = "(3.7)",
      .stiffness = "derivative of (3.7)",
      .peaks = "Gaussian, one radius",
      .contact = greenwood_williamson},
-    {.which = parts::LawName::hybrid,
+    {.which = LawName::hybrid,
      .nature = "elastic, for all loads: peaks and Persson's theory",
      .has_peaks = false,
      .load = "at equal K",
@@ -255,7 +255,7 @@ const std::array<Law, 12> table{{
      .contact = hybrid,
      .needs_spectrum = true,
      .holds_when_crowded = true},
-    {.which = parts::LawName::persson,
+    {.which = LawName::persson,
      .nature = "elastic, of the spectrum: crowded contacts",
      .has_peaks = false,
      .load = "Persson (2007)",
@@ -265,7 +265,7 @@ const std::array<Law, 12> table{{
      .quantities = without_contacts,
      .needs_spectrum = true,
      .holds_when_crowded = true},
-    {.which = parts::LawName::summits,
+    {.which = LawName::summits,
      .nature = "elastic, the map's own summits, which push each other down",
      .has_peaks = false,
      .load = "(3.7)",
@@ -276,7 +276,7 @@ const std::array<Law, 12> table{{
      .needs_summits = true,
      .ends = true,
      .has_quick_form = true},
-    {.which = parts::LawName::plastic,
+    {.which = LawName::plastic,
      .nature = "peaks that have flowed: K is that of unloading, which a wave sees",
      .load = "hardness and hybrid",
      .stiffness = "(cut at p/H^1.9 + hybrid^1.9)^(1/1.9)",
@@ -286,7 +286,7 @@ const std::array<Law, 12> table{{
      .needs_spectrum = true,
      .needs_hardness = true,
      .holds_when_crowded = true},
-    {.which = parts::LawName::plastic_peaks,
+    {.which = LawName::plastic_peaks,
      .nature = "fully plastic peaks, each by itself: K is that of unloading, which a wave sees",
      .load = "hardness times area, 2 pi R omega",
      .stiffness = "unloading, 2 E a",
@@ -294,7 +294,7 @@ const std::array<Law, 12> table{{
      .contact = plastic_peaks,
      .needs_hardness = true,
      .range = {.least_interference = 110, .most_radius_ratio = 0.4}},
-    {.which = parts::LawName::jackson_green,
+    {.which = LawName::jackson_green,
      .nature = "elastic to plastic: K is that of unloading, which a wave sees",
      .load = "Jackson, Green (2005)",
      .stiffness = "unloading, 2 E a",
@@ -302,7 +302,7 @@ const std::array<Law, 12> table{{
      .contact = elastic_plastic<JacksonGreenLaw<double>>,
      .needs_yield = true,
      .range = {.most_radius_ratio = 0.41}},
-    {.which = parts::LawName::kogut_etsion,
+    {.which = LawName::kogut_etsion,
      .nature = "elastic to plastic: K is that of unloading, which a wave sees",
      .load = "Kogut, Etsion (2002)",
      .stiffness = "unloading, 2 E a",
@@ -310,7 +310,7 @@ const std::array<Law, 12> table{{
      .contact = elastic_plastic<KogutEtsionLaw<double>>,
      .needs_yield = true,
      .range = {.most_interference = 110, .most_radius_ratio = 0.41}},
-    {.which = parts::LawName::boundary_elements,
+    {.which = LawName::boundary_elements,
      .nature = "the half space solved on the map itself; the error is that of the grid",
      .has_peaks = false,
      .load = "elastic half space",
@@ -333,7 +333,7 @@ ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
 std::span<const Law> laws() { return table; }
 
 std::vector<std::string_view> law_names() {
-    const auto words = parts::choices<parts::LawName>();
+    const auto words = parts::choices<LawName>();
     return {words.begin(), words.end()};
 }
 
@@ -344,10 +344,10 @@ std::vector<std::string_view> fitted_law_names() {
     return names;
 }
 
-const Law& find_law(parts::LawName name) { return table[static_cast<std::size_t>(name)]; }
+const Law& find_law(LawName name) { return table[static_cast<std::size_t>(name)]; }
 
 const Law* find_law(std::string_view name) {
-    const auto found = parts::find_named<parts::LawName>(name);
+    const auto found = parts::find_named<LawName>(name);
     return found ? &find_law(*found) : nullptr;
 }
 

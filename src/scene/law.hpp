@@ -129,7 +129,7 @@ struct FitInputs {
 
 /// One law.
 struct Law {
-    parts::LawName which{};
+    LawName which{};
     std::string_view name = name_of(which);
     std::string_view nature;       ///< what it computes: the rest of a sentence "hertz is ..."
     bool needs_dimension = false;  ///< the fractal dimension of the surface
@@ -155,7 +155,7 @@ struct Law {
 [[nodiscard]] std::vector<std::string_view> law_names();
 /// Those that fit() has.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
-[[nodiscard]] const Law& find_law(parts::LawName name);
+[[nodiscard]] const Law& find_law(LawName name);
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
 

@@ -63,7 +63,7 @@ struct Reader {
 
 /// The section contact.\p law, or \p law at the root where it is shared; null where there is neither. \p path is where
 /// it was found.
-const toml::table* section_of_law(Source& source, const Section& root, parts::LawName law, std::string& path) {
+const toml::table* section_of_law(Source& source, const Section& root, LawName law, std::string& path) {
     const std::string name(name_of(law));
     const toml::node* contact = root.find("contact");
     const toml::node* within = contact && contact->is_table() ? contact->as_table()->get(name) : nullptr;
@@ -82,16 +82,16 @@ const toml::table* section_of_law(Source& source, const Section& root, parts::La
 
 std::span<const LawOption> law_option_table() { return rows; }
 
-bool is_shared(parts::LawName law) { return law == persson || law == boundary_elements; }
+bool is_shared(LawName law) { return law == persson || law == boundary_elements; }
 
-std::vector<parts::LawName> laws_with_options() {
-    std::vector<parts::LawName> laws;
+std::vector<LawName> laws_with_options() {
+    std::vector<LawName> laws;
     for (const LawOption& row : rows)
         if (laws.empty() || laws.back() != row.law) laws.push_back(row.law);
     return laws;
 }
 
-void read_law_options(Source& source, const Section& root, parts::LawName law, Scene& scene) {
+void read_law_options(Source& source, const Section& root, LawName law, Scene& scene) {
     std::string path;
     static const toml::table none;
     const toml::table* table = section_of_law(source, root, law, path);

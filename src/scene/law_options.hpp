@@ -14,7 +14,7 @@ namespace fstiff::scene {
 
 /// One option, whose kind is the type of its field: true or false, a number, a whole number, or a word.
 struct LawOption {
-    parts::LawName law;
+    LawName law;
     std::string_view key;
     std::variant<bool LawOptions::*, double LawOptions::*, int LawOptions::*, Edges LawOptions::*,
                  std::optional<SpectrumSource> LawOptions::*>
@@ -26,12 +26,12 @@ struct LawOption {
 /// All rows, those of one law one after the other.
 [[nodiscard]] std::span<const LawOption> law_option_table();
 /// Whether the section of \p law may also be at the root of a scene; its options count for other laws too.
-[[nodiscard]] bool is_shared(parts::LawName law);
+[[nodiscard]] bool is_shared(LawName law);
 /// The laws that have options.
-[[nodiscard]] std::vector<parts::LawName> laws_with_options();
+[[nodiscard]] std::vector<LawName> laws_with_options();
 
 /// Reads the section contact.\p law, or \p law at \p root, into \p scene.law_options. Of a section that is not shared
 /// the defaults are recorded.
-void read_law_options(Source& source, const Section& root, parts::LawName law, Scene& scene);
+void read_law_options(Source& source, const Section& root, LawName law, Scene& scene);
 
 }  // namespace fstiff::scene

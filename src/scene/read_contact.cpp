@@ -177,12 +177,12 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 }  // namespace
 
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
-    for (const parts::LawName law : laws_with_options())
+    for (const LawName law : laws_with_options())
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
         scene.face.write([&](Face& face) { face.spectrum_of_map = spectrum == SpectrumSource::map; });
     std::vector<std::string_view> keys{"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"};
-    for (const parts::LawName law : laws_with_options()) keys.push_back(name_of(law));
+    for (const LawName law : laws_with_options()) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
 

@@ -14,9 +14,9 @@ namespace fstiff::scene {
 namespace {
 
 using Question = parts::LawQuestion<double>;
-using Found = parts::LawFinding<double>;
+using Found = LawFinding<double>;
 
-bool has_law(const Scene& scene, parts::LawName name) {
+bool has_law(const Scene& scene, LawName name) {
     return std::find(scene.laws.begin(), scene.laws.end(), &find_law(name)) != scene.laws.end();
 }
 
@@ -51,37 +51,37 @@ public:
     /// A sentence, or the part of one that is_part() of the sentence before.
     [[nodiscard]] std::string operator()(const Found& found) const {
         switch (found.finding) {
-            case parts::Finding::profile_with_lay:
+            case Finding::profile_with_lay:
                 return "a profile repeats itself, so that its face has a lay: it cannot tell K, which may be up to " +
                        rounded(found.value) +
                        " times higher, as the bands say; believe hybrid or boundary_elements of a map";
-            case parts::Finding::far_from_gaussian:
+            case Finding::far_from_gaussian:
                 return "the heights are far from Gaussian (" + heights() +
                        "): no law over a distribution of peaks is near the truth here, and K may be wrong by " +
                        rounded(found.ratio.high) + " times; " + without_distribution();
-            case parts::Finding::sums_too_stiff:
+            case Finding::sums_too_stiff:
                 return not_gaussian("is too large, 1.05 to 1.9 times at skewnesses of 0.35 to 0.9");
-            case parts::Finding::sums_too_compliant:
+            case Finding::sums_too_compliant:
                 return not_gaussian("is too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
-            case parts::Finding::sums_off:
+            case Finding::sums_off:
                 return not_gaussian(
                     "is off, and the skewness, zero within two standard errors, leaves open to which side");
-            case parts::Finding::peaks_flow: return flow(found);
-            case parts::Finding::hybrid_holds:
-                return "of elastic contacts believe " + advised(parts::LawName::hybrid) +
+            case Finding::peaks_flow: return flow(found);
+            case Finding::hybrid_holds:
+                return "of elastic contacts believe " + advised(LawName::hybrid) +
                        accuracy(found, "a quarter above p* = 0.001 and a factor of two below");
-            case parts::Finding::hybrid_missing:
-                return "hybrid " + refusal(parts::LawName::hybrid) + "; hertz is good to a fifth at p* of " +
+            case Finding::hybrid_missing:
+                return "hybrid " + refusal(LawName::hybrid) + "; hertz is good to a fifth at p* of " +
                        rounded(parts::hertz_from) + " to " + rounded(parts::hertz_to);
-            case parts::Finding::crowded_peaks:
+            case Finding::crowded_peaks:
                 return "hertz and the other sums over peaks give too little K above p* = " + rounded(found.limit) +
                        ", half at 0.1";
-            case parts::Finding::beyond_comparison:
+            case Finding::beyond_comparison:
                 return "above p* = " + rounded(found.limit) + " hybrid and persson alone were compared, within " +
                        std::to_string(parts::hybrid_accuracy_percent) + " % up to " +
                        rounded(parts::max_compared_pressure) + ", where the contact is closed";
-            case parts::Finding::few_contacts: return few_contacts(found);
-            case parts::Finding::no_contact:
+            case Finding::few_contacts: return few_contacts(found);
+            case Finding::no_contact:
                 return "fewer than one contact is expected on the " + area() + " (" + rounded(found.value, 2) +
                        "): a law over peaks is a mean over many surfaces there and says nothing of a single one";
         }
@@ -92,26 +92,26 @@ public:
     [[nodiscard]] std::string shortly(const Found& found, bool goes_beyond) const {
         const std::string limit = rounded(parts::max_validated_pressure);
         switch (found.finding) {
-            case parts::Finding::profile_with_lay:
+            case Finding::profile_with_lay:
                 return "A profile of a face with a lay cannot tell K: measure a map.";
-            case parts::Finding::far_from_gaussian:
+            case Finding::far_from_gaussian:
                 return "Heights far from Gaussian: use boundary_elements" + std::string(scene_.face.map ? "" : " of a map") +
                        "; other laws may be wrong by " + rounded(found.ratio.high) + " times.";
-            case parts::Finding::sums_too_stiff:
-            case parts::Finding::sums_too_compliant:
-            case parts::Finding::sums_off:
+            case Finding::sums_too_stiff:
+            case Finding::sums_too_compliant:
+            case Finding::sums_off:
                 return "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times.";
-            case parts::Finding::peaks_flow:
+            case Finding::peaks_flow:
                 return "The peaks flow (plasticity index " + rounded(found.value, 3) +
                        "): a wave sees K of plastic or jackson_green.";
-            case parts::Finding::hybrid_holds:
+            case Finding::hybrid_holds:
                 return std::string("Recommended elastic law: hybrid") +
-                       (has_law(scene_, parts::LawName::hybrid) ? "" : " (not in contact.laws)") +
+                       (has_law(scene_, LawName::hybrid) ? "" : " (not in contact.laws)") +
                        accuracy(found, "a factor of two") +
                        (goes_beyond ? "; the only one compared above p* = " + limit + "." : ".");
-            case parts::Finding::hybrid_missing:
+            case Finding::hybrid_missing:
                 return "No elastic law is recommended: hybrid cannot be computed for this surface.";
-            case parts::Finding::beyond_comparison:
+            case Finding::beyond_comparison:
                 return "Above p* = " + limit + " hybrid and persson alone were compared.";
             default: return "";
         }
@@ -119,7 +119,7 @@ public:
 
     /// Whether \p found is about the pressures, which have one sentence.
     [[nodiscard]] static bool is_part(const Found& found) {
-        return found.finding >= parts::Finding::hybrid_holds && found.finding <= parts::Finding::beyond_comparison;
+        return found.finding >= Finding::hybrid_holds && found.finding <= Finding::beyond_comparison;
     }
     [[nodiscard]] std::string pressures() const {
         return "p* = p/(E g) is " + rounded(question_.least_pressure, 2) + " to " +
@@ -127,9 +127,9 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string refusal(parts::LawName law) const { return refusal_of(find_law(law), scene_); }
+    [[nodiscard]] std::string refusal(LawName law) const { return refusal_of(find_law(law), scene_); }
     /// "x (add "x" to contact.laws)", without the advice where it is there; empty where the scene cannot have the law.
-    [[nodiscard]] std::string advised(parts::LawName law) const {
+    [[nodiscard]] std::string advised(LawName law) const {
         const std::string name(name_of(law));
         if (!question_.can(law)) return "";
         return has_law(scene_, law) ? name : name + " (add \"" + name + "\" to contact.laws)";
@@ -157,19 +157,19 @@ private:
                    (scene_.face.bearing
                         ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
                         : "");
-        const std::string elements = advised(parts::LawName::boundary_elements),
-                          hybrid = advised(parts::LawName::hybrid);
+        const std::string elements = advised(LawName::boundary_elements),
+                          hybrid = advised(LawName::hybrid);
         const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";
         if (!elements.empty()) return "believe " + elements + (own.empty() ? "" : ", then " + own);
         return (own.empty() ? "" : "believe " + own + "; ") + "boundary_elements " +
-               refusal(parts::LawName::boundary_elements);
+               refusal(LawName::boundary_elements);
     }
     [[nodiscard]] std::string flow(const Found& found) const {
         if (!found.law) return "";
         return "the peaks flow (plasticity index " + rounded(found.value, 3) +
                "): what a wave sees is the unloading stiffness of " + advised(*found.law) +
                " or jackson_green, several times K of an elastic law" +
-               (found.law == parts::LawName::plastic ? "; plastic is good to a fifth from p = 0.003 H to 0.1 H" : "");
+               (found.law == LawName::plastic ? "; plastic is good to a fifth from p = 0.003 H to 0.1 H" : "");
     }
     /// How far hybrid may be believed, with \p at_light_loads for within_factor_of_two.
     [[nodiscard]] static std::string accuracy(const Found& found, const std::string& at_light_loads) {
@@ -201,7 +201,7 @@ Verdict verdict(const Scene& scene, const Results& results) {
     const Words words(scene, question);
     const std::vector<Found> findings = parts::law_findings(question);
     const bool goes_beyond = std::any_of(findings.begin(), findings.end(), [](const Found& found) {
-        return found.finding == parts::Finding::beyond_comparison;
+        return found.finding == Finding::beyond_comparison;
     });
     Verdict all;
     bool goes_on = false;

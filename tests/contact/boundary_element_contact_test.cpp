@@ -18,9 +18,9 @@ namespace boundary_element_contact_test {
 
 using namespace fstiff;
 
-static_assert(parts::HasStates<parts::BoundaryElementContact<double>, double>);
+static_assert(parts::HasStates<BoundaryElementContact<double>, double>);
 static_assert(parts::HasStates<SummitContact<double>, double>);
-static_assert(!Contact<parts::BoundaryElementContact<double>, double>);  // no table: every state is a solution
+static_assert(!Contact<BoundaryElementContact<double>, double>);  // no table: every state is a solution
 
 namespace {
 
@@ -38,7 +38,7 @@ TEST_CASE("boundary elements as a contact have the states of the solver, bit for
     const std::vector<double> pressures{0.01, 0.05};
     for (const Eigen::Index points : {32, 64}) {
         const parts::TruthOptions<double> options{.points = points, .edges = Edges::periodic};
-        const parts::BoundaryElementContact<double> contact(map, E, options);
+        const BoundaryElementContact<double> contact(map, E, options);
         const auto solved = truth(map, E, pressures, options);
         const auto curve = curve_at_pressures(contact, pressures);
         CHECK(contact.rms_height() == rms_height(map));
@@ -57,7 +57,7 @@ TEST_CASE("boundary elements as a contact have the states of the solver, bit for
         const double d = curve[1].state.separation.value;
         CHECK(test::relative_error(contact.at_separation(d).pressure.value, pressures[1]) < 1e-7);
     }
-    const parts::BoundaryElementContact<double> contact(map, E, {.points = 64, .grid_error = false});
+    const BoundaryElementContact<double> contact(map, E, {.points = 64, .grid_error = false});
     const double p = 0.05, step = 2e-3;
     const double chord = 2 * step * p / (contact.at_pressure(p * (1 - step)).separation.value -
                                          contact.at_pressure(p * (1 + step)).separation.value);
@@ -66,21 +66,21 @@ TEST_CASE("boundary elements as a contact have the states of the solver, bit for
 
 TEST_CASE("boundary elements as a contact refuse what they cannot reach, and other points stand") {
     const HeightMap<double> map = small_map();
-    const parts::BoundaryElementContact<double> hard(map, 2, {.points = 32, .hardness = 0.5});
+    const BoundaryElementContact<double> hard(map, 2, {.points = 32, .hardness = 0.5});
     CHECK(hard.point_at_pressure(0.5).reason == "pressure = 0.5: must be less than the hardness (Pa)");
     CHECK(hard.point_at_pressure(0.01).ok());
     CHECK(hard.at_pressure(0.01).loading_stiffness.value == 0);
-    const parts::BoundaryElementContact<double> elastic(map, 2, {.points = 32});
+    const BoundaryElementContact<double> elastic(map, 2, {.points = 32});
     CHECK(elastic.point_at_pressure(1e6).reason == "all points of the map are in contact");
     CHECK(test::refusal([&] { (void)elastic.at_pressure(1e6); }) == "all points of the map are in contact");
     for (const double separation : {0.0, -1e-3, map.heights.maxCoeff() - map.heights.mean()})
         CHECK(elastic.point_at_separation(separation).status == PointStatus::out_of_reach);
     CHECK(test::refusal([&] { (void)elastic.at_pressure(0); }).find("pressure = 0") == 0);
-    CHECK(test::refusal([&] { parts::BoundaryElementContact<double>(map, -1); }).find("effective_modulus") == 0);
-    CHECK(test::refusal([&] { parts::BoundaryElementContact<double>(map, 1, {.points = 8}); }).find("points = 8") == 0);
+    CHECK(test::refusal([&] { BoundaryElementContact<double>(map, -1); }).find("effective_modulus") == 0);
+    CHECK(test::refusal([&] { BoundaryElementContact<double>(map, 1, {.points = 8}); }).find("points = 8") == 0);
     HeightMap<double> hole = map;
     hole.heights(3, 4) = std::numeric_limits<double>::quiet_NaN();
-    CHECK(test::refusal([&] { parts::BoundaryElementContact<double>(hole, 1); }).find("boundary elements") !=
+    CHECK(test::refusal([&] { BoundaryElementContact<double>(hole, 1); }).find("boundary elements") !=
           std::string::npos);
 }
 

@@ -14,7 +14,7 @@ namespace mean_over_shifts_test {
 
 using namespace fstiff;
 using One = GreenwoodWilliamson<double>;
-static_assert(parts::HasStates<parts::MeanOverShifts<One>, double>);
+static_assert(parts::HasStates<MeanOverShifts<One>, double>);
 
 namespace {
 
@@ -29,7 +29,7 @@ std::vector<One> contacts() {
 
 TEST_CASE("the mean over shifts is the mean, and its error holds the scatter of one shift") {
     const std::vector<One> all = contacts();
-    const parts::MeanOverShifts<One> mean(all);
+    const MeanOverShifts<One> mean(all);
     for (const bool at_pressure : {true, false}) {
         const auto state_of = [&](const auto& contact) {
             return at_pressure ? contact.at_pressure(1e6) : contact.at_separation(2e-6);
@@ -52,21 +52,21 @@ TEST_CASE("the mean over shifts is the mean, and its error holds the scatter of 
 
 TEST_CASE("of one contact the mean is that contact, of none there is none, and a point that one lacks is lacking") {
     const One alone = contacts()[0];
-    const parts::MeanOverShifts<One> mean({alone});
+    const MeanOverShifts<One> mean({alone});
     CHECK(mean.at_pressure(1e6).stiffness.value == alone.at_pressure(1e6).stiffness.value);
     CHECK(mean.at_pressure(1e6).stiffness.error == alone.at_pressure(1e6).stiffness.error);
-    CHECK(test::refusal([] { parts::MeanOverShifts<One>(std::vector<One>{}); }) == "contacts = 0: must be at least 1");
+    CHECK(test::refusal([] { MeanOverShifts<One>(std::vector<One>{}); }) == "contacts = 0: must be at least 1");
     std::vector<One> uneven = contacts();
     uneven.emplace_back(Roughness<double>{.rms_height = 0.8e-9, .peak_radius = 20e-6, .peak_density = 500e6}, 1e11);
     const double apart = -1e-6;  // -1250 rms heights of the last one, below the -1000 that are searched
     const auto reason = uneven.back().point_at_separation(apart).reason;
-    const auto point = parts::MeanOverShifts<One>(uneven).point_at_separation(apart);
+    const auto point = MeanOverShifts<One>(uneven).point_at_separation(apart);
     CHECK_FALSE(point.ok());
     CHECK(point.reason == reason);
 }
 
 TEST_CASE("the table of a mean has its K and its separation") {
-    const parts::MeanOverShifts<One> mean(contacts());
+    const MeanOverShifts<One> mean(contacts());
     LawRange<double> range;
     range.min_pressure = 1e5, range.max_pressure = 1e7;
     const ContactLaw<double> law = mean.tabulate(range);

@@ -61,7 +61,7 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
 }
 
 TEST_CASE("The table of laws is in the order of their names") {
-    for (const auto& [law, word] : fstiff::names<fstiff::parts::LawName>) {
+    for (const auto& [law, word] : fstiff::names<fstiff::LawName>) {
         CHECK(scene::find_law(law).which == law);
         CHECK(scene::find_law(word) == &scene::find_law(law));
     }

@@ -171,7 +171,7 @@ TEST_CASE("A profile across grooves is told to be no measure of K, and its band 
         profile.heights[i] += x * x / 1600 * 1e-6;
     }
     CHECK_FALSE(advice_of(profile).law);
-    CHECK(advice_of(profile).findings.front().finding == fstiff::parts::Finding::profile_with_lay);
+    CHECK(advice_of(profile).findings.front().finding == fstiff::Finding::profile_with_lay);
     scene::Scene turned = scene_of_profile("turned");
     CHECK(turned.has_lay);
     const scene::Results with = scene::compute(turned);

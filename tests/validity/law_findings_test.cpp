@@ -16,21 +16,21 @@ using namespace fstiff;
 namespace {
 
 using Question = parts::LawQuestion<double>;
-using Found = parts::LawFinding<double>;
+using Found = LawFinding<double>;
 
-const Found* find(const std::vector<Found>& findings, parts::Finding wanted) {
+const Found* find(const std::vector<Found>& findings, Finding wanted) {
     for (const Found& one : findings)
         if (one.finding == wanted) return &one;
     return nullptr;
 }
-bool has(const Question& question, parts::Finding wanted) {
+bool has(const Question& question, Finding wanted) {
     return find(parts::law_findings(question), wanted) != nullptr;
 }
 
 /// Gaussian heights, p* from \p low to \p high, all laws.
 Question at(double low, double high) {
     Question question;
-    for (const auto& [law, word] : names<parts::LawName>) question.available.push_back(law);
+    for (const auto& [law, word] : names<LawName>) question.available.push_back(law);
     question.least_pressure = low, question.greatest_pressure = high;
     return question;
 }
@@ -52,7 +52,7 @@ TEST_CASE("K of hybrid is known to 15 %, a quarter or a factor of two by the lea
     const auto ratio = [](double low, parts::HeightsKnown heights = parts::HeightsKnown::map) {
         Question question = at(low, 0.2);
         question.heights = heights;
-        return find(parts::law_findings(question), parts::Finding::hybrid_holds)->ratio.high;
+        return find(parts::law_findings(question), Finding::hybrid_holds)->ratio.high;
     };
     CHECK(ratio(0.002) == 1.15);
     CHECK(ratio(0.002 * below) == 1.25);
@@ -63,24 +63,24 @@ TEST_CASE("K of hybrid is known to 15 %, a quarter or a factor of two by the lea
 }
 
 TEST_CASE("Crowded peaks begin at p* of 0.01, as in the checks of a curve, and comparison ends at 0.25 and 0.75") {
-    CHECK_FALSE(has(at(0.002, 0.01), parts::Finding::crowded_peaks));
-    CHECK(has(at(0.002, 0.01 * above), parts::Finding::crowded_peaks));
-    CHECK(find(parts::law_findings(at(0.002, 0.1)), parts::Finding::crowded_peaks)->limit ==
+    CHECK_FALSE(has(at(0.002, 0.01), Finding::crowded_peaks));
+    CHECK(has(at(0.002, 0.01 * above), Finding::crowded_peaks));
+    CHECK(find(parts::law_findings(at(0.002, 0.1)), Finding::crowded_peaks)->limit ==
           parts::max_dimensionless_pressure<double>);
-    CHECK_FALSE(has(at(0.01, 0.25), parts::Finding::beyond_comparison));
-    CHECK(has(at(0.01, 0.25 * above), parts::Finding::beyond_comparison));
-    CHECK(has(at(0.25, 0.3), parts::Finding::hybrid_holds));
-    CHECK_FALSE(has(at(0.25 * above, 0.3), parts::Finding::hybrid_holds));
-    CHECK(parts::law_advice(parts::law_findings(at(0.3, 0.75))).law == parts::LawName::hybrid);
+    CHECK_FALSE(has(at(0.01, 0.25), Finding::beyond_comparison));
+    CHECK(has(at(0.01, 0.25 * above), Finding::beyond_comparison));
+    CHECK(has(at(0.25, 0.3), Finding::hybrid_holds));
+    CHECK_FALSE(has(at(0.25 * above, 0.3), Finding::hybrid_holds));
+    CHECK(parts::law_advice(parts::law_findings(at(0.3, 0.75))).law == LawName::hybrid);
     CHECK_FALSE(parts::law_advice(parts::law_findings(at(0.3, 0.75 * above))).law);
 }
 
 TEST_CASE("Without a spectrum hertz has its range, and without a gradient nothing is found") {
     Question question = at(0.003, 0.005);
-    std::erase(question.available, parts::LawName::hybrid);
+    std::erase(question.available, LawName::hybrid);
     const auto findings = parts::law_findings(question);
     REQUIRE(findings.size() == 1);
-    CHECK(findings[0].finding == parts::Finding::hybrid_missing);
+    CHECK(findings[0].finding == Finding::hybrid_missing);
     CHECK(findings[0].ratio.low == 0.8);
     CHECK_FALSE(parts::law_advice(findings).law);
     Question unknown;
@@ -91,56 +91,56 @@ TEST_CASE("Without a spectrum hertz has its range, and without a gradient nothin
 }
 
 TEST_CASE("Heights depart from Gaussian ones by their limits and by two standard errors") {
-    CHECK(parts::law_findings(of_heights({0.3, 0.01}, {4, 0.1})).front().finding == parts::Finding::hybrid_holds);
-    CHECK(has(of_heights({0.3 * above, 0.01}, {3, 0.1}), parts::Finding::sums_too_stiff));
-    CHECK(has(of_heights({-0.3 * above, 0.01}, {3, 0.1}), parts::Finding::sums_too_compliant));
-    CHECK(has(of_heights({0, 0.01}, {4 * above, 0.1}), parts::Finding::sums_off));
-    CHECK_FALSE(has(of_heights({0.4, 0.2}, {3, 0.1}), parts::Finding::sums_too_stiff));  // two standard errors
-    CHECK(has(of_heights({0.4 * above, 0.2}, {3, 0.1}), parts::Finding::sums_too_stiff));
-    CHECK_FALSE(has(of_heights({1, 0.01}, {5, 0.1}), parts::Finding::far_from_gaussian));
-    CHECK(has(of_heights({above, 0.01}, {3, 0.1}), parts::Finding::far_from_gaussian));
-    CHECK(has(of_heights({0, 0.01}, {5 * above, 0.1}), parts::Finding::far_from_gaussian));
+    CHECK(parts::law_findings(of_heights({0.3, 0.01}, {4, 0.1})).front().finding == Finding::hybrid_holds);
+    CHECK(has(of_heights({0.3 * above, 0.01}, {3, 0.1}), Finding::sums_too_stiff));
+    CHECK(has(of_heights({-0.3 * above, 0.01}, {3, 0.1}), Finding::sums_too_compliant));
+    CHECK(has(of_heights({0, 0.01}, {4 * above, 0.1}), Finding::sums_off));
+    CHECK_FALSE(has(of_heights({0.4, 0.2}, {3, 0.1}), Finding::sums_too_stiff));  // two standard errors
+    CHECK(has(of_heights({0.4 * above, 0.2}, {3, 0.1}), Finding::sums_too_stiff));
+    CHECK_FALSE(has(of_heights({1, 0.01}, {5, 0.1}), Finding::far_from_gaussian));
+    CHECK(has(of_heights({above, 0.01}, {3, 0.1}), Finding::far_from_gaussian));
+    CHECK(has(of_heights({0, 0.01}, {5 * above, 0.1}), Finding::far_from_gaussian));
     Question high = of_heights({0, 0.01}, {3, 0.1});
     high.summits = 1000;
     const double gaussian = std::sqrt(2 * std::log(1000.0));
     high.highest_point = 1.6 * gaussian * below;
-    CHECK_FALSE(has(high, parts::Finding::far_from_gaussian));
+    CHECK_FALSE(has(high, Finding::far_from_gaussian));
     high.highest_point = 1.6 * gaussian * above;
-    CHECK(has(high, parts::Finding::far_from_gaussian));
+    CHECK(has(high, Finding::far_from_gaussian));
     CHECK(parts::law_findings(high).size() == 1);  // which law of peaks holds is no question then
-    CHECK(parts::law_advice(parts::law_findings(high)).law == parts::LawName::boundary_elements);
-    std::erase(high.available, parts::LawName::boundary_elements);
-    CHECK(parts::law_advice(parts::law_findings(high)).law == parts::LawName::hybrid);
+    CHECK(parts::law_advice(parts::law_findings(high)).law == LawName::boundary_elements);
+    std::erase(high.available, LawName::boundary_elements);
+    CHECK(parts::law_advice(parts::law_findings(high)).law == LawName::hybrid);
 }
 
 TEST_CASE("Peaks flow above a plasticity index of 1, and a lay leaves no law") {
     Question question = at(0.003, 0.005);
     question.plasticity_index = 1;
-    CHECK_FALSE(has(question, parts::Finding::peaks_flow));
+    CHECK_FALSE(has(question, Finding::peaks_flow));
     question.plasticity_index = above;
-    CHECK(parts::law_advice(parts::law_findings(question)).law == parts::LawName::plastic);
-    std::erase(question.available, parts::LawName::plastic);
-    CHECK(parts::law_advice(parts::law_findings(question)).law == parts::LawName::plastic_peaks);
-    std::erase(question.available, parts::LawName::plastic_peaks);
-    CHECK(parts::law_advice(parts::law_findings(question)).law == parts::LawName::hybrid);
-    CHECK(has(question, parts::Finding::peaks_flow));
+    CHECK(parts::law_advice(parts::law_findings(question)).law == LawName::plastic);
+    std::erase(question.available, LawName::plastic);
+    CHECK(parts::law_advice(parts::law_findings(question)).law == LawName::plastic_peaks);
+    std::erase(question.available, LawName::plastic_peaks);
+    CHECK(parts::law_advice(parts::law_findings(question)).law == LawName::hybrid);
+    CHECK(has(question, Finding::peaks_flow));
     question.has_lay = true;
-    CHECK(parts::law_findings(question).front().finding == parts::Finding::profile_with_lay);
+    CHECK(parts::law_findings(question).front().finding == Finding::profile_with_lay);
     CHECK_FALSE(parts::law_advice(parts::law_findings(question)).law);
-    CHECK_FALSE(has(question, parts::Finding::hybrid_holds));
+    CHECK_FALSE(has(question, Finding::hybrid_holds));
 }
 
 TEST_CASE("The scatter of one surface is that of its fewest contacts") {
     const auto scatter = [](double contacts) {
-        return find(parts::law_findings(of_contacts(contacts)), parts::Finding::few_contacts)->ratio.high - 1;
+        return find(parts::law_findings(of_contacts(contacts)), Finding::few_contacts)->ratio.high - 1;
     };
-    CHECK_FALSE(has(of_contacts(200), parts::Finding::few_contacts));
-    CHECK_FALSE(has(of_contacts(std::numeric_limits<double>::infinity()), parts::Finding::few_contacts));
+    CHECK_FALSE(has(of_contacts(200), Finding::few_contacts));
+    CHECK_FALSE(has(of_contacts(std::numeric_limits<double>::infinity()), Finding::few_contacts));
     for (const auto& [contacts, share] : {std::pair(200 * below, 0.07), {100 * above, 0.07}, {100, 0.11}, {40 * above, 0.11},
                                           {40, 0.16}, {15 * above, 0.16}, {15, 0.34}, {1, 0.34}})
         CHECK(std::abs(scatter(contacts) - share) < 1e-12);
-    CHECK(has(of_contacts(below), parts::Finding::no_contact));
-    CHECK_FALSE(has(of_contacts(below), parts::Finding::few_contacts));
+    CHECK(has(of_contacts(below), Finding::no_contact));
+    CHECK_FALSE(has(of_contacts(below), Finding::few_contacts));
     Question of_states;
     ContactState<double> state;
     state.pressure.value = 1e6, state.contact_density.value = 5e6;
@@ -150,7 +150,7 @@ TEST_CASE("The scatter of one surface is that of its fewest contacts") {
 }
 
 TEST_CASE("Every finding can be reached") {
-    std::set<parts::Finding> reached;
+    std::set<Finding> reached;
     const auto add = [&](const Question& question) {
         for (const Found& one : parts::law_findings(question)) reached.insert(one.finding);
     };
@@ -164,7 +164,7 @@ TEST_CASE("Every finding can be reached") {
                                 of_heights({0.5, 0.1}, {3, 0.1}), of_heights({-0.5, 0.1}, {3, 0.1}),
                                 of_heights({0, 0.1}, {4.5, 0.1})})
         add(one);
-    CHECK(reached.size() == static_cast<std::size_t>(parts::Finding::no_contact) + 1);
+    CHECK(reached.size() == static_cast<std::size_t>(Finding::no_contact) + 1);
 }
 
 TEST_CASE("recommended_law of a measured map and of numbers that are its own") {
@@ -177,18 +177,18 @@ TEST_CASE("recommended_law of a measured map and of numbers that are its own") {
     const Surface<double> surface = measure(map, options);
     const double E = 1e9, g = surface.rms_gradient.value;
     const auto advice = recommended_law(surface, E, std::vector{0.003 * E * g, 0.02 * E * g});
-    CHECK(advice.law == parts::LawName::hybrid);
-    REQUIRE(find(advice.findings, parts::Finding::crowded_peaks));
-    CHECK(test::relative_error(find(advice.findings, parts::Finding::crowded_peaks)->value, 0.02) < 1e-12);
-    CHECK(recommended_law(surface, E, std::vector{0.003 * E * g}, 1e-3 * E * g).law == parts::LawName::plastic);
+    CHECK(advice.law == LawName::hybrid);
+    REQUIRE(find(advice.findings, Finding::crowded_peaks));
+    CHECK(test::relative_error(find(advice.findings, Finding::crowded_peaks)->value, 0.02) < 1e-12);
+    CHECK(recommended_law(surface, E, std::vector{0.003 * E * g}, 1e-3 * E * g).law == LawName::plastic);
     HeightMap<double> hole = map;
     hole.heights(20, 30) = std::numeric_limits<double>::quiet_NaN();
     CHECK_FALSE(recommended_law(measure(hole, options), E, std::vector{0.003 * E * g}).law);
     const auto skewed = [](double z) { return std::exp(1.5 * z); };
     map.heights = (1e-7 * (map.heights / rms_height(map)).unaryExpr(skewed)).eval();
     const auto far = recommended_law(measure(map, options), E, std::vector{0.003 * E * g});
-    CHECK(far.findings.front().finding == parts::Finding::far_from_gaussian);
-    CHECK(far.law == parts::LawName::boundary_elements);
+    CHECK(far.findings.front().finding == Finding::far_from_gaussian);
+    CHECK(far.law == LawName::boundary_elements);
     CHECK(test::refusal([&] { (void)recommended_law(surface, E, std::vector{-1.0}); }).find("pressure = -1") == 0);
 }
 

@@ -45,9 +45,9 @@ TEST_CASE("The ratios of each law are those of docs/validation.md, which has no 
     REQUIRE(rows.size() == 9);
     CHECK(std::stod(rows[1][0]) == parts::min_validated_pressure);
     CHECK(std::stod(rows.back()[0]) == parts::max_validated_pressure);
-    std::set<parts::LawName> compared;
+    std::set<LawName> compared;
     for (std::size_t i = 1; i < rows[0].size(); ++i) {
-        const auto law = parts::find_named<parts::LawName>(rows[0][i].substr(0, rows[0][i].find(',')));
+        const auto law = parts::find_named<LawName>(rows[0][i].substr(0, rows[0][i].find(',')));
         CHECK(law.has_value() != rows[0][i].starts_with("p/"));
         if (!law) continue;
         compared.insert(*law);
@@ -61,21 +61,21 @@ TEST_CASE("The ratios of each law are those of docs/validation.md, which has no 
         }
     }
     CHECK(compared.size() == 6);
-    for (const auto& [law, word] : names<parts::LawName>)
+    for (const auto& [law, word] : names<LawName>)
         CHECK(parts::validated_ratio(law, 0.03).has_value() == compared.contains(law));
 }
 
 TEST_CASE("Between two rows the ratio covers both, next to one it is that row, and outside there is none") {
-    const auto between = parts::validated_ratio(parts::LawName::hertz, 0.02);
+    const auto between = parts::validated_ratio(LawName::hertz, 0.02);
     REQUIRE(between);
     CHECK(between->low == 0.63);
     CHECK(between->high == 0.97);
-    CHECK(parts::validated_ratio(parts::LawName::hertz, 0.0301)->low == 0.63);
-    CHECK(parts::validated_ratio(parts::LawName::hertz, 0.0305)->low == 0.49);
-    CHECK(parts::validated_ratio(parts::LawName::hertz, 0.00199)->low == 0.87);
-    CHECK(parts::validated_ratio(parts::LawName::hertz, 0.2515)->low == 0.18);
-    CHECK_FALSE(parts::validated_ratio(parts::LawName::hertz, 0.0019));
-    CHECK_FALSE(parts::validated_ratio(parts::LawName::hertz, 0.26));
+    CHECK(parts::validated_ratio(LawName::hertz, 0.0301)->low == 0.63);
+    CHECK(parts::validated_ratio(LawName::hertz, 0.0305)->low == 0.49);
+    CHECK(parts::validated_ratio(LawName::hertz, 0.00199)->low == 0.87);
+    CHECK(parts::validated_ratio(LawName::hertz, 0.2515)->low == 0.18);
+    CHECK_FALSE(parts::validated_ratio(LawName::hertz, 0.0019));
+    CHECK_FALSE(parts::validated_ratio(LawName::hertz, 0.26));
 }
 
 }  // namespace validated_ratio_test

@@ -3,7 +3,7 @@
 /// \file
 /// Boundary elements of a map as a contact: its states at pressures and at separations, with the error of the grid.
 ///
-///     const fstiff::parts::BoundaryElementContact contact(map, 112e9, {.points = 256});
+///     const fstiff::BoundaryElementContact contact(map, 112e9, {.points = 256});
 ///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7});
 ///
 /// The separation is the mean gap of the deformed faces. At a separation the pressure is sought by Newton's method,
@@ -29,7 +29,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace fstiff::parts {
+namespace fstiff {
 
 /// The elastic half space, or one with a hardness, solved on a map.
 template <Real T = double>
@@ -38,12 +38,12 @@ public:
     /// Of the surface \p map against a smooth flat; options.progress is called while a state is computed.
     /// \throws domain_error as truth().
     BoundaryElementContact(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                           const TruthOptions<T>& options = {})
+                           const parts::TruthOptions<T>& options = {})
         : modulus_(effective_modulus), rms_height_(fstiff::rms_height(map)), area_(map.area()), options_(options) {
         map.require_whole("before boundary elements");
         require_positive("effective_modulus", effective_modulus);
         if (options.hardness != T(0)) require_positive("hardness", options.hardness);
-        map_ = map_for_truth(map, options.points);
+        map_ = parts::map_for_truth(map, options.points);
     }
 
     /// The state under \p pressure [Pa], of all quantities but those that a hardness leaves unknown; out of reach where
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity = Quantity::all) const {
         require_positive("pressure", pressure);
         if (options_.hardness > T(0) && !(pressure < options_.hardness))
-            return ContactPoint<T>::out_of_reach("pressure = " + shortest_text(pressure) +
+            return ContactPoint<T>::out_of_reach("pressure = " + parts::shortest_text(pressure) +
                                                  ": must be less than the hardness (Pa)");
         const TruthPoint<T> solved = truth(map_, modulus_, std::array{pressure}, options_).front();
         if (std::isinf(solved.state.stiffness))
@@ -64,9 +64,9 @@ public:
     [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity = Quantity::all) const {
         const T highest = map_.heights.maxCoeff() - map_.heights.mean();
         if (!(separation > T(0) && separation < highest))
-            return ContactPoint<T>::out_of_reach("separation = " + shortest_text(separation) +
+            return ContactPoint<T>::out_of_reach("separation = " + parts::shortest_text(separation) +
                                                  ": must be greater than 0 and less than the highest point (m)");
-        TruthOptions<T> one_grid = options_;
+        parts::TruthOptions<T> one_grid = options_;
         one_grid.grid_error = false;
         one_grid.progress = {};
         const auto excess = [&](T log_pressure) {  // of the gap, and its slope over log p
@@ -79,23 +79,23 @@ public:
         const T guess = std::log(modulus_ * rms_height_ / std::sqrt(area_)) - 3 * separation / rms_height_;
         const auto found = math::newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
         if (!found.converged())
-            return ContactPoint<T>::out_of_reach("separation = " + shortest_text(separation) +
+            return ContactPoint<T>::out_of_reach("separation = " + parts::shortest_text(separation) +
                                                  ": must be that of some pressure (m)");
         return point_at_pressure(std::exp(found.root));
     }
     /// \throws domain_error where there is no point.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return state_or_throw(point_at_pressure(pressure, wanted));
+        return parts::state_or_throw(point_at_pressure(pressure, wanted));
     }
     /// \throws domain_error where there is no point.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return state_or_throw(point_at_separation(separation, wanted));
+        return parts::state_or_throw(point_at_separation(separation, wanted));
     }
     [[nodiscard]] T rms_height() const { return rms_height_; }  ///< of the map before it is made coarser [m]
 
 private:
     [[nodiscard]] ContactState<T> state_of(const TruthPoint<T>& solved) const {
-        const BoundaryElementState<T>& found = solved.state;
+        const parts::BoundaryElementState<T>& found = solved.state;
         ContactState<T> state;
         state.pressure = {found.pressure, 0, 0};
         state.separation = {found.mean_gap, solved.gap_error, found.iterations};
@@ -108,8 +108,8 @@ private:
     }
 
     T modulus_, rms_height_, area_;
-    TruthOptions<T> options_;
+    parts::TruthOptions<T> options_;
     HeightMap<T> map_;
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff

@@ -6,7 +6,7 @@
 ///     value = mean of the values        error = sqrt((mean error)^2 + s^2),   s^2 = sum (value_i - value)^2/(n - 1)
 ///
 ///     std::vector<fstiff::SummitContact<double>> contacts;      // one for each shift
-///     const fstiff::parts::MeanOverShifts mean(std::move(contacts));
+///     const fstiff::MeanOverShifts mean(std::move(contacts));
 ///     mean.at_pressure(1e6).stiffness.error                     // the scatter of one shift is in it
 ///
 /// Reference   JCGM 100:2008, 4.2.2 (the scatter s of one shift, not of the mean)
@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff {
 
 /// The mean over \p C, one contact for each shift.
 template <class C>
@@ -44,11 +44,11 @@ public:
     }
     /// \throws domain_error where there is no point.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return state_or_throw(point_at_pressure(pressure, wanted));
+        return parts::state_or_throw(point_at_pressure(pressure, wanted));
     }
     /// \throws domain_error where there is no point.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return state_or_throw(point_at_separation(separation, wanted));
+        return parts::state_or_throw(point_at_separation(separation, wanted));
     }
     /// Root of the mean square over the contacts [m].
     [[nodiscard]] T rms_height() const {
@@ -108,4 +108,4 @@ private:
     std::vector<C> contacts_;
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff

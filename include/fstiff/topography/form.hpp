@@ -45,18 +45,6 @@ struct LevelledMap {
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
 };
 
-/// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted;
-/// 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, but for its
-/// rounding, once its form is removed.
-template <Real T>
-[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
-    LevelledMap<T> flat{remove_form(map, form), form};
-    if (form != MapForm::none)
-        math::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
-                                              static_cast<std::size_t>(map.size()), resolution);
-    return flat;
-}
-
 /// Legendre's polynomials 0 to 3 at the points of a side, one a column.
 template <Real S>
 Eigen::Array<S, Eigen::Dynamic, 4> legendre_of_side(Eigen::Index points) {
@@ -155,6 +143,18 @@ template <Real T>
     else
         result.heights = z.template cast<T>();
     return result;
+}
+
+/// \p map levelled, with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted;
+/// 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, but for its
+/// rounding, once its form is removed.
+template <Real T>
+[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
+    LevelledMap<T> flat{remove_form(map, form), form};
+    if (form != MapForm::none)
+        math::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
+                                              static_cast<std::size_t>(map.size()), resolution);
+    return flat;
 }
 
 }  // namespace parts

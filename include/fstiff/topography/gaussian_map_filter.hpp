@@ -24,14 +24,6 @@
 
 namespace fstiff::parts {
 
-/// \p map without its long waves. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] HeightMap<T> gaussian_high_pass(const HeightMap<T>& map, T cutoff) {
-    HeightMap<T> high = gaussian_low_pass(map, cutoff);
-    high.heights = map.heights - high.heights;
-    return high;
-}
-
 template <Real F>
 using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -119,6 +111,14 @@ template <Real T>
         for (Eigen::Index k = 0; k < map.size(); ++k) low.heights.data()[k] = height(k);
     }
     return low;
+}
+
+/// \p map without its long waves. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] HeightMap<T> gaussian_high_pass(const HeightMap<T>& map, T cutoff) {
+    HeightMap<T> high = gaussian_low_pass(map, cutoff);
+    high.heights = map.heights - high.heights;
+    return high;
 }
 
 /// The long waves of \p map. \throws domain_error for a cut-off or a map out of range.

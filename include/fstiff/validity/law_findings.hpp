@@ -73,6 +73,8 @@ struct ContactScatter {
 };
 inline constexpr std::array<ContactScatter, 4> contact_scatter{{{100, 0.07}, {40, 0.11}, {15, 0.16}, {0, 0.34}}};
 
+}  // namespace parts
+
 /// What is found of a contact and its laws.
 enum class Finding {
     profile_with_lay,    ///< no law: K may be higher by value, since a profile does not know how far the ridges reach
@@ -95,8 +97,10 @@ struct LawFinding {
     Finding finding{};
     T value{}, limit{};            ///< the number that decided, and what it was held against
     std::optional<LawName> law{};  ///< recommended by it
-    StiffnessRatio ratio{};        ///< of K of the laws concerned over that of the contact; 0: not known
+    parts::StiffnessRatio ratio{};        ///< of K of the laws concerned over that of the contact; 0: not known
 };
+
+namespace parts {
 
 /// How hybrid knows the heights.
 enum class HeightsKnown {
@@ -243,12 +247,16 @@ template <Real T>
     return findings;
 }
 
+}  // namespace parts
+
 /// The law that holds, and why.
 template <Real T = double>
 struct LawAdvice {
     std::optional<LawName> law{};  ///< none: no law, or none that the surface has, or no gradient is known
     std::vector<LawFinding<T>> findings{};
 };
+
+namespace parts {
 
 /// That of \p findings, of which the first that recommends a law counts.
 template <Real T>
@@ -287,7 +295,7 @@ template <Real T>
 /// and, where it is known, the yield strength of the softer body [Pa]. The number of contacts is not asked.
 /// \throws domain_error for a pressure, a modulus or a yield strength that is not positive.
 template <Real T, class Pressures>
-[[nodiscard]] parts::LawAdvice<T> recommended_law(const Surface<T>& surface, std::type_identity_t<T> effective_modulus,
+[[nodiscard]] LawAdvice<T> recommended_law(const Surface<T>& surface, std::type_identity_t<T> effective_modulus,
                                            const Pressures& pressures,
                                            std::type_identity_t<std::optional<T>> yield_strength = {}) {
     require_positive("effective_modulus", effective_modulus);

@@ -4,7 +4,7 @@
 /// How far each law was off boundary elements: K of the law over K of the half space solved on the same surfaces, by
 /// p*.
 ///
-///     const auto ratio = fstiff::parts::validated_ratio(fstiff::parts::LawName::hertz, 0.02);
+///     const auto ratio = fstiff::parts::validated_ratio(fstiff::LawName::hertz, 0.02);
 ///     if (ratio) use(ratio->low, ratio->high);          0.63 to 0.97
 ///
 /// Reference   docs/validation.md, its first table: families of periodic self-affine Gaussian surfaces, without plastic
@@ -22,8 +22,6 @@
 
 namespace fstiff {
 
-namespace parts {
-
 /// The laws of contact.
 enum class LawName {
     fractal,
@@ -40,22 +38,20 @@ enum class LawName {
     boundary_elements
 };
 
-}  // namespace parts
-
 template <>
-inline constexpr auto names<parts::LawName> =
-    name_list<parts::LawName>({{parts::LawName::fractal, "fractal"},
-                               {parts::LawName::fractal_consistent, "fractal_consistent"},
-                               {parts::LawName::hertz, "hertz"},
-                               {parts::LawName::greenwood_williamson, "greenwood_williamson"},
-                               {parts::LawName::hybrid, "hybrid"},
-                               {parts::LawName::persson, "persson"},
-                               {parts::LawName::summits, "summits"},
-                               {parts::LawName::plastic, "plastic"},
-                               {parts::LawName::plastic_peaks, "plastic_peaks"},
-                               {parts::LawName::jackson_green, "jackson_green"},
-                               {parts::LawName::kogut_etsion, "kogut_etsion"},
-                               {parts::LawName::boundary_elements, "boundary_elements"}});
+inline constexpr auto names<LawName> =
+    name_list<LawName>({{LawName::fractal, "fractal"},
+                        {LawName::fractal_consistent, "fractal_consistent"},
+                        {LawName::hertz, "hertz"},
+                        {LawName::greenwood_williamson, "greenwood_williamson"},
+                        {LawName::hybrid, "hybrid"},
+                        {LawName::persson, "persson"},
+                        {LawName::summits, "summits"},
+                        {LawName::plastic, "plastic"},
+                        {LawName::plastic_peaks, "plastic_peaks"},
+                        {LawName::jackson_green, "jackson_green"},
+                        {LawName::kogut_etsion, "kogut_etsion"},
+                        {LawName::boundary_elements, "boundary_elements"}});
 
 namespace parts {
 

@@ -288,7 +288,7 @@ Report execute(const Options& options) {
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
     // of a map a report shows the truth beside the laws
-    const scene::Law& elements = scene::find_law(parts::LawName::boundary_elements);
+    const scene::Law& elements = scene::find_law(LawName::boundary_elements);
     if (refusal_of(elements, scene).empty() && !scene.at_separations &&
         std::find(scene.laws.begin(), scene.laws.end(), &elements) == scene.laws.end())
         scene.laws.push_back(&elements);
