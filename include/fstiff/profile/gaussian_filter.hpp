@@ -36,14 +36,6 @@ template <Real T>
     return std::exp(-numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
 }
 
-/// \p profile without its long waves. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] Profile<T> gaussian_roughness(const Profile<T>& profile, T cutoff) {
-    Profile<T> roughness = gaussian_waviness(profile, cutoff);
-    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
-    return roughness;
-}
-
 /// The weighted means of the head of this file, with a cut-off of \p least spacings at least.
 template <Real T>
 Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
@@ -78,20 +70,20 @@ template <Real T>
     return gaussian_means(profile, cutoff, 5);
 }
 
+/// \p profile without its long waves. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] Profile<T> gaussian_roughness(const Profile<T>& profile, T cutoff) {
+    Profile<T> roughness = gaussian_waviness(profile, cutoff);
+    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
+    return roughness;
+}
+
 /// \p profile without its short waves: the same sums, for a cut-off of two spacings and more. Below five spacings the
 /// weights are few, and waves of less than twice the cut-off pass better than the closed form says.
 /// \throws domain_error as above.
 template <Real T>
 [[nodiscard]] Profile<T> gaussian_low_pass(const Profile<T>& profile, T cutoff) {
     return gaussian_means(profile, cutoff, 2);
-}
-
-/// \p profile without them. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order = 2) {
-    Profile<T> roughness = robust_waviness(profile, cutoff, order).waviness;
-    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
-    return roughness;
 }
 
 /// g of the file's head: exp(-t) = 1/2 and (1 + t) exp(-t) = 1/2 for t = pi g^2.
@@ -186,6 +178,14 @@ template <Real T>
     for (std::size_t i = 0; i < size; ++i)
         if (exists(i)) result.waviness.heights[i] = static_cast<T>(found.waviness[i]) * scale + mean;
     return result;
+}
+
+/// \p profile without its robust waviness. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order = 2) {
+    Profile<T> roughness = robust_waviness(profile, cutoff, order).waviness;
+    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
+    return roughness;
 }
 
 }  // namespace fstiff::parts
