@@ -36,7 +36,7 @@ LONG_FILES = {
 LONG_FUNCTIONS = {
     "src/io/header.cpp stated_grid": 81,
 }
-TOTALS = {"include": 25640, "src without io": 20100, "tools": 3300}
+TOTALS = {"include": 25445, "src without io": 20690, "tools": 3330}
 
 
 def read(path):

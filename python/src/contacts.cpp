@@ -55,8 +55,8 @@ constexpr std::array<Output, 7> outputs{
      {"stiffness_Pa_per_m", "stiffness", Quantity::stiffness, &State::stiffness, value},
      {"stiffness_error_Pa_per_m", "stiffness", Quantity::stiffness, &State::stiffness, &Estimate<double>::error},
      {"loading_stiffness_Pa_per_m", "loading_stiffness", Quantity::loading_stiffness, &State::loading_stiffness, value},
-     {"real_area_fraction", "real_area", Quantity::real_area, &State::real_area_fraction, value},
-     {"contacts_per_m2", "contacts", Quantity::contacts, &State::contact_density, value}}};
+     {"real_area_fraction", "real_area", Quantity::real_area_fraction, &State::real_area_fraction, value},
+     {"contacts_per_m2", "contacts", Quantity::contact_density, &State::contact_density, value}}};
 
 std::vector<std::string> quantities_of(const OneContact& contact) {
     std::vector<std::string> names;

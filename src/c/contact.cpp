@@ -50,8 +50,9 @@ std::array<Output, 7> outputs_of(const fstiff_points& points) {
          {points.stiffness, "stiffness", Quantity::stiffness, &State::stiffness, value},
          {points.stiffness_error, "stiffness_error", Quantity::stiffness, &State::stiffness, &Estimate<double>::error},
          {points.loading_stiffness, "loading_stiffness", Quantity::loading_stiffness, &State::loading_stiffness, value},
-         {points.real_area_fraction, "real_area_fraction", Quantity::real_area, &State::real_area_fraction, value},
-         {points.contact_density, "contact_density", Quantity::contacts, &State::contact_density, value}}};
+         {points.real_area_fraction, "real_area_fraction", Quantity::real_area_fraction, &State::real_area_fraction,
+          value},
+         {points.contact_density, "contact_density", Quantity::contact_density, &State::contact_density, value}}};
 }
 
 int status_of(const ContactPoint<double>& point) {

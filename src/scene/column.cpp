@@ -49,8 +49,8 @@ std::span<const CurveQuantityRow> curve_quantities() {
          {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Scene::reflection, true},
          {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Scene::shear_reflection,
           true},
-         {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area, &Scene::real_area},
-         {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contacts, &Scene::contacts}}};
+         {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, &Scene::real_area},
+         {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contact_density, &Scene::contacts}}};
     return table;
 }
 

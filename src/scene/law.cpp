@@ -213,7 +213,8 @@ std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
 }
 
 constexpr Quantity without_contacts =
-    Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
+    Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area_fraction |
+    Quantity::loading_stiffness;
 
 const std::array<Law, 12> table{{
     {.which = LawName::fractal,

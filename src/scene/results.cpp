@@ -24,8 +24,8 @@ namespace {
 Quantity wanted(const Scene& scene, const Law& law, Quantity more = Quantity::none) {
     Quantity set = Quantity::pressure | Quantity::separation | more;
     if (scene.needs_stiffness()) set = set | Quantity::stiffness;
-    if (scene.real_area) set = set | Quantity::real_area;
-    if (scene.contacts) set = set | Quantity::contacts;
+    if (scene.real_area) set = set | Quantity::real_area_fraction;
+    if (scene.contacts) set = set | Quantity::contact_density;
     if (scene.loading_stiffness) set = set | Quantity::loading_stiffness;
     return static_cast<Quantity>(static_cast<unsigned>(set) & static_cast<unsigned>(law.quantities));
 }
@@ -275,7 +275,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         };
     for_each_contact(scene, results.modulus, {}, [&](Curve curve, const auto& contact) {
         // warnings and the verdict need the contacts and the area, whichever columns are shown
-        const Quantity quantities = wanted(scene, *curve.law, Quantity::contacts | Quantity::real_area);
+        const Quantity quantities = wanted(scene, *curve.law, Quantity::contact_density | Quantity::real_area_fraction);
         const auto made = contact();
         take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made, quantities, of_all));
         curve.checks = parts::check_curve<double>(curve.states,

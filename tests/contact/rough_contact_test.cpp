@@ -155,7 +155,7 @@ TEST_CASE("only what is asked for is computed, and equals what all gives") {
     CHECK(one.real_area_fraction.value == 0);
     CHECK(one.real_area_fraction.evaluations == 0);
     CHECK(one.contact_density.value == 0);
-    CHECK(c.at_separation(1e-6, Quantity::real_area).stiffness.value == 0);
+    CHECK(c.at_separation(1e-6, Quantity::real_area_fraction).stiffness.value == 0);
 }
 
 TEST_CASE("nothing dimensionless depends on the unit of length") {

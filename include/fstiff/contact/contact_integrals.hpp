@@ -125,7 +125,7 @@ private:
         const auto when = [wanted](Quantity quantity, int minus_two_b) {
             return has(wanted, quantity) ? minus_two_b : detail::absent;
         };
-        return {when(Quantity::contacts, 0), when(Quantity::stiffness, 1), when(Quantity::real_area, 2),
+        return {when(Quantity::contact_density, 0), when(Quantity::stiffness, 1), when(Quantity::real_area_fraction, 2),
                 when(Quantity::pressure, 1)};
     }
 

@@ -86,8 +86,8 @@ template <Real T>
     const MutualSummits<T> mutual(of, modulus, edges);
     const auto is_beyond = [&](T log_pressure) {
         const T p = std::exp(log_pressure);
-        return crowded.at_pressure(p, Quantity::real_area).real_area_fraction.value > most_area ||
-               alone.at_pressure(p, Quantity::contacts).contact_density.value * alone.area() > most_contacts;
+        return crowded.at_pressure(p, Quantity::real_area_fraction).real_area_fraction.value > most_area ||
+               alone.at_pressure(p, Quantity::contact_density).contact_density.value * alone.area() > most_contacts;
     };
     T high = std::log(crowded.full_pressure()) - 2, low = high - 30;
     while (high - low > T(0.01)) (is_beyond((low + high) / 2) ? high : low) = (low + high) / 2;
@@ -107,7 +107,8 @@ template <Real T>
     }
     for (int k = 1; k <= 12; ++k) {
         const T log_pressure = low - T(k) * numbers::ln2_v<T>;
-        if (alone.at_pressure(std::exp(log_pressure), Quantity::contacts).contact_density.value * alone.area() < 2) break;
+        const auto state = alone.at_pressure(std::exp(log_pressure), Quantity::contact_density);
+        if (state.contact_density.value * alone.area() < 2) break;
         try {
             ratios.push_back(ratio_at(log_pressure));
         } catch (const domain_error&) {

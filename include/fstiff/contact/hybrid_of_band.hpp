@@ -90,10 +90,10 @@ public:
 private:
     [[nodiscard]] ContactState<T> of_whole_band(ContactState<T> state, T pressure, Quantity wanted) const {
         const T share = real_area_fraction(pressure);
-        if (parts::has(wanted, Quantity::real_area))
+        if (parts::has(wanted, Quantity::real_area_fraction))
             state.real_area_fraction = {share, 8 * std::numeric_limits<T>::epsilon() * share, 0};
-        if (parts::has(wanted, Quantity::contacts))
-            state.contact_density = summits_.at_pressure(pressure, Quantity::contacts).contact_density;
+        if (parts::has(wanted, Quantity::contact_density))
+            state.contact_density = summits_.at_pressure(pressure, Quantity::contact_density).contact_density;
         return state;
     }
 

@@ -102,7 +102,7 @@ LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wa
     LawSums<T> out;
     if (parts::has(wanted, Quantity::pressure)) out.load = mean(load) * (modulus * density * sigma * sigma);
     if (parts::has(wanted, Quantity::stiffness)) out.stiffness = mean(stiffness) * (modulus * density * sigma);
-    if (parts::has(wanted, Quantity::real_area)) out.area = mean_of_area(area) * (density * sigma * sigma);
+    if (parts::has(wanted, Quantity::real_area_fraction)) out.area = mean_of_area(area) * (density * sigma * sigma);
     if (parts::has(wanted, Quantity::loading_stiffness))
         out.loading = mean_of_loading(load) * (modulus * density * sigma);
     return out;
@@ -135,7 +135,7 @@ public:
                 });
             });
         out.log_scale = parts::log_scale_at(eta);
-        if (parts::has(wanted_, Quantity::contacts))
+        if (parts::has(wanted_, Quantity::contact_density))
             out.contacts = parts::PeakIntegrator<T>({0, absent, absent, absent}, peaks_,
                                                     100 * std::numeric_limits<T>::epsilon())(eta)[0] *
                            scales_.peak_density;
@@ -185,7 +185,7 @@ public:
         });
         const auto [count, log_scale] = peaks_.template scaled_height_moment<0>(eta);
         out.log_scale = log_scale;
-        if (parts::has(wanted_, Quantity::contacts))
+        if (parts::has(wanted_, Quantity::contact_density))
             out.contacts = {density * count, 16 * std::numeric_limits<T>::epsilon() * density * count, 0};
         return out;
     }

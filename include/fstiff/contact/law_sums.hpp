@@ -76,9 +76,9 @@ std::array<PowerTerm<T>, 5> power_terms(const Law& law, const PeakScales<T>& sca
     const auto term = [&](Quantity quantity, parts::HalfPowers powers, T factor) {
         return PowerTerm<T>{quantity, powers, scales.of(factor, powers)};
     };
-    return {term(Quantity::contacts, {0, 0}, T(1)), term(Quantity::pressure, load, modulus * load_factor),
+    return {term(Quantity::contact_density, {0, 0}, T(1)), term(Quantity::pressure, load, modulus * load_factor),
             term(Quantity::stiffness, Law::stiffness_powers, modulus * static_cast<T>(law.stiffness_factor())),
-            term(Quantity::real_area, Law::area_powers, static_cast<T>(law.area_factor())),
+            term(Quantity::real_area_fraction, Law::area_powers, static_cast<T>(law.area_factor())),
             // per length: the slope against eta over sigma
             term(Quantity::loading_stiffness, slope, modulus * (T(load.omega) / 2 * load_factor))};
 }
@@ -86,13 +86,13 @@ std::array<PowerTerm<T>, 5> power_terms(const Law& law, const PeakScales<T>& sca
 template <Real T>
 Estimate<T>& member_of(LawSums<T>& sums, Quantity quantity) {
     switch (quantity) {
-        case Quantity::contacts:
+        case Quantity::contact_density:
             return sums.contacts;
         case Quantity::pressure:
             return sums.load;
         case Quantity::stiffness:
             return sums.stiffness;
-        case Quantity::real_area:
+        case Quantity::real_area_fraction:
             return sums.area;
         default:
             return sums.loading;

@@ -71,7 +71,7 @@ template <Real T, class Law, class Peaks>
     const RoughContact weighted(contact.surface(), contact.peaks(),
                                 parts::LoadWeighted<T, Law>(contact.law(), critical_over_radius), modulus, options);
     const auto sums =
-        weighted.at_separation(eta * sigma, Quantity::pressure | Quantity::stiffness | Quantity::real_area);
+        weighted.at_separation(eta * sigma, Quantity::pressure | Quantity::stiffness | Quantity::real_area_fraction);
     const auto over_load = [&](const Estimate<T>& sum, T unit) {
         const T mean = sum.value * unit / sums.pressure.value;
         return Estimate<T>{mean, mean * (sum.error / sum.value + sums.pressure.error / sums.pressure.value),

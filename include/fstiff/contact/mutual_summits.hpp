@@ -326,8 +326,8 @@ private:
         state.pressure = given(Quantity::pressure, s.pressure);
         state.stiffness = given(Quantity::stiffness, s.stiffness);
         state.loading_stiffness = given(Quantity::loading_stiffness, s.stiffness);
-        state.real_area_fraction = given(Quantity::real_area, s.crowding.real_area_fraction);
-        state.contact_density = given(Quantity::contacts, T(s.crowding.contacts) / of_.area);
+        state.real_area_fraction = given(Quantity::real_area_fraction, s.crowding.real_area_fraction);
+        state.contact_density = given(Quantity::contact_density, T(s.crowding.contacts) / of_.area);
         return state;
     }
 

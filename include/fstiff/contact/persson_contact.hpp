@@ -114,7 +114,7 @@ public:
         }
         if (parts::has(wanted, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height_;
-        if (parts::has(wanted, Quantity::real_area)) {
+        if (parts::has(wanted, Quantity::real_area_fraction)) {
             const T share = real_area_fraction(pressure);
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }

@@ -173,7 +173,7 @@ public:
             const T K = joined(cut_.stiffness(pressure / hardness_), elastic.value, exponent);
             state.stiffness = {K, (elastic.error / elastic.value + error_of_cut) * K, elastic.evaluations};
         }
-        if (parts::has(wanted, Quantity::real_area)) {
+        if (parts::has(wanted, Quantity::real_area_fraction)) {
             const T share = (std::min)(std::hypot(1 / hardness_, 2 / elastic_scale(pressure)) * pressure, T(1));
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }

@@ -10,10 +10,10 @@ namespace fstiff {
 /// What is to be computed; join several by |.
 enum class Quantity : unsigned {
     none = 0,
-    contacts = 1,
+    contact_density = 1,
     pressure = 2,
     stiffness = 4,
-    real_area = 8,
+    real_area_fraction = 8,
     loading_stiffness = 16,  ///< -dp/dd, the slope of the load
     separation = 32,         ///< known without asking, but an integral over pressures in HybridContact, PerssonContact
     all = 63

@@ -136,8 +136,8 @@ private:
         at.pressure = given(Quantity::pressure, j.load);
         at.stiffness = given(Quantity::stiffness, j.stiffness);
         at.loading_stiffness = given(Quantity::loading_stiffness, j.stiffness);
-        at.real_area_fraction = given(Quantity::real_area, j.area);
-        at.contact_density = given(Quantity::contacts, j.count);
+        at.real_area_fraction = given(Quantity::real_area_fraction, j.area);
+        at.contact_density = given(Quantity::contact_density, j.count);
         return at;
     }
 

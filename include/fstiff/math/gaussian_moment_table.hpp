@@ -176,5 +176,6 @@ struct ErfTable<double> {
     static constexpr std::array<double, 5> rough_middle{9.99994670521436173e-1, -5.33371834739448e-5, 5.9088234943136e-5, 2.41632179454303e-4, -2.5196838811499e-4};
     static constexpr std::array<double, 1> rough_outer{9.99999999974011616e-1};
 };
+// clang-format on
 
 }  // namespace fstiff::math

@@ -161,5 +161,6 @@ struct ErfTable<long double> {
     static constexpr std::array<long double, 5> rough_middle{9.99994670521436173002e-1L, -5.33371834739447977e-5L, 5.90882349431360236e-5L, 2.41632179454302742e-4L, -2.51968388114990164e-4L};
     static constexpr std::array<long double, 1> rough_outer{9.99999999974011616048e-1L};
 };
+// clang-format on
 
 }  // namespace fstiff::math

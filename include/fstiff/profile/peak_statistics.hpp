@@ -28,7 +28,7 @@ namespace fstiff {
 
 namespace parts {
 
-/// \p Sum: S, or CompensatedSum<S>.
+/// Sums over the triples of a profile; \p Sum is the scalar or a compensated sum of it.
 template <Real S, class Sum = S>
 struct TripleSums {
     Sum slope{}, curvature{};  // of squared differences, and of squared second differences

@@ -223,10 +223,10 @@ template <Real T>
         });
     below(Concern::mean_planes_crossed, T(0), separation);
     if (limits.max_peak_height > T(0)) above(Concern::above_highest_peak, limits.max_peak_height, separation);
-    if (has(known, Quantity::contacts) && limits.nominal_area)
+    if (has(known, Quantity::contact_density) && limits.nominal_area)
         below(Concern::few_contacts, min_contacts<T>,
               [&](const State& state) { return std::optional(state.contact_density.value * *limits.nominal_area); });
-    if (has(known, Quantity::real_area)) {
+    if (has(known, Quantity::real_area_fraction)) {
         above(Concern::area_above_nominal, T(1),
               [](const State& state) { return std::optional(state.real_area_fraction.value); });
         above(Concern::above_hardness,
