@@ -42,9 +42,6 @@ METHODS = {  # in the order of the tables: what the documents call it; in the pi
 }
 
 
-# ---------------------------------------------------------------- measuring
-
-
 def rows_of(data):
     """The row of least processor time for each name."""
     rows = {}
@@ -80,9 +77,6 @@ def measure(native, portable):
     elif RESULTS.exists():
         out["portable"] = json.loads(RESULTS.read_text()).get("portable")
     RESULTS.write_text(json.dumps(out, indent=1) + "\n")
-
-
-# ---------------------------------------------------------------- tables
 
 
 def show_time(ns):
@@ -247,9 +241,6 @@ def picture(report):
     results = report.results
     out.text(80, 562, f"{results['machine']}; {results['compiler']} {results['flags']}", 'class="small"')
     return out
-
-
-# ---------------------------------------------------------------- files
 
 
 def main():

@@ -26,9 +26,6 @@ CASES = (  # what, (r, theta, eta), substitution
 LOOKS = (("#1f6fb4", "#6fb1ee", "circle"), ("#c2571a", "#f0965a", "square"), ("#2c8a4b", "#6fcf8f", "triangle"), ("#7a4fb5", "#b794f0", "diamond"))
 
 
-# ---------------------------------------------------------------- the integral J[1/2,-1/2]
-
-
 def outer(problem, t):
     """The integrand over t, without 1/(2 theta)."""
     r, theta, eta = problem
@@ -116,9 +113,6 @@ def errors():
     """By method: (evaluations, relative error) of each setting."""
     right = truth(PLAIN)
     return [(what, [(count(n), n, abs(rule(PLAIN, n) / right - 1)) for n in settings]) for what, rule, count, settings in METHODS]
-
-
-# ---------------------------------------------------------------- documents
 
 
 def draw_integrand():

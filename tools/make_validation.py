@@ -199,9 +199,6 @@ def picture_of_maps(rows):
     return out
 
 
-# ---------------------------------------------------------------- files
-
-
 def differs(rows, printed, keys, tolerance):
     """Whether a row that is printed has other ratios than that which is kept."""
     kept = {tuple(r[key] for key in keys): r for r in rows}

@@ -90,9 +90,6 @@ def parts(t, weight, r, eta):
     return f[0] * mass, f[1] * mass / math.sqrt(t), f[2] * mass / math.sqrt(t), f[3] * mass / t
 
 
-# ---------------------------------------------------------------- the smooth map
-
-
 def sums(nodes, r, eta):
     """The four sums over (t, weight), for each of LAYERS."""
     out = [[0.0] * 4 for _ in LAYERS]
@@ -163,9 +160,6 @@ def search_map():
         print(f"{best:.3g}: scale {at[0]:.4f}, fall {at[1]:.4f}, rate {at[2]:.4f}, step {at[3]:.5f}", flush=True)
         if not better:
             size /= 2
-
-
-# ---------------------------------------------------------------- the steps
 
 
 def largest_steps(r, k, eta, map_, low, high):

@@ -138,14 +138,40 @@ bool is_spip(const std::vector<HeaderEntry>& entries) {
     return form && form->value == "ASCII";
 }
 
+/// What the key of a line of a header states of the grid.
+struct GridMeaning {
+    bool width, height;   ///< of the whole map
+    bool both, dx, dy;    ///< of one step; both: along x and y
+    bool columns, rows;
+};
+
+GridMeaning meaning_of(const std::string& key) {
+    const auto is_one_of = [&](std::initializer_list<std::string_view> keys) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    GridMeaning of{};
+    of.width = is_one_of({"width", "w", "x size", "size x", "x range", "scan size x", "x-length"}) ||
+               is_one_of_words(key, width_words);
+    of.height = is_one_of({"height", "h", "y size", "size y", "y range", "scan size y", "y-length"}) ||
+                is_one_of_words(key, height_words);
+    of.both = is_one_of({"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"}) ||
+              is_one_of_words(key, pitch_words);
+    of.dx = of.both || is_one_of({"dx", "pixel width", "x pixel size", "pixel size x", "x spacing", "spacing x",
+                                  "x step", "x increment"});
+    of.dy = of.both || is_one_of({"dy", "pixel height", "y pixel size", "pixel size y", "y spacing", "spacing y",
+                                  "y step", "y increment"});
+    of.columns = is_one_of({"columns", "cols", "x pixels", "x-pixels", "xres", "nx", "ncols"}) ||
+                 is_one_of_words(key, columns_words);
+    of.rows = is_one_of({"rows", "lines", "y pixels", "y-pixels", "yres", "ny", "nrows"}) ||
+              is_one_of_words(key, rows_words);
+    return of;
+}
+
 }  // namespace
 
 StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit, const std::string& name) {
     StatedGrid grid;
     const bool spip = is_spip(entries);
-    const auto is_one_of = [](const std::string& key, std::initializer_list<std::string_view> keys) {
-        return std::find(keys.begin(), keys.end(), key) != keys.end();
-    };
     const auto set = [&](auto& slot, auto value, const HeaderEntry& entry, auto old) {
         if (slot && old != value)
             refuse_line(name, entry.line,
@@ -153,23 +179,7 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
         slot = value;
     };
     for (const HeaderEntry& entry : entries) {
-        const bool width =
-            is_one_of(entry.key, {"width", "w", "x size", "size x", "x range", "scan size x", "x-length"}) ||
-            is_one_of_words(entry.key, width_words);
-        const bool height =
-            is_one_of(entry.key, {"height", "h", "y size", "size y", "y range", "scan size y", "y-length"}) ||
-            is_one_of_words(entry.key, height_words);
-        const bool both =
-            is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"}) ||
-            is_one_of_words(entry.key, pitch_words);
-        const bool dx = both || is_one_of(entry.key, {"dx", "pixel width", "x pixel size", "pixel size x", "x spacing",
-                                                      "spacing x", "x step", "x increment"});
-        const bool dy = both || is_one_of(entry.key, {"dy", "pixel height", "y pixel size", "pixel size y", "y spacing",
-                                                      "spacing y", "y step", "y increment"});
-        const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "x-pixels", "xres", "nx", "ncols"}) ||
-                             is_one_of_words(entry.key, columns_words);
-        const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "y-pixels", "yres", "ny", "nrows"}) ||
-                          is_one_of_words(entry.key, rows_words);
+        const auto [width, height, both, dx, dy, columns, rows] = meaning_of(entry.key);
         if (!(width || height || dx || dy || columns || rows)) continue;
         const LeadingNumber number = leading_number(entry.value);
         if (number.status != NumberStatus::ok) continue;
@@ -195,8 +205,7 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
             continue;
         }
         if (written.empty() && unit.empty()) {
-            if (grid.without_unit.empty()) grid.without_unit_line = entry.line;
-            if (grid.without_unit.empty()) grid.without_unit = entry.key;
+            if (grid.without_unit.empty()) grid.without_unit_line = entry.line, grid.without_unit = entry.key;
             continue;
         }
         if (!written.empty() && !is_unit(written, Dimension::length)) continue;
@@ -204,10 +213,9 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
             std::string(entry.value.substr(0, number.length)) + " " + (written.empty() ? unit : std::string(written));
         const double value =
             parts::located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
-        if (!(value > 0))
-            parts::located({.file = name, .line = entry.line}, [&] {
-                parts::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
-            });
+        parts::located({.file = name, .line = entry.line}, [&] {
+            if (!(value > 0)) parts::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
+        });
         const auto store = [&](std::optional<StatedGrid::Length>& slot) {
             if (slot && slot->value != value)
                 refuse_line(name, entry.line,
