@@ -84,8 +84,8 @@ TEST_CASE("The band of a measured surface is that of its errors, widened by K of
     REQUIRE(surface.neighbours.size() == 2);
     const parts::BandOptions options{.samples = 60, .seed = 4};
     const auto found = stiffness_band(surface, pressures, hertz, 112.6e9, options);
-    const parts::SurfaceParameters<double>& alone = surface;  // without its neighbours
-    const auto errors = stiffness_band(alone, pressures, hertz, 112.6e9, options);
+    const parts::SurfaceParameters<double>& parameters = surface;  // without its neighbours
+    const auto errors = stiffness_band(parameters, pressures, hertz, 112.6e9, options);
     REQUIRE(found.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         const double k = stiffness_of(surface, pressures[i]);
