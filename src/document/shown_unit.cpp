@@ -73,10 +73,11 @@ ShownUnit shown_unit(std::span<const double> values, std::string_view si) {
     const Ladder* const ladder = ladder_of(si);
     if (!ladder) return best;
     std::ptrdiff_t most = -1;
-    for (const auto& [unit, from] : ladder->steps) {
-        const auto fits = [&](double value) { return value >= unit.size && value < 1000 * unit.size; };
-        const auto count = std::count_if(values.begin(), values.end(), fits);
-        if (count > most) best = unit, most = count;
+    for (const auto& step : ladder->steps) {
+        const double size = step.unit.size;
+        const auto count = std::count_if(values.begin(), values.end(),
+                                         [size](double value) { return value >= size && value < 1000 * size; });
+        if (count > most) best = step.unit, most = count;
     }
     return best;
 }
