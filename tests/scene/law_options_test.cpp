@@ -56,7 +56,7 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
             [&](auto field) { CHECK_FALSE(changed.law_options.*field == scene::LawOptions{}.*field); }, row.field);
         CHECK(changed.inputs.end() != std::find_if(changed.inputs.begin(), changed.inputs.end(),
                                                    [&](const scene::Input& one) { return one.key == key; }));
-        CHECK(test::contains(test::refusal([&] { (void)read(bad); }), key + " = "));
+        CHECK(test::contains(test::refusal([&, refused = bad] { (void)read(refused); }), key + " = "));
     }
 }
 
