@@ -48,7 +48,7 @@ TEST_CASE("Surfaces drawn about one have K of the table of similar ones") {
 }
 
 TEST_CASE("The table of similar surfaces takes a bearing curve") {
-    for (const auto [skewness, kurtosis] : {std::pair(-1.2, 5.0), std::pair(0.9, 4.0), std::pair(1.8, 75.0)}) {
+    for (const auto& [skewness, kurtosis] : {std::pair(-1.2, 5.0), std::pair(0.9, 4.0), std::pair(1.8, 75.0)}) {
         const parts::BearingSlope<double> curve = parts::bearing_of_moments(skewness, kurtosis);
         const parts::SimilarHybrids<double> similar(&curve, 0.42);
         for (const double alpha : {2.7, 11.0}) {
