@@ -33,12 +33,10 @@ inline Outcome run_fstiff(const std::string& arguments, const std::string& input
     return shell("fstiff " + arguments, input);
 }
 
-/// Checks that the command refuses: the exit code, one sentence with every one of \p parts on standard error, no document,
-/// and no file where the output should have gone.
-inline void check_refused(const std::string& arguments, int status, const std::vector<std::string>& parts,
-                          const std::string& input = "") {
-    const Folder folder;
-    const Outcome outcome = run_fstiff(arguments + " --output '" + folder / "result" + "'", input);
+/// Checks that \p outcome of \p arguments is a refusal: the exit code, one sentence with every one of \p parts on standard
+/// error, no document.
+inline void check_refusal(const Outcome& outcome, const std::string& arguments, int status,
+                          const std::vector<std::string>& parts) {
     INFO("fstiff " << arguments << "\nstandard error: " << outcome.err);
     CHECK(outcome.status == status);
     CHECK(outcome.out.empty());
@@ -47,6 +45,14 @@ inline void check_refused(const std::string& arguments, int status, const std::v
         INFO("expected: " << part);
         CHECK(contains(outcome.err, part));
     }
+}
+
+/// Checks that the command refuses, as above, and writes no file where the output should have gone.
+inline void check_refused(const std::string& arguments, int status, const std::vector<std::string>& parts,
+                          const std::string& input = "") {
+    const Folder folder;
+    const Outcome outcome = run_fstiff(arguments + " --output '" + folder / "result" + "'", input);
+    check_refusal(outcome, arguments, status, parts);
     CHECK(folder.files() == 0);
 }
 

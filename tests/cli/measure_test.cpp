@@ -4,7 +4,6 @@
 #include "json.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <sstream>
 
 namespace measure_test {
@@ -57,18 +56,10 @@ TEST_CASE("A fault of the call ends measure, truth and run with exit code 2, one
     CHECK(test::read(mask) == "1 1\n0 1\n");
 }
 
-// Two round hills: two islands from the highest level down to the saddle, and never more.
 TEST_CASE(
     "That R and D_p of islands represent nothing ends measure, islands, run, report and identify with exit code 4") {
     const test::Folder folder;
-    std::string text;
-    for (int j = 0; j < 32; ++j)
-        for (int i = 0; i < 64; ++i)
-            text += std::to_string(1e3 * (1 - std::cos(4 * std::numbers::pi * (i + 0.5) / 64)) *
-                                       (1 - std::cos(2 * std::numbers::pi * (j + 0.5) / 32)) +
-                                   1e-3 * i * j) +
-                    (i == 63 ? "\n" : " ");
-    const std::string map = folder.write("hills.txt", text), file = folder / "hills.json";
+    const std::string map = folder.write("hills.txt", test::two_hills()), file = folder / "hills.json";
     const std::string options = " --units um,nm --dx '1 um' --dy '1 um'";
     CHECK(test::run_fstiff("measure '" + map + "'" + options + " -o '" + file + "'").status == 4);
     // R and D_p with two digits, sigma with five

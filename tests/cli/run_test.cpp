@@ -8,26 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <regex>
 #include <sstream>
 
 namespace run_test {
-
-namespace {
-
-/// A scene of the data folder with other lines in its [contact] section.
-std::string scene(const std::string& name, const std::map<std::string, std::string>& lines) {
-    std::string text = test::read(FSTIFF_SCENES "/" + name + ".toml");
-    for (const auto& [key, line] : lines) {
-        const std::string changed = std::regex_replace(text, std::regex("(^|\n)" + key + " *=[^\n]*"), "$1" + line);
-        if (changed == text) throw std::runtime_error("the scene has no line for " + key);
-        text = changed;
-    }
-    return text;
-}
-
-}  // namespace
 
 TEST_CASE("The full table has units, K in both units, the validity figures and the warnings below, once") {
     const auto outcome = test::run_fstiff("run --full");
@@ -186,7 +169,8 @@ TEST_CASE("The output file is whole, replaces an older one and leaves nothing be
 
 TEST_CASE("A real area above the nominal one is printed with exit code 4") {
     const std::string deep =
-        scene("sand_blasted_fine", {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}});
+        test::scene_with("sand_blasted_fine",
+                         {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}});
     const auto outcome = test::run_fstiff("run - --format csv", deep);
     CHECK(outcome.status == 4);
     CHECK(test::contains(outcome.err, "real area exceeds the nominal area"));

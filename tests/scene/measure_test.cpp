@@ -7,7 +7,6 @@
 #include <fstiff/topography/form.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace measure_test {
 
@@ -344,16 +343,9 @@ TEST_CASE("A changed document of a measurement is refused where it was changed")
     check(changed, {"schema_version"});
 }
 
-// Two round hills: two islands from the highest level down to the saddle, and never more.
 TEST_CASE("That R and D_p of islands represent nothing is a concern of the file, its islands and every scene of it") {
     const test::Folder folder;
-    std::string text;
-    for (int j = 0; j < 32; ++j)
-        for (int i = 0; i < 64; ++i)
-            text += std::to_string(1e3 * (1 - std::cos(4 * std::numbers::pi * (i + 0.5) / 64)) *
-                                       (1 - std::cos(2 * std::numbers::pi * (j + 0.5) / 32)) +
-                                   1e-3 * i * j) +
-                    (i == 63 ? "\n" : " ");
+    const std::string text = test::two_hills();
     const std::string options = "--units um,nm --dx '1 um' --dy '1 um'";
     const auto document = test::measured(options, text);
     const std::string said = "represents nothing";

@@ -5,22 +5,10 @@
 
 #include <cmath>
 #include <map>
-#include <regex>
 
 namespace rows_of_scene_test {
 
 namespace {
-
-/// A scene of the data folder with other lines in its [contact] section.
-std::string scene(const std::string& name, const std::map<std::string, std::string>& lines) {
-    std::string text = test::read(FSTIFF_SCENES "/" + name + ".toml");
-    for (const auto& [key, line] : lines) {
-        const std::string changed = std::regex_replace(text, std::regex("(^|\n)" + key + " *=[^\n]*"), "$1" + line);
-        if (changed == text) throw std::runtime_error("the scene has no line for " + key);
-        text = changed;
-    }
-    return text;
-}
 
 const std::string four_peaks =
     "peaks = [ { theta = 0.7853981633974483, r = 0.0 }, { theta = 1.0471975511965976, r = 0.2 },"
@@ -39,7 +27,7 @@ TEST_CASE("The three surfaces of Table 1 give the curves of the reference table"
     std::size_t compared = 0;
     for (const auto& entry : files) {
         const std::string surface = entry.first, file = entry.second;  // clang 14 captures no structured bindings
-        const test::Csv rows = test::rows_of_scene(scene(
+        const test::Csv rows = test::rows_of_scene(test::scene_with(
             file,
             {{"pressures", seven_pressures}, {"peaks", four_peaks}, {"laws", "laws = [\"fractal\", \"hertz\"]"}}));
         REQUIRE(rows.size() == 2 * 4 * 7);
@@ -77,7 +65,8 @@ TEST_CASE("Only the columns that were asked for are printed") {
         {"\"contacts\", \"real_area\", \"separation\", \"stiffness\"",
          ",separation_m,stiffness_Pa_per_m,stiffness_error_Pa_per_m,real_area_fraction,contacts_per_m2"}};
     for (const auto& [quantities, expected] : columns) {
-        const std::string text = scene("sand_blasted_fine", {{"quantities", "quantities = [" + quantities + "]"}});
+        const std::string text =
+            test::scene_with("sand_blasted_fine", {{"quantities", "quantities = [" + quantities + "]"}});
         const auto results = test::results_of(text);
         CHECK(test::lines(test::csv_of(results)).front() == always + expected);
         fstiff::scene::Json rows;
@@ -109,12 +98,13 @@ TEST_CASE("A range of pressures has its ends exactly and even logarithmic steps"
 }
 
 TEST_CASE("The separations of a scene give the pressures they came from") {
-    const test::Csv forward = test::rows_of_scene(scene("sand_blasted_fine", {{"pressures", seven_pressures}}));
+    const test::Csv forward =
+        test::rows_of_scene(test::scene_with("sand_blasted_fine", {{"pressures", seven_pressures}}));
     // law by law the separations differ: each curve back by itself, here the first
     std::string list;
     for (std::size_t i = 0; i < 7; ++i) list += (i ? ", \"" : "\"") + forward.text(i, "separation_m") + " m\"";
     const test::Csv back =
-        test::rows_of_scene(scene("sand_blasted_fine", {{"pressures", "separations = [" + list + "]"}}));
+        test::rows_of_scene(test::scene_with("sand_blasted_fine", {{"pressures", "separations = [" + list + "]"}}));
     // d ln p / d eta is 3.5 to 4.5 here: an ulp of eta is a few of p; the root is found to 1e-13
     for (std::size_t i = 0; i < 7; ++i) {
         CHECK(back.number(i, "separation_m") == forward.number(i, "separation_m"));
@@ -127,7 +117,7 @@ TEST_CASE("The separations of a scene give the pressures they came from") {
 TEST_CASE("The law fractal_consistent is fractal at a pressure higher by the factor f") {
     // f = (2/3)(3-D)/(2-D); at equal separation K is the same and p is f times that of fractal
     const std::string separations = "separations = [\"1 um\", \"2 um\"]";
-    const test::Csv rows = test::rows_of_scene(scene(
+    const test::Csv rows = test::rows_of_scene(test::scene_with(
         "sand_blasted_fine", {{"pressures", separations}, {"laws", "laws = [\"fractal\", \"fractal_consistent\"]"}}));
     REQUIRE(rows.size() == 8);
     const double f = 2 * (3 - 1.62) / (3 * (2 - 1.62));
@@ -140,7 +130,7 @@ TEST_CASE("The law fractal_consistent is fractal at a pressure higher by the fac
 
 TEST_CASE("The length of the interaction may be named or given") {
     const auto stiffness = [](const std::string& interaction) {
-        return test::rows_of_scene(scene("sand_blasted_fine", {{"pressures", seven_pressures},
+        return test::rows_of_scene(test::scene_with("sand_blasted_fine", {{"pressures", seven_pressures},
                                                                {"interaction", "interaction = " + interaction}}))
             .number(6, "stiffness_Pa_per_m");
     };
@@ -156,7 +146,7 @@ TEST_CASE("The length of the interaction may be named or given") {
                                nominal) < 1e-13);
     CHECK(test::relative_error(stiffness("{ reading = \"effective_separation\", length = \"44.72135954999579 um\" }"),
                                spacing) < 1e-13);
-    test::check_sentence(test::refused_scene(scene(
+    test::check_sentence(test::refused_scene(test::scene_with(
                              "sand_blasted_fine",
                              {{"nominal_area", ""}, {"interaction", "interaction = { reading = \"as_printed\" }"}})),
                          {"contact.nominal_area", "missing"});
@@ -164,7 +154,8 @@ TEST_CASE("The length of the interaction may be named or given") {
 
 TEST_CASE("A real area above the nominal one is computed, and doubted") {
     const auto results = test::results_of(
-        scene("sand_blasted_fine", {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}}));
+        test::scene_with("sand_blasted_fine",
+                         {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}}));
     CHECK(results.doubtful);
     CHECK(results.curves[0].states[0].real_area_fraction.value > 1);
     CHECK(test::contains(test::joined(results.warnings), "real area exceeds the nominal area"));

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Files of a test, and the lines and parts of a text.
+// Files of a test, the lines and parts of a text, and texts that several tests share.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <numbers>
 #include <random>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -67,6 +71,29 @@ inline std::string replaced(std::string text, const std::string& from, const std
 inline std::string joined(const std::vector<std::string>& all) {
     std::string text;
     for (const std::string& line : all) text += line + "\n";
+    return text;
+}
+
+/// A scene of the data folder with other lines in its [contact] section.
+inline std::string scene_with(const std::string& name, const std::map<std::string, std::string>& lines) {
+    std::string text = read(FSTIFF_SCENES "/" + name + ".toml");
+    for (const auto& [key, line] : lines) {
+        const std::string changed = std::regex_replace(text, std::regex("(^|\n)" + key + " *=[^\n]*"), "$1" + line);
+        if (changed == text) throw std::runtime_error("the scene has no line for " + key);
+        text = changed;
+    }
+    return text;
+}
+
+/// Two round hills as the text of a map: two islands from the highest level down to the saddle, and never more.
+inline std::string two_hills() {
+    std::string text;
+    for (int j = 0; j < 32; ++j)
+        for (int i = 0; i < 64; ++i)
+            text += std::to_string(1e3 * (1 - std::cos(4 * std::numbers::pi * (i + 0.5) / 64)) *
+                                       (1 - std::cos(2 * std::numbers::pi * (j + 0.5) / 32)) +
+                                   1e-3 * i * j) +
+                    (i == 63 ? "\n" : " ");
     return text;
 }
 
