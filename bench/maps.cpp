@@ -3,6 +3,10 @@
 //
 //     fstiff_maps truth FIRST LAST                    K by boundary elements for seeds FIRST to LAST of every kind
 //     fstiff_maps laws bench/map_truth.csv [EVERY]    K of laws over it; EVERY: of each so many maps one, to check a file
+//     fstiff_maps list                                KIND;GROUP of every kind, those of docs/accuracy.md too
+//     fstiff_maps one KIND SEED SIZE P_STAR...        K by boundary elements of one map; SIZE 4: 1,024 points a side
+//     fstiff_maps flowed KIND SEED HARDNESS SHARE...  the same of unloading, HARDNESS H/(E g) and SHARE p/H
+//     fstiff_maps file KIND SEED SIZE FILE.gsf        the map, with steps of 0.5 um
 #include "support/map_kinds.hpp"
 
 #include <fstiff/contact/hand_over.hpp>
@@ -133,21 +137,54 @@ void print(const std::string& law, const std::string& where, double pressure, do
     }
 }
 
+/// K of one map by boundary elements, as lines of CSV; with the hardness \p hardness over E g where it is not 0.
+void solve(const test::MapKind& kind, std::uint64_t seed, const std::vector<double>& p_stars, double hardness = 0) {
+    const fstiff::HeightMap<double> map = kind.map(seed);
+    fstiff::parts::BoundaryElementOptions<double> options;
+    options.edges = fstiff::Edges::periodic;
+    options.hardness = 0.1 * hardness;
+    fstiff::BoundaryElements<double> solver(map, 1.0, options);
+    for (const double p_star : p_stars) {
+        const auto found = solver.at_pressure(0.1 * p_star);
+        std::printf("\"%s\",%d,%g,%.5g,%.4g\n", kind.name.c_str(), static_cast<int>(seed), p_star, found.stiffness,
+                    found.contact_fraction);
+        std::fflush(stdout);
+    }
+}
+
 void solve(std::uint64_t first, std::uint64_t last) {
     std::printf("kind,seed,p_star,K,area\n");
     for (const test::MapKind& kind : test::map_kinds())
-        for (std::uint64_t seed = first; seed <= last; ++seed) {
-            const fstiff::HeightMap<double> map = kind.map(seed);
-            fstiff::parts::BoundaryElementOptions<double> options;
-            options.edges = fstiff::Edges::periodic;
-            fstiff::BoundaryElements<double> solver(map, 1.0, options);
-            for (const double p_star : {0.001, 0.003, 0.01, 0.03, 0.1, 0.25}) {
-                const auto found = solver.at_pressure(0.1 * p_star);
-                std::printf("\"%s\",%d,%g,%.5g,%.4g\n", kind.name.c_str(), static_cast<int>(seed), p_star, found.stiffness,
-                            found.contact_fraction);
-                std::fflush(stdout);
-            }
-        }
+        for (std::uint64_t seed = first; seed <= last; ++seed) solve(kind, seed, {0.001, 0.003, 0.01, 0.03, 0.1, 0.25});
+}
+
+/// Writes a map as Gwyddion simple field, with steps of 0.5 um, or its truth to the standard output. \returns the exit code.
+int one_map(int count, char** argument) {
+    const std::string name = argument[2];
+    const std::string mode = argument[1];
+    const int size = mode == "flowed" ? 1 : std::atoi(argument[4]);
+    std::vector<test::MapKind> kinds = test::map_kinds(size);
+    for (test::MapKind& kind : test::more_map_kinds(size)) kinds.push_back(std::move(kind));
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.name == name; });
+    if (kind == kinds.end()) return 1;
+    const auto seed = static_cast<std::uint64_t>(std::atol(argument[3]));
+    if (mode != "file") {
+        const double hardness = mode == "flowed" ? std::atof(argument[4]) : 0;
+        std::vector<double> p_stars;
+        for (int k = 5; k < count; ++k) p_stars.push_back((hardness > 0 ? hardness : 1) * std::atof(argument[k]));
+        solve(*kind, seed, p_stars, hardness);
+        return 0;
+    }
+    const fstiff::HeightMap<double> map = kind->map(seed);
+    std::ofstream file(argument[5], std::ios::binary);
+    file << test::simple_field(map, 0.5e-6 * static_cast<double>(map.columns()));
+    return file ? 0 : 1;
+}
+
+void list() {
+    for (const bool more : {false, true})
+        for (const auto& kind : more ? test::more_map_kinds() : test::map_kinds())
+            std::printf("%s;%s\n", kind.name.c_str(), kind.group.c_str());
 }
 
 /// \returns the exit code.
@@ -203,6 +240,8 @@ int compare_laws(const char* truths, long every) {
 int main(int arguments, char** argument) {
     const std::string mode = arguments > 2 ? argument[1] : "";
     if (mode == "laws") return compare_laws(argument[2], arguments > 3 ? std::atol(argument[3]) : 1);
+    if (arguments == 2 && std::string(argument[1]) == "list") return list(), 0;
+    if ((mode == "one" || mode == "flowed" || mode == "file") && arguments > 5) return one_map(arguments, argument);
     if (mode != "truth" || arguments != 4) return 2;
     solve(static_cast<std::uint64_t>(std::atol(argument[2])), static_cast<std::uint64_t>(std::atol(argument[3])));
 }

@@ -241,6 +241,13 @@ module fstiff
             type(c_ptr), intent(out) :: made
             integer(c_int) :: status
         end function
+        function fstiff_run(scene, length, name, options, made) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: scene(*), name(*), options(*)
+            integer(c_size_t), value :: length
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
         function fstiff_identify(scene, length, name, curve, options, made) bind(c) result(status)
             import
             character(kind=c_char), intent(in) :: scene(*), name(*), options(*)
@@ -259,6 +266,14 @@ module fstiff
         function fstiff_document_text(document, buffer, capacity, length) bind(c) result(status)
             import
             type(c_ptr), value :: document, buffer
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out) :: length
+            integer(c_int) :: status
+        end function
+        function fstiff_document_word(document, path, buffer, capacity, length) bind(c) result(status)
+            import
+            type(c_ptr), value :: document, buffer
+            character(kind=c_char), intent(in) :: path(*)
             integer(c_size_t), value :: capacity
             integer(c_size_t), intent(out) :: length
             integer(c_int) :: status
@@ -338,6 +353,19 @@ contains
         type(c_ptr), intent(in) :: document
         character(:), allocatable :: text
         text = text_by(fstiff_document_text, document)
+    end function
+
+    function fstiff_word_of_document(document, path) result(text) ! "" where path has no text
+        type(c_ptr), intent(in) :: document
+        character(*), intent(in) :: path
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable, target :: buffer(:)
+        integer(c_size_t) :: length
+        text = ""
+        if (fstiff_document_word(document, path//c_null_char, c_null_ptr, 0_size_, length) /= FSTIFF_OK) return
+        allocate (buffer(length + 1))
+        if (fstiff_document_word(document, path//c_null_char, c_loc(buffer), length + 1, length) /= FSTIFF_OK) return
+        text = text_of(c_loc(buffer))
     end function
 
     function text_by(get, from) result(text)

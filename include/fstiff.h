@@ -175,7 +175,7 @@ FSTIFF_API int fstiff_law_at_pressures(const fstiff_law* law, const double* pres
 
 /* ---- Measurement of profiles and maps ---- */
 
-/** Cut-off: none. 0 leaves it to the table of the standards. */
+/** Cut-off: none. 0 leaves lambda_s to the table of the standards. */
 #define FSTIFF_NO_CUT_OFF (-1.0)
 enum { FSTIFF_PEAKS_ISLANDS = 0, FSTIFF_PEAKS_SUMMITS = 1 };
 enum { FSTIFF_FILTER_GAUSSIAN = 0, FSTIFF_FILTER_ROBUST = 1 };
@@ -186,7 +186,7 @@ typedef struct fstiff_measure_options {
     const char*
         detrend; /**< of a profile none, mean, line, parabola; of a map none, mean, plane, quadratic, cubic; NULL: line, plane */
     double lambda_s;     /**< cut-off of short waves [m], or FSTIFF_NO_CUT_OFF, or 0: by the table */
-    double lambda_c;     /**< cut-off of long waves, likewise */
+    double lambda_c;     /**< cut-off of long waves [m]; 0, FSTIFF_NO_CUT_OFF: none, as a contact feels them all */
     double tip_radius;   /**< of a stylus [m], for profiles; 0: not known */
     double resolution;   /**< of the instrument, lateral [m]; 0: not known */
     double shortest_lag; /**< the window of D [m], both or none: 0 leaves it to fstiff */
@@ -272,8 +272,13 @@ FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
  * the name of a file); reflection_error; frequency; impedance, or density and velocity; the same with 2 for the body beyond.
  * Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve "rows.0.stiffness_Pa_per_m", "rows.1..." */
 FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made);
-/** Parameters of a scene, `length` bytes of TOML (NULL: the built-in scene), from a measured curve. name is as in
- * fstiff_contact_of_scene(). Options: fit, the names of the parameters with commas between them; law; wave; measured, the file of
+/** The answer of a scene, `length` bytes of TOML (NULL: the built-in scene), and the laws that it names. name is as in
+ * fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers: "answer.*.pressure_Pa",
+ * "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m" and "..._p95_Pa_per_m",
+ * "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where peaks flow, "rows.*..." of
+ * the laws. Words: "answer.0.law", "verdict.0", "outside_band" ... */
+FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made);
+/** Parameters of a scene, as fstiff_run() takes it, from a measured curve. Options: fit, the names of the parameters with commas between them; law; wave; measured, the file of
  * the curve. Numbers: "fits.0.parameters.0.value", "fits.0.chi_squared", "fits.0.covariance" ... */
 FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve,
                                const char* options, fstiff_document** made);
@@ -282,9 +287,13 @@ FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* nam
 FSTIFF_API int fstiff_export(const char* scene, size_t length, const char* name, const char* options,
                              fstiff_document** made);
 
-/** What the command prints, of the first four JSON. buffer, capacity and length are those of fstiff_law_text(). */
+/** What the command prints: JSON, of fstiff_generate() and fstiff_export() the file. buffer, capacity and length are those of fstiff_law_text(). */
 FSTIFF_API int fstiff_document_text(const fstiff_document* document, char* buffer, size_t capacity, size_t* length);
-/** The number, or the array of numbers, at path: keys, and places in arrays from 0, with points between them. *count becomes
+/** The text at path, as below, such as "answer.0.law" of fstiff_run(); buffer, capacity and length as above. */
+FSTIFF_API int fstiff_document_word(const fstiff_document* document, const char* path, char* buffer, size_t capacity,
+                                    size_t* length);
+/** The number, or the array of numbers, at path: keys, and places in arrays from 0, with points between them; "*" is every place
+ * of an array, such as "answer.*.stiffness_Pa_per_m", and what one of them has not is 0. *count becomes
  * how many they are; values of `capacity` numbers takes all of them; where they do not fit, nothing is written and
  * FSTIFF_BAD_ARGUMENT returned; values NULL with capacity 0 asks for *count alone. What the JSON has as null is 0. A list of
  * lists, such as a covariance, is one row after the other. */

@@ -24,7 +24,7 @@ for name in ("rms_height", "rms_gradient", "peak_radius", "peak_density"):
     one = measured["surface"][name]
     print(f"{name:14} {one['value']:.3g} +- {one['error']:.2g} {one.get('unit', '')}".rstrip())
 
-# %% K(p) of two steel bodies, by the law to begin with and by an older one, with the band that those errors give.
+# %% K(p) of two steel bodies: the answer with its 90 % band, and two laws to compare.
 scene = """
 [material.upper]
 youngs_modulus = "205 GPa"
@@ -35,7 +35,10 @@ pressures = { from = "1 MPa", to = "300 MPa", count = 16, spacing = "log" }
 laws = ["hybrid", "greenwood_williamson"]
 """
 curves = fstiff.run(scene, surface=measured)
-print("believe:", curves.verdict[0])
+for row in curves.answer.rows[::5]:
+    K, low, high = (row[f"stiffness{end}_Pa_per_m"] for end in ("", "_p05", "_p95"))
+    print(f"{row['pressure_Pa'] / 1e6:3.0f} MPa: K {K:.2e} Pa/m ({low:.2e} to {high:.2e}) by {row['law']}")
+print(curves.answer.verdict[0])
 
 # %% The truth at a few pressures: the elastic contact of the map itself, by boundary elements.
 truth = fstiff.truth(heights, [10e6, 30e6, 100e6, 300e6], effective_modulus=curves.effective_modulus, spacing=step, lambda_s="none")

@@ -42,6 +42,7 @@
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/nesting_indices.hpp>
+#include <fstiff/surface/process_prior.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/spectrum_window.hpp>
@@ -88,11 +89,13 @@
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
+#include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
@@ -151,10 +154,13 @@
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
+#include <fstiff/measured/unmeasured_waves.hpp>
 #include <fstiff/measured/widened_band.hpp>
+#include <fstiff/validity/answer.hpp>
 #include <fstiff/validity/checks.hpp>
-#include <fstiff/validity/law_findings.hpp>
-#include <fstiff/validity/validated_ratio.hpp>
+#include <fstiff/validity/law_error.hpp>
+#include <fstiff/validity/law_name.hpp>
+#include <fstiff/fit/difference_fit.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>
 #include <fstiff/fit/identify.hpp>

@@ -18,11 +18,12 @@ from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_name
 from ._core import version as __version__
 from ._errors import FileError
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
-from ._scenes import Curves, Export, Scene, export, run
+from ._scenes import Answer, Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
 from ._surfaces import Fit, Islands, Measurement, Surface, Truth, fit, islands, measure, open_surface, truth
 
 __all__ = [
+    "Answer",
     "Contact",
     "Curves",
     "Export",

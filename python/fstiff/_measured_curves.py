@@ -41,7 +41,7 @@ class Identification(Document):
 
     def to_dataframe(self) -> pd.DataFrame:
         """A parameter of a fit a row."""
-        return frame([{"law": fit["law"], "theta": fit["theta"], "r": fit["r"], **one} for fit, one in self._parameters()])
+        return frame([{"law": fit["law"], "theta": fit.get("theta"), "r": fit.get("r"), **one} for fit, one in self._parameters()])
 
     def _parameters(self) -> list[tuple[dict[str, Any], dict[str, Any]]]:
         return [(fit, one) for fit in self["fits"] for one in fit["parameters"]]
@@ -82,8 +82,8 @@ def identify(
 
     scene      a Scene, or what Scene() takes with `surface`
     measured   a file, or a mapping with the columns "pressure" [Pa], "stiffness" [Pa/m] or "reflection", and "error" if known
-    fit        names of parameters, such as ["sigma", "Dp"]; the others keep their values
-    law        this law of the scene alone
+    fit        names of parameters, such as ["sigma", "Dp"] or, of hybrid, ["sigma", "g"]; the others keep their values
+    law        law to fit; by default contact.laws, or where it is not there plastic if the peaks flow, else hybrid
     wave       the kind of wave whose reflections were measured
     """
     if isinstance(fit, str):

@@ -76,6 +76,8 @@ LABELS = {
     "stiffness_Pa_per_m": ("stiffness K per area [GPa/µm]", 1e-15),
     "loading_stiffness_Pa_per_m": ("-dp/dd [GPa/µm]", 1e-15),
     "tangential_stiffness_Pa_per_m": ("tangential stiffness per area [GPa/µm]", 1e-15),
+    "thermal_conductance_W_per_m2K": ("thermal conductance [W/(m² K)]", 1.0),
+    "electrical_conductance_S_per_m2": ("electrical conductance [S/m²]", 1.0),
     "real_area_fraction": ("real area over nominal area", 1.0),
     "contacts_per_m2": ("contacts [1/mm²]", 1e-6),
     "reflection": ("|R|", 1.0),

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal
@@ -20,14 +21,52 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+class Answer(Table["npt.NDArray[Any]"]):
+    """The answer of a scene: a mapping from the keys of `answer` in `fstiff run --format json` to arrays, a pressure each.
+
+    "pressure_Pa", "stiffness_Pa_per_m", the ends of its 90 % band "stiffness_p05_Pa_per_m" and "stiffness_p95_Pa_per_m", "law";
+    "stiffness_N_per_m" where the scene has an area, "loading_stiffness_Pa_per_m" where peaks flow. What a row has not is NaN.
+
+    rows           the same as a list of dicts
+    causes         for each pressure the share that each cause has of the band
+    verdict        at most three sentences: which stiffness it is, which law gave it, what makes its band
+    outside_band   what the band does not hold
+    """
+
+    def __init__(self, document: dict[str, Any]) -> None:
+        import numpy as np
+
+        self.rows: list[dict[str, Any]] = document["answer"]
+        self.causes: list[dict[str, float]] = [row["causes"] for row in self.rows]
+        self.verdict: list[str] = document["verdict"]
+        self.outside_band: str = document["outside_band"]
+        keys = dict.fromkeys(key for row in self.rows for key in row if key != "causes")
+        self._values = {key: np.asarray([row.get(key, np.nan) for row in self.rows]) for key in keys}
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The rows as a data frame of pandas."""
+        return frame(dict(self))
+
+    def __repr__(self) -> str:
+        rows = [["p [MPa]", "K/A0 [GPa/µm]", "5 %", "95 %", "law", "band due to"]]
+        for row in self.rows:
+            K = [shown(row[f"stiffness{end}_Pa_per_m"] * 1e-15, 3) for end in ("", "_p05", "_p95")]
+            causes = sorted(row["causes"].items(), key=lambda one: -one[1])
+            due = ", ".join(f"{cause} {share:.0%}" for cause, share in causes if share >= 0.1)
+            rows.append([shown(row["pressure_Pa"] * 1e-6), *K, row["law"], due])
+        sentences = [*self.verdict, self.outside_band] if self.rows else ["no law answers"]
+        return f"<fstiff.Answer>\n{text_table(rows)}" + "".join(f"\n{one}" for one in sentences)
+
+
 class Curves(Table["npt.NDArray[Any]"]):
     """The curves of a scene: a mapping from the column names of `fstiff run --format csv` to arrays.
 
     The numbers are those of the CSV, digit for digit; all curves stand one below the other. `law` is an array of texts. An empty
     cell of the CSV, of a quantity that the law does not give, is NaN, as pandas reads it.
 
+    answer              one stiffness for each pressure, with its band, its law and its causes
     warnings            sentences on what may not hold
-    verdict             which law to believe, and to about what; the most important sentence first
+    verdict             which stiffness the answer is, which law gave it, and what makes its band
     effective_modulus   [Pa]
     doubtful            the command would have ended with exit code 4
     """
@@ -40,7 +79,9 @@ class Curves(Table["npt.NDArray[Any]"]):
         self._curves: list[tuple[str, float | None, float | None, int]] = found["curves"]
         self.name = name
         self.warnings: list[str] = found["warnings"]
-        self.verdict: list[str] = found["verdict"]
+        self.answer = Answer(json.loads(found["document"]))
+        self.verdict = self.answer.verdict
+        self._best: bool = found["best"]
         self.effective_modulus: float = found["effective_modulus"]
         self.doubtful: bool = found["doubtful"]
 
@@ -80,9 +121,9 @@ class Curves(Table["npt.NDArray[Any]"]):
             p, k = columns["pressure_Pa"], columns[key]
             ends = [shown(float(values[i])) if len(values) else "-" for values in (p, k) for i in (0, -1)]
             rows.append([title, str(len(p)), *ends])
+        laws = "" if self._best else f"{text_table(rows)}\n"  # the curve of the answer is above
         return (
-            f"<fstiff.Curves of {self.name}>\n{text_table(rows)}\n  columns: {', '.join(self)}"
-            + "".join(f"\nbelieve: {one}" for one in self.verdict)
+            f"<fstiff.Curves of {self.name}>\nanswer: {self.answer!r}\n{laws}  columns: {', '.join(self)}"
             + lines_of(self.warnings)
         )
 
@@ -123,7 +164,7 @@ class Scene:
         return Curves(self._core.run(), self.name)
 
     def contact(self, law: str | None = None, peaks: int = 0) -> Contact:
-        """The contact of the scene with the law called `law` (None: its first), on entry `peaks` of contact.peaks, from 0."""
+        """The contact of the scene with the law called `law` (None: its first; any, of a scene that names none), on entry `peaks` of contact.peaks, from 0."""
         if peaks < 0:
             raise ValueError(f"peaks = {peaks}: must be 0 or greater")
         contact = Contact.__new__(Contact)

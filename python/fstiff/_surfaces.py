@@ -35,7 +35,8 @@ class SurfaceOptions(TypedDict, total=False):
     fill                 missing points are filled
     detrend              form that is removed: "none", "mean", "line", "parabola", "gaussian" of a profile (then cutoff);
                          "none", "mean", "plane", "quadratic", "cubic" of a map
-    lambda_s, lambda_c   shortest and longest waves that are kept; "auto" is by the standards' table, "none" keeps all
+    lambda_s, lambda_c   shortest and longest waves that are kept; "auto" of lambda_s is by the standards' table, of
+                         lambda_c all, and the table's for Ra and Rq of a profile; "none" keeps all
     filter               of lambda_c: "gaussian" or "robust"
     tip_radius, resolution   of the instrument
     format, units, column, x_column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/formats.md

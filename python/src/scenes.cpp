@@ -73,7 +73,7 @@ nb::dict run(const Scene& scene) {
     }();
     nb::list curves;
     for (const Curve& curve : results.curves)
-        curves.append(nb::make_tuple(std::string(curve.law->name), curve.theta, curve.r, curve.states.size()));
+        curves.append(nb::make_tuple(laws_of(curve), curve.theta, curve.r, curve.states.size()));
     nb::dict bands;  // of a column: those of the ends of its band
     for (const Column& column : results.curves.front().columns)
         if (column.statistic == Statistic::p05)
@@ -84,7 +84,8 @@ nb::dict run(const Scene& scene) {
     all["bands"] = bands;
     all["curves"] = curves;
     all["warnings"] = results.warnings;
-    all["verdict"] = results.verdict;
+    all["document"] = run_document(scene, results).str();
+    all["best"] = scene.best;
     all["effective_modulus"] = results.modulus;
     all["doubtful"] = results.doubtful;
     return all;
@@ -93,14 +94,16 @@ nb::dict run(const Scene& scene) {
 OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks) {
     const nb::gil_scoped_release free;
     std::size_t place = 0;
+    Scene of = scene;
     if (!law.empty()) {
+        of.laws = offered_laws(scene);
         std::vector<std::string_view> names;
-        for (const Law* one : scene.laws) names.push_back(one->name);
+        for (const Law* one : of.laws) names.push_back(one->name);
         while (place < names.size() && names[place] != law) ++place;
         if (place == names.size())
             throw domain_error("law = \"" + law + "\": must be one of the scene's: " + list_of(names));
     }
-    return contact_of(scene, place, peaks, until_interrupted());
+    return contact_of(std::move(of), place, peaks, until_interrupted());
 }
 
 MeasuredCurve curve(const In& pressures, const In& values, const std::optional<In>& errors, bool is_reflection) {

@@ -5,6 +5,7 @@
 #include "io/number.hpp"
 #include "scene/exported_law.hpp"
 #include "scene/identified.hpp"
+#include "scene/result_rows.hpp"
 #include "scene/reflections.hpp"
 #include "surface/generated.hpp"
 #include "surface/peak_density.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -153,9 +155,30 @@ std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
                             "curve");
 }
 
-Scene scene_of(const char* text, std::size_t length, const char* name) {
-    if (!text) return read_scene(builtin_scene, {.name = "built-in scene"});
-    return read_scene(std::string(text, length), {.name = name ? name : "scene"});
+Scene scene_of(const char* text, std::size_t length, const char* name, const std::string& surface = {}) {
+    if (!text) return read_scene(builtin_scene, {.name = "built-in scene", .surface = surface});
+    return read_scene(std::string(text, length), {.name = name ? name : "scene", .surface = surface});
+}
+
+/// The numbers at \p path of \p document; "*" in it is every place of an array, where what is not there is null.
+/// \throws argument_error where no place has the path.
+std::vector<double> numbers_at(const Json& document, const std::string& path) {
+    const std::size_t star = path.find('*');
+    std::vector<double> numbers;
+    bool found = false;
+    const auto take = [&](const Json* one) {
+        found = found || one;
+        const std::vector<double> more = one ? one->numbers() : std::vector{std::numeric_limits<double>::quiet_NaN()};
+        numbers.insert(numbers.end(), more.begin(), more.end());
+    };
+    if (star == std::string::npos) take(document.at(path));
+    for (std::size_t i = 0; star != std::string::npos; ++i) {
+        const std::string place = path.substr(0, star) + std::to_string(i);
+        if (!document.at(place)) break;
+        take(document.at(place + path.substr(star + 1)));
+    }
+    if (!found) throw argument_error(path + ": is no path of the document");
+    return numbers;
 }
 
 /// The document \p made, of which the warnings become the message.
@@ -229,6 +252,18 @@ int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_doc
     });
 }
 
+int fstiff_run(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
+    return made_by(made, [&] {
+        TextOptions given(options);
+        std::string surface;
+        given.read("surface", surface);
+        given.require_known();
+        const auto read = scene_of(scene, length, name, surface);
+        const auto results = fstiff::scene::compute(read);
+        return document_of({fstiff::scene::run_document(read, results), results.warnings, results.doubtful});
+    });
+}
+
 int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
                     fstiff_document** made) {
     return made_by(made, [&] {
@@ -254,14 +289,24 @@ int fstiff_document_text(const fstiff_document* document, char* buffer, size_t c
     return guarded([&] { return text_into(not_null(document, "document").text, buffer, capacity, length); });
 }
 
+int fstiff_document_word(const fstiff_document* document, const char* path, char* buffer, size_t capacity,
+                         size_t* length) {
+    return guarded([&] {
+        const std::string key = &not_null(path, "path");
+        const auto* found = not_null(document, "document").numbers.at(key);
+        const std::string* word = found ? found->word() : nullptr;
+        if (!word) throw argument_error(key + ": is no path of a text in the document");
+        return text_into(*word, buffer, capacity, length);
+    });
+}
+
 int fstiff_document_numbers(const fstiff_document* document, const char* path, double* values, size_t capacity,
                             size_t* count) {
     return guarded([&] {
         const std::string key = &not_null(path, "path");
-        const auto* found = not_null(document, "document").numbers.at(key);
-        if (!found) throw argument_error(key + ": is no path of the document");
+        const auto& from = not_null(document, "document").numbers;
         const auto numbers =
-            fstiff::parts::located(fstiff::parts::Place{.file = key}, [&] { return found->numbers(); });
+            fstiff::parts::located(fstiff::parts::Place{.file = key}, [&] { return numbers_at(from, key); });
         not_null(count, "count") = numbers.size();
         if (!values && capacity == 0) return FSTIFF_OK;
         not_null(values, "values");

@@ -36,24 +36,39 @@ int execute(const Command& command) {
 std::string units() {
     std::string text = "Units, after a number and in quotation marks, such as \"0.5 um\" or \"0.5 µm\":";
     for (const auto& [dimension, name] : fstiff::names<fstiff::io::Dimension>)
-        text += "\n  " + std::string(name) + std::string(20 - name.size(), ' ') +
+        text += "\n  " + std::string(name) + std::string(25 - name.size(), ' ') +
                 fstiff::io::accepted_units(dimension);
     return text;
 }
+
+/// The commands in the order of --help, under its headings; without a heading: an older name, which is not listed.
+struct Listed {
+    Command (*add)(CLI::App&);
+    const char* group;
+};
+constexpr Listed listed[] = {
+    {add_run, "Compute"},          {add_report, "Compute"},    {add_sweep, "Compute"},    {add_export, "Compute"},
+    {add_ultrasound, "Compute"},   {add_measure, "Surfaces"},  {add_formats, "Surfaces"}, {add_generate, "Surfaces"},
+    {add_identify, "Measured K"},  {add_truth, "Checks"},      {add_reproduce, "Checks"}, {add_integral, "Checks"},
+    {add_fit, ""},                 {add_islands, ""},          {add_peaks, ""},           {add_spectrum, ""},
+    {add_merge, ""}};
 
 int run_main(int argc, char** argv) {
     Program program(
         "fstiff", "fstiff " FSTIFF_VERSION,
         "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
         units() +
-            "\nExit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that cannot "
+            "\nOlder names: fit, islands, peaks and spectrum are measure --show, merge is sweep --merge.\n"
+            "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that cannot "
             "be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run");
-    CLI::App& app = program.app();
-    const std::vector<Command> commands{add_run(app),        add_measure(app),  add_fit(app),       add_islands(app),
-                                        add_spectrum(app),   add_peaks(app),    add_integral(app),  add_generate(app),
-                                        add_ultrasound(app), add_identify(app), add_reproduce(app), add_report(app),
-                                        add_formats(app),    add_truth(app),    add_export(app),    add_sweep(app),
-                                        add_merge(app)};
+    std::vector<Command> commands;
+    for (const Listed& one : listed) {
+        commands.push_back(one.add(program.app()));
+        program.list_under(*commands.back().app, one.group);
+    }
+    for (const char* shown : {"fit", "islands", "peaks", "spectrum"})
+        program.forward("measure", {"--show", shown}, shown);
+    program.forward("sweep", {"--merge"}, "merge");
     const CLI::App* chosen = program.parse(argc, argv);
     for (const Command& command : commands)
         if (command.app == chosen) return execute(command);

@@ -48,6 +48,8 @@ public:
     /// The number, or all numbers of an array and of those in it, one after the other; null is NaN.
     /// \throws domain_error for anything else.
     [[nodiscard]] std::vector<double> numbers() const;
+    /// The text; null where it is something else.
+    [[nodiscard]] const std::string* word() const { return std::get_if<std::string>(&value_); }
 
     /// Indented by two, with a line end. Bytes that are no UTF-8 (of a file name, a header line) become U+FFFD: a document
     /// is always valid JSON.

@@ -68,6 +68,7 @@ std::string TextTable::str(std::string_view indent) const {
         text += indent;
         for (std::size_t i = 0; i < row.size(); ++i)
             text += std::string((i ? 2 : 0) + widths[i] - shown_width(row[i]), ' ') + row[i];
+        text.erase(text.find_last_not_of(' ') + 1);
         text += '\n';
     }
     return text;

@@ -32,6 +32,8 @@ const Ladder* ladder_of(std::string_view si) {
         {"Pa/m",
          {{{"kPa/µm", 1e9}, 0}, {{"MPa/µm", 1e12}, 1e12}, {{"GPa/µm", 1e15}, 1e13}, {{"TPa/µm", 1e18}, 1e18}},
          2},
+        {"N", {{{"N"}, 0}, {{"kN", 1e3}, 1e3}, {{"MN", 1e6}, 1e6}}, 0},
+        {"N/m", {{{"N/mm", 1e3}, 0}, {{"N/µm", 1e6}, 1e5}, {{"kN/µm", 1e9}, 1e9}, {{"MN/µm", 1e12}, 1e12}}, 2},
         {"Hz", {{{"Hz"}, 0}, {{"kHz", 1e3}, 1e3}, {{"MHz", 1e6}, 1e4}, {{"GHz", 1e9}, 1e9}}, 2}};
     if (si == "1/m^2") si = "/m^2";
     const auto found = std::find_if(all.begin(), all.end(), [&](const Ladder& ladder) { return ladder.si == si; });
@@ -95,11 +97,6 @@ std::string shown_change(double factor) {
 std::string shown_percent(double share) {
     const double percent = 100 * share;
     return (std::abs(percent) < 10 ? rounded(percent, 2) : rounded(std::round(percent), 15)) + " %";
-}
-
-std::string shown_count(double count, int digits) {
-    const double step = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) + 1 - digits));
-    return rounded(std::round(count / step) * step, 15);
 }
 
 }  // namespace fstiff::scene

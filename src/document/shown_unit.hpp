@@ -22,7 +22,8 @@ struct ShownUnit {
 /// The unit for a value of about \p size in the SI unit \p si; of 0 the usual one. A plain number or any other unit stays.
 /// "m": nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm, m for what is smaller or from 1 m; "m along", of what is as long as
 /// a profile, has mm from 0.1 mm. "/m^2" or "1/m^2": /mm² from 0.01 /mm², /µm² from 0.1 /µm². "m^2". "Pa": kPa from
-/// 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa. "Pa/m": GPa/µm from 0.01 GPa/µm. "Hz".
+/// 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa. "Pa/m": GPa/µm from 0.01 GPa/µm. "Hz". "N". "N/m": N/µm from
+/// 0.1 N/µm, kN/µm from 1 kN/µm.
 [[nodiscard]] ShownUnit shown_unit(double size, std::string_view si);
 /// The unit of \p si in which most of \p values are between 1 and 1000, for a table that has one unit.
 [[nodiscard]] ShownUnit shown_unit(std::span<const double> values, std::string_view si);
@@ -41,7 +42,5 @@ inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e15};
 
 /// A share in percent, without an exponent: "0.12 %", "8.5 %", "85 %", "181 %".
 [[nodiscard]] std::string shown_percent(double share);
-/// A count as a whole number of \p digits digits and zeros: "3", "110", "1670" of 1672 with three.
-[[nodiscard]] std::string shown_count(double count, int digits = 2);
 
 }  // namespace fstiff::scene

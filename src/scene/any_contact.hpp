@@ -9,6 +9,7 @@
 #include <fstiff/contact/mean_over_shifts.hpp>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -136,6 +137,46 @@ public:
 
 private:
     double critical_over_radius_;
+};
+
+/// K of a law of hybrid of one of many surfaces for a band, as \p of_hybrid makes it of K of hybrid; of the law itself where
+/// that is not known.
+template <class OfHybrid>
+class QuickContact final : public AnyContact {
+public:
+    using Make = std::unique_ptr<AnyContact> (*)(const ContactInputs&);
+    QuickContact(const ContactInputs& inputs, Make make, OfHybrid of_hybrid)
+        : inputs_(inputs), make_(make), of_hybrid_(std::move(of_hybrid)) {}
+    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
+        std::vector<ContactPoint<double>> points;
+        for (const double& p : pressures) {
+            const auto hybrid = inputs_.similar->stiffness(inputs_, p);
+            const std::optional<double> K = hybrid ? of_hybrid_(*hybrid, p) : std::nullopt;
+            if (!K) {
+                points.push_back(itself().at_pressures(std::span(&p, 1), wanted).front());
+                continue;
+            }
+            ContactState<double> state;
+            state.pressure = {p, 0, 0};
+            state.stiffness = {*K, 1.2e-3 * *K, 0};
+            points.push_back(ContactPoint<double>::of(state));
+        }
+        return points;
+    }
+    std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
+                                                     Quantity wanted) const override {
+        return itself().at_separations(separations, wanted);
+    }
+
+private:
+    const AnyContact& itself() const {
+        if (!itself_) itself_ = make_(inputs_);
+        return *itself_;
+    }
+    ContactInputs inputs_;
+    Make make_;
+    OfHybrid of_hybrid_;
+    mutable std::unique_ptr<AnyContact> itself_;
 };
 
 template <class Contact>

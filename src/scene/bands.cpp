@@ -2,15 +2,15 @@
 #include "scene/bands.hpp"
 
 #include "scene/each_contact.hpp"
-#include "document/file.hpp"
-#include "document/shown_unit.hpp"
+#include "scene/priors.hpp"
+#include "scene/quick_hybrids.hpp"
 
-#include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/measured/widened_band.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace fstiff::scene {
@@ -111,48 +111,45 @@ std::vector<std::vector<double>> behind_other_windows(const Scene& lean, double 
     return both;
 }
 
-/// Which part of the band of the first law is the wider one, at the middle point.
-std::string dominating(const Scene& scene, const Curve& curve) {
-    const std::size_t i = curve.band_parts.size() / 2;
-    const parts::BandParts<double>& parts = curve.band_parts[i];
-    const auto percent = [](double low, double high) {
-        return shown_change(std::exp(low)) + " to " + shown_change(std::exp(high));
+/// K of every curve and point of the surfaces that have one unknown at its ends, over that of \p lean.
+std::vector<parts::UnknownCurves<double>> behind_unknowns(const Scene& scene, Scene lean, double modulus) {
+    std::vector<parts::UnknownCurves<double>> all;
+    const std::vector<Alternative> others = alternatives(scene);
+    if (others.empty()) return all;
+    lean.similar = hybrids_of_numbers(lean.law_options.gamma);
+    const std::vector<double> own = stiffnesses(lean, modulus);
+    const auto over_own = [&](const Face& face) {
+        std::vector<double> other = stiffnesses(with_face(lean, face), modulus);
+        other.resize(own.size(), std::numeric_limits<double>::quiet_NaN());
+        std::transform(other.begin(), other.end(), own.begin(), other.begin(), std::divides<>());
+        return other;
     };
-    std::string of = "the scale of the measurement";
-    std::vector<double> scales;
-    for (const Face& face : scene.face.neighbours)
-        if (face.lambda_s) scales.push_back(*face.lambda_s);
-    const auto [low, high] = std::minmax_element(scales.begin(), scales.end());
-    if (scales.size() > 1) of = "lambda_s between " + shown_length(*low, 2) + " and " + shown_length(*high, 2);
-    if (scales.size() == 1) of = "lambda_s up to " + shown_length(*high, 2);
-    if (curve.law->needs_dimension)
-        of += " and " + percent(parts.window_low, parts.window_high) + ", of the errors, the choice of the window of D";
-    const bool scale = parts.scale_high - parts.scale_low > parts.errors_high - parts.errors_low;
-    return "of the band of " + std::string(curve.law->name) +
-           " at p = " + rounded(curve.states[i].pressure.value / 1e6, 3) + " MPa " +
-           percent(parts.errors_low, parts.errors_high) + " are the errors of the measurement, " +
-           percent(parts.scale_low, parts.scale_high) + " " + of + ": " +
-           (scale ? "the choice of lambda_s dominates"
-            : parts.window_high - parts.window_low > 0.7 * (parts.errors_high - parts.errors_low)
-                ? "the choice of the window of D dominates"
-                : "the errors dominate");
+    for (const Alternative& one : others) all.push_back({one.which, over_own(one.low), over_own(one.high)});
+    return all;
+}
+
+/// Bands over the errors of the surface, one for each value of stiffnesses().
+std::vector<parts::SampledBand<double>> drawn_bands(const Scene& scene, const Scene& lean, double modulus,
+                                                    const ProgressHook& progress) {
+    Scene to_draw_about = lean;
+    to_draw_about.similar = hybrids_of_draws(lean.face.bearing.get(), lean.law_options.gamma);
+    RandomStates random{scene.seed, ~scene.seed};
+    return parts::sampled_band(
+        scene.face.parameters,
+        [&](const auto& drawn) { return stiffnesses(with_surface(to_draw_about, drawn, random), modulus); },
+        {static_cast<std::size_t>(scene.samples), scene.seed, progress});
 }
 
 }  // namespace
 
 void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
     const Scene lean = lean_scene(scene);
-    Scene to_draw_about = lean;
-    to_draw_about.similar =
-        std::make_shared<const parts::SimilarHybrids<double>>(lean.face.bearing.get(), lean.law_options.gamma);
-    RandomStates random{scene.seed, ~scene.seed};
-    const auto bands =
-        parts::sampled_band(scene.face.parameters,
-                     [&](const auto& drawn) {
-                         return stiffnesses(with_surface(to_draw_about, drawn, random), results.modulus);
-                     },
-                     {static_cast<std::size_t>(scene.samples), scene.seed, progress});
-    const std::vector<double> quick = stiffnesses(lean, results.modulus);
+    const bool has_errors = scene.face.has_measured_errors();
+    const auto of_unknowns = behind_unknowns(scene, lean, results.modulus);
+    if (!has_errors && of_unknowns.empty()) return;
+    std::vector<parts::SampledBand<double>> bands;
+    if (has_errors) bands = drawn_bands(scene, lean, results.modulus, progress);
+    const std::vector<double> quick = has_errors ? stiffnesses(lean, results.modulus) : std::vector<double>();
     std::vector<std::vector<double>> of_neighbours;
     for (const Face& face : scene.face.neighbours) {
         of_neighbours.push_back(stiffnesses(with_face(lean, face), results.modulus));
@@ -162,26 +159,26 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
     std::size_t failed = 0, next = 0;
     for (Curve& curve : results.curves) {
         if (!curve.law->varies) continue;
+        bool wide_anywhere = has_errors;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             const std::size_t at = next + curve.places[i];
-            parts::SampledBand<double> band = bands[at];
-            failed = std::max(failed, band.failed);
             const double value = curve.states[i].stiffness.value;
-            const double factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
-            if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
+            parts::SampledBand<double> band{value, value, value};
+            double factor = 1;
+            if (has_errors) {
+                band = bands[at];
+                failed = std::max(failed, band.failed);
+                if (std::isfinite(quick[at])) factor = value / quick[at];
+                if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
+            }
             const parts::WidenedBand<double> wide =
-                parts::widened(value, band, of_neighbours, of_windows, at, scene.has_lay, factor);
-            if (!of_neighbours.empty()) curve.band_parts.push_back(wide.parts);
+                parts::widened(value, band, of_neighbours, of_windows, at, scene.has_lay, factor, of_unknowns);
+            wide_anywhere = wide_anywhere || wide.band.high > wide.band.low;
+            if (!of_neighbours.empty() || !of_unknowns.empty()) curve.band_parts.push_back(wide.parts);
             curve.band.push_back(wide.band);
         }
+        if (!wide_anywhere) curve.band.clear(), curve.band_parts.clear();  // feels nothing that is not known
         next += scene.points.size();
-    }
-    const Law* said = nullptr;  // of each kind of law once: those that take D, and those that do not
-    for (const Curve& curve : results.curves) {
-        if (curve.band_parts.empty() || (said && curve.law->needs_dimension == said->needs_dimension)) continue;
-        results.about_band.push_back(dominating(scene, curve));
-        said = curve.law;
-        if (results.about_band.size() == 2) break;
     }
     if (failed > 0)
         results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +

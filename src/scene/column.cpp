@@ -11,22 +11,43 @@
 namespace fstiff::scene {
 namespace {
 
-Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double tangential_ratio,
-                          const ContactState<double>& s) {
+}  // namespace
+
+Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene, const ContactState<double>& s) {
+    const Conduction& by = scene.conduction;
+    const bool heat = quantity == CurveQuantity::thermal_conductance;
+    const double h = spot_conductance(s.stiffness.value, heat ? *by.thermal : *by.electrical,
+                                      effective_modulus(scene.upper, scene.lower));
+    const double under = parts::under_film(h, s.real_area_fraction.value, heat ? by.thermal_film : by.electrical_film);
+    return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
+}
+
+namespace {
+
+Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double tangential_ratio, double seated,
+                             const ContactState<double>& s) {
+    const double area = scene.nominal_area.value_or(0);
     const auto reflected = [&](const Impedances<double>& media, double factor) {
         return fstiff::reflection(s.stiffness * factor, media, scene.ultrasound->angular());
     };
     using enum CurveQuantity;
     switch (quantity) {
+        case force: return {s.pressure.value * area, s.pressure.error * area};
         case pressure: return s.pressure;
         case eta: return {s.eta, 0};
         case separation: return s.separation;
+        case approach: return {seated - s.separation.value, 0};
         case stiffness: return s.stiffness;
+        case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
         case tangential_stiffness:
             return {tangential_ratio * s.stiffness.value, tangential_ratio * s.stiffness.error};
         case reflection: return reflected(scene.ultrasound->longitudinal, 1);
         case shear_reflection: return reflected(*scene.ultrasound->shear, tangential_ratio);
+        case thermal_conductance:
+        case electrical_conductance: return conductance_of_spots(quantity, scene, s);
+        case thermal_conductance_gap:
+            return {parts::gap_conductance(*scene.conduction.gap, s.separation.value) + scene.conduction.radiation, 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
     }
@@ -37,11 +58,14 @@ Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double 
 
 std::span<const CurveQuantityRow> curve_quantities() {
     using enum CurveQuantity;
-    static constexpr std::array<CurveQuantityRow, 10> table{
-        {{pressure, "pressure", "_Pa", "Pa", "p", Quantity::none, nullptr},
-         {eta, "eta", "", "", "eta", Quantity::none, nullptr},
-         {separation, "separation", "_m", "m", "separation", Quantity::none, &Scene::separation},
+    static constexpr std::array<CurveQuantityRow, 16> table{
+        {{force, "force", "_N", "N", "F", Quantity::none, &Scene::force},
+         {pressure, "pressure", "_Pa", "Pa", "p", Quantity::none, nullptr},
+         {eta, "eta", "", "", "eta", Quantity::separation, nullptr},
+         {separation, "separation", "_m", "m", "separation", Quantity::separation, &Scene::separation},
+         {approach, "approach", "_m", "m", "approach", Quantity::separation, &Scene::approach},
          {stiffness, "stiffness", "_Pa_per_m", "Pa/m", "K/A0", Quantity::stiffness, &Scene::stiffness, true},
+         {joint_stiffness, "stiffness", "_N_per_m", "N/m", "K", Quantity::stiffness, &Scene::joint_stiffness, true},
          {loading_stiffness, "loading_stiffness", "_Pa_per_m", "Pa/m", "-dp/dd", Quantity::loading_stiffness,
           &Scene::loading_stiffness},
          {tangential_stiffness, "tangential_stiffness", "_Pa_per_m", "Pa/m", "Kt/A0", Quantity::stiffness,
@@ -49,6 +73,12 @@ std::span<const CurveQuantityRow> curve_quantities() {
          {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Scene::reflection, true},
          {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Scene::shear_reflection,
           true},
+         {thermal_conductance, "thermal_conductance", "_W_per_m2K", "W/(m^2 K)", "h", Quantity::stiffness,
+          &Scene::thermal_conductance, true},
+         {thermal_conductance_gap, "thermal_conductance_gap", "_W_per_m2K", "W/(m^2 K)", "h of the gap",
+          Quantity::separation, &Scene::thermal_conductance_gap},
+         {electrical_conductance, "electrical_conductance", "_S_per_m2", "S/m^2", "electrical h", Quantity::stiffness,
+          &Scene::electrical_conductance, true},
          {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, &Scene::real_area},
          {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contact_density, &Scene::contacts}}};
     return table;
@@ -73,13 +103,15 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
         const bool of_band = statistic == Statistic::p05 || statistic == Statistic::p95;
         const bool given = row.of_law == Quantity::none || parts::has(curve.law->quantities, row.of_law);
         if (!given || (of_band && curve.band.empty())) return;
+        if (row.quantity == CurveQuantity::approach && curve.seated.empty()) return;
         const bool falls = row.unit.empty();  // a reflection, while K rises
         using Band = parts::SampledBand<double>;
         const auto end = (statistic == Statistic::p05) != falls ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
-            const Estimate<double> found = estimate_of(row.quantity, scene, tangential_ratio, state);
+            const double seated = curve.seated.empty() ? 0 : curve.seated[i];
+            const Estimate<double> found = estimate_of(row.quantity, scene, tangential_ratio, seated, state);
             column.values.push_back(statistic == Statistic::error ? found.error : found.value);
         }
         if (row.quantity == CurveQuantity::loading_stiffness &&  // plastic boundary elements know unloading alone

@@ -2,6 +2,7 @@
 #pragma once
 // The columns of a curve, each by what it holds: names, units and headings follow from one table.
 
+#include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/quantity.hpp>
 
 #include <cstddef>
@@ -17,14 +18,20 @@ struct Scene;
 
 /// What a column holds, in the order of the columns.
 enum class CurveQuantity {
+    force,
     pressure,
     eta,
     separation,
+    approach,
     stiffness,
+    joint_stiffness,
     loading_stiffness,
     tangential_stiffness,
     reflection,
     shear_reflection,
+    thermal_conductance,
+    thermal_conductance_gap,
+    electrical_conductance,
     real_area,
     contacts
 };
@@ -56,6 +63,10 @@ struct Column {
     /// Of CSV and JSON, with the unit at its end, such as "stiffness_p05_Pa_per_m".
     [[nodiscard]] const std::string& key() const;
 };
+
+/// Of heat or current, as \p quantity says, through the spots of \p state and their film [W/(m^2 K)], [S/m^2].
+[[nodiscard]] Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene,
+                                                    const ContactState<double>& state);
 
 /// The columns that \p scene asks for, of the states and the band of \p curve; with \p bands some curve has a band.
 [[nodiscard]] std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio,

@@ -32,6 +32,15 @@ inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Law
     return points;
 }
 
+/// Where the approach of \p curve, which has its states, begins. \returns why \p contact has no separation there; empty
+/// where it has, or where no approach is asked for.
+inline std::string seat(const Scene& scene, const AnyContact& contact, Curve& curve) {
+    if (!scene.approach) return "";
+    const auto point = contact.at_pressures(std::span(&scene.seating, 1), Quantity::separation).front();
+    if (point.ok()) curve.seated.assign(curve.states.size(), point.state.separation.value);
+    return point.ok() ? "" : point.reason;
+}
+
 /// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where the scene names none,
 /// those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.
 inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {
@@ -41,15 +50,16 @@ inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {
     return {{.theta = peaks.theta(), .r = peaks.r(), .key = "contact.peaks."}};
 }
 
-/// The rms gradient of the surface for p*, the same for every law: known; of the surface's own r and theta; of its spectrum,
-/// where it has one; else of the last entry of contact.peaks that gives one (r = 0 gives none).
+/// The rms gradient of the surface for p*, the same for every law: known or assumed; of the surface's own r and theta; of R and
+/// D_p, by their spectrum or as islands; else of the last entry of contact.peaks that gives one (r = 0 gives none).
 inline std::optional<double> gradient(const Scene& scene) {
-    if (scene.face.rms_gradient) return scene.face.rms_gradient;
+    if (scene.face.has_own_gradient()) return scene.face.rms_gradient;
     const parts::SurfaceParameters<double>& own = scene.face.parameters;
     if (scene.face.has_peaks())
         if (const auto of_own =
                 parts::rms_gradient(scene.face.roughness(), PeakDistribution(own.r->value, own.theta->value)))
             return of_own;
+    if (scene.face.rms_gradient) return scene.face.rms_gradient;
     if (no_spectrum(scene.face).empty()) return std::sqrt(2 * spectral_moments(scene.face).m2);
     std::optional<double> of_peaks;
     for (const Peaks& peaks : scene.peaks)

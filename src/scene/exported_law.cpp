@@ -4,9 +4,9 @@
 #include "document/file.hpp"
 
 #include <fstiff/core/version.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fstiff::scene {
@@ -20,8 +20,6 @@ struct ModelUnits {
 
 ModelUnits units_of(const ExportRequest& request) {
     const std::string &list = request.units, name = option_name(request.prefix, "units");
-    static constexpr std::array<std::pair<std::string_view, double>, 6> forces{
-        {{"N", 1}, {"kN", 1e3}, {"MN", 1e6}, {"mN", 1e-3}, {"uN", 1e-6}, {"lbf", 4.4482216152605}}};
     const std::size_t first = list.find(','), second = list.find(',', first + 1);
     if (first == std::string::npos || second == std::string::npos)
         throw domain_error(name + " = \"" + list +
@@ -31,15 +29,13 @@ ModelUnits units_of(const ExportRequest& request) {
                 .pressure = list.substr(second + 1)};
     const double length = io::parse_quantity("1 " + units.length, io::Dimension::length, name);
     const double pressure = io::parse_quantity("1 " + units.pressure, io::Dimension::pressure, name);
-    const auto force =
-        std::find_if(forces.begin(), forces.end(), [&](const auto& one) { return one.first == units.force; });
-    if (force == forces.end())
-        throw domain_error(name + " = \"" + list + "\": " + units.force +
-                           " is no unit of force; must be one of N, kN, MN, "
-                           "mN, uN, lbf");
-    if (std::abs(force->second / (length * length) / pressure - 1) > 1e-9)
+    if (!io::is_unit(units.force, io::Dimension::force))
+        throw domain_error(name + " = \"" + list + "\": " + units.force + " is no unit of force; must be one of " +
+                           io::accepted_units(io::Dimension::force));
+    const double force = io::unit_factor(units.force, io::Dimension::force);
+    if (std::abs(force / (length * length) / pressure - 1) > 1e-9)
         throw domain_error(name + " = \"" + list + "\": must be consistent: 1 " + units.force + "/" + units.length +
-                           "^2 is " + shortest(force->second / (length * length) / pressure) + " " + units.pressure);
+                           "^2 is " + shortest(force / (length * length) / pressure) + " " + units.pressure);
     units.metre = 1 / length;
     units.pascal = 1 / pressure;
     return units;
@@ -81,6 +77,11 @@ std::string document_of(const Scene& scene, const PressureTable& table, const Ex
     for (const auto& [name, face] : measured_faces(scene))
         say(std::string(name) + "   " + face->measured->file + ", SHA-256 " + face->measured->sha256);
     say("law       " + table.title);
+    const auto slope = [&](double K) { return rounded(K * units.pascal / units.metre, 4); };
+    for (const auto& [p, K, low, high, law] : table.answer)
+        say("answer    at " + pressure(p) + " " + units.pressure + " K is " + slope(K) + " " + units.pressure + "/" +
+            units.length + ", 90 % band " + slope(low) + " to " + slope(high) + ", by " + law +
+            (law == "boundary_elements" ? ", which has no table" : ""));
     say("units     " + units.length + ", " + units.force + ", " + units.pressure + "; pressure [" + units.pressure +
         "] against overclosure [" + units.length + "]");
     say("range     " + pressure(table.from) + " to " + pressure(table.to) + " " + units.pressure);

@@ -32,7 +32,7 @@ struct ExportRequest {
     std::string units = "mm,N,MPa";  ///< of the model: length, force and pressure
     std::string tolerance = "1%";    ///< of the pressure between two rows: a share, or per cent
     Amount from{}, until{};              ///< pressures; empty: the least and the greatest of the scene
-    std::string law{};                 ///< of the scene; empty: its first that has a separation
+    std::string law{};                 ///< of the scene; empty: that of the answer, or its first that has a separation
     int peaks = 1;                   ///< which of contact.peaks, from 1 on
     std::string_view prefix{};       ///< of the names of options in messages: "--" on a command line
     ProgressHook progress{};
@@ -46,7 +46,7 @@ struct ExportRequest {
         take("tolerance", tolerance, "largest error of the pressure between two rows", {.shows_default = true});
         take("from", from, "least pressure of the table; the default is that of the scene");
         take("until", until, "greatest pressure of the table; the default is that of the scene");
-        take("law", law, "law of the scene; the default is its first that gives a separation");
+        take("law", law, "law of the scene; the default is that of the answer, or where laws are named the first that gives a separation");
         take("peaks", peaks, "which of the scene's contact.peaks, from 1 on", {.shows_default = true});
     }
 };

@@ -48,7 +48,7 @@ std::optional<double> Face::value(Parameter which) const {
     return known ? std::optional(known->value) : std::nullopt;
 }
 
-bool Face::has_errors() const {
+bool Face::has_measured_errors() const {
     return gradient_error > 0 || std::any_of(parts::surface_parameter_table.begin(),
                                              parts::surface_parameter_table.end(), [&](const parts::ParameterRow& row) {
                                                  const auto* known = parameters.find(row.parameter);
@@ -59,6 +59,7 @@ bool Face::has_errors() const {
 void Face::write(Parameter which, double value) {
     write([&](Face& face) {
         face.parameters.set(which, {value, 0});
+        if (which == Parameter::rms_height) face.parameters.long_end = {};
         const std::size_t i = parts::index_of(which);
         for (std::size_t j = 0; j < parts::surface_parameter_count; ++j)
             face.parameters.correlation[i][j] = face.parameters.correlation[j][i] = i == j ? 1 : 0;
@@ -68,6 +69,29 @@ void Face::write(Parameter which, double value) {
 void Face::draw(const std::array<double, parts::surface_parameter_count>& drawn) {
     for (const parts::ParameterRow& row : parts::surface_parameter_table)
         if (auto* known = parameters.find(row.parameter)) known->value = drawn[parts::index_of(row.parameter)];
+}
+
+bool Face::is_open(parts::Unknown which) const {
+    return std::any_of(priors.begin(), priors.end(), [&](const Prior& one) { return one.which == which; });
+}
+
+void Face::follow() {
+    if (!radius_follows && !density_follows) return;
+    const double sigma = parameters.rms_height.value;
+    SpectralMoments<double> moments;
+    if (rms_gradient && alpha) {
+        moments = parts::moments_of_gradient(sigma, *rms_gradient, *alpha);
+    } else if (density_follows) {  // of R, and of the gradient or alpha
+        const double curvature = parts::radius_times_rms_curvature<double>() / parameters.peak_radius.value;
+        moments.m4 = curvature * curvature;
+        moments.m2 = rms_gradient ? *rms_gradient * *rms_gradient / 2 : sigma * std::sqrt(moments.m4 / *alpha);
+    } else {  // of D_p, and of the gradient or alpha
+        const double ratio = parameters.peak_density.value / parts::peak_density_of<double>({1, 1, 1});
+        moments.m2 = rms_gradient ? *rms_gradient * *rms_gradient / 2 : sigma * sigma * (ratio / *alpha);
+        moments.m4 = ratio * moments.m2;
+    }
+    if (radius_follows) parameters.peak_radius.value = parts::peak_radius_of(moments);
+    if (density_follows) parameters.peak_density.value = parts::peak_density_of(moments);
 }
 
 void Face::set_shape(const parts::HeightShape<double>& of) {
@@ -84,11 +108,11 @@ std::string gradient_warning(const Face& face, double r) {
     };
     const bool measured = face.measured && face.measured->found.heights && face.rms_gradient &&
                           face.measured->found.rms_gradient.value == *face.rms_gradient;
-    if (face.rms_gradient) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
+    if (face.has_own_gradient()) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
     if (!is_as_measured(face)) {
         const auto [of_density, of_height] = parts::implied_gradients(face.roughness(), r);
         add(of_density, "implied by peak_radius and peak_density");
-        if (!face.rms_gradient) add(of_height, "implied by rms_height and peak_radius");
+        if (!face.has_own_gradient()) add(of_height, "implied by rms_height and peak_radius");
     }
     const parts::Check<double> check = parts::check_gradients<double>(gradients);
     return check.holds() ? "" : gradient_warning(gradients[check.first], origins[check.first]);
@@ -111,7 +135,7 @@ double hurst_exponent(const Face& face) {
 }
 
 bool has_isotropic_peaks(const Face& face) {
-    return (face.alpha || face.rms_gradient) && spectral_moments(face).bandwidth() > 1.5;
+    return (face.has_own_gradient() || (face.alpha && !face.rms_gradient)) && spectral_moments(face).bandwidth() > 1.5;
 }
 
 std::string no_spectrum(const Face& face) {
@@ -210,21 +234,42 @@ Face face_of(std::shared_ptr<const MeasuredSurface> measured) {
     return face;
 }
 
-Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
-    const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower), sum = a + b;
+namespace {
+
+/// The sum of two faces with the parameters \p of, without maps, neighbours and what was measured.
+Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double>& a, const SpectralMoments<double>& b,
+              parts::SurfaceParameters<double> of) {
+    const SpectralMoments<double> sum = a + b;
     Face face;
-    face.parameters = parts::uncertain_sum(upper.parameters, a, lower.parameters, b);
+    face.parameters = std::move(of);
     if (upper.rms_gradient || lower.rms_gradient) {
         face.rms_gradient = std::sqrt(2 * sum.m2);
         face.gradient_error = std::hypot(std::sqrt(2 * a.m2) * upper.gradient_error,
                                          std::sqrt(2 * b.m2) * lower.gradient_error) /
                               *face.rms_gradient;
     }
+    face.gradient_of_islands = upper.gradient_of_islands || lower.gradient_of_islands;
     if (upper.alpha || lower.alpha) face.alpha = sum.bandwidth();
     if (upper.hurst || lower.hurst)
         face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
     const parts::HeightShape<double> shape = parts::sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
     face.set_shape(parts::counted_shape(shape.skewness, shape.kurtosis, 1.0));
+    for (const Face* one : {&upper, &lower})
+        face.priors.insert(face.priors.end(), one->priors.begin(), one->priors.end());
+    return face;
+}
+
+}  // namespace
+
+Face sum_of_numbers(const Face& upper, const Face& lower) {
+    const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
+    const auto sum = sum_of_faces(parts::rough_face(upper.parameters, a), parts::rough_face(lower.parameters, b));
+    return sum_with(upper, lower, a, b, parts::stated(sum));
+}
+
+Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
+    const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
+    Face face = sum_with(upper, lower, a, b, parts::uncertain_sum(upper.parameters, a, lower.parameters, b));
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
     for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {

@@ -6,6 +6,7 @@
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/process_prior.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <array>
@@ -21,6 +22,13 @@ namespace fstiff::scene {
 /// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz there.
 inline constexpr double greatest_dimension = 1.99;
 
+/// One number of a face that is not known: 5 and 95 % of it, where the face has the middle.
+struct Prior {
+    parts::Unknown which{};
+    double low = 0, high = 0;
+    std::string phrase{};  ///< "rms gradient 0.2 (0.067 to 0.6), of any process"; empty of what was measured
+};
+
 /// One rough face, or the sum of two that a smooth face meets instead. What is written of it overrides what was
 /// measured by write() alone.
 struct Face {
@@ -28,7 +36,10 @@ struct Face {
     std::optional<double> rms_gradient, alpha, hurst;   ///< written, or measured; alpha is Nayak's m0 m4/m2^2
     double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
     double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least, as measured
-    bool radius_follows = false, density_follows = false;  ///< R, D_p: of rms_height, rms_gradient and alpha
+    bool radius_follows = false, density_follows = false;  ///< R, D_p: of the moments that the other numbers make
+    bool gradient_of_islands = false;  ///< rms_gradient is that of R and D_p, which no Gaussian surface has
+    parts::Process process = parts::Process::unknown;
+    std::vector<Prior> priors;  ///< none of what is known; of a sum those of both faces
     bool spectrum_of_map = true;                        ///< [persson] spectrum = "map", where there is one
     std::shared_ptr<const MapOfSurface> map;            ///< where the surface was measured as a map
     std::optional<HeightStatistics<double>> heights;    ///< where the surface was measured
@@ -46,8 +57,18 @@ struct Face {
     [[nodiscard]] std::optional<double> dimension() const { return value(Parameter::fractal_dimension); }
     /// Whether r and theta are known.
     [[nodiscard]] bool has_peaks() const { return parameters.r && parameters.theta; }
-    /// Whether a band can be given: some parameter that enters has an error.
-    [[nodiscard]] bool has_errors() const;
+    /// Waves longer than the measurement that a nominal contact with the \p side (root of its area, [m]) has: none where
+    /// rms_height was given.
+    [[nodiscard]] parts::UnmeasuredWaves<double> unmeasured(double side) const {
+        return parts::unmeasured_waves(parameters.long_end, side);
+    }
+    /// Whether some parameter that enters has an error.
+    [[nodiscard]] bool has_measured_errors() const;
+    /// Whether a band can be given: the same, or something is not known.
+    [[nodiscard]] bool has_errors() const { return has_measured_errors() || !priors.empty(); }
+    [[nodiscard]] bool is_open(parts::Unknown which) const;
+    /// Whether the rms gradient is more than what R and D_p imply.
+    [[nodiscard]] bool has_own_gradient() const { return rms_gradient && !gradient_of_islands; }
 
     /// Calls \p put with this face and with its neighbours, which all hold what is written.
     template <class Write>
@@ -62,6 +83,8 @@ struct Face {
     void draw(const std::array<double, parts::surface_parameter_count>& drawn);
     /// Takes \p of, which bearing_of_moments() takes, with its bearing curve.
     void set_shape(const parts::HeightShape<double>& of);
+    /// Gives R and D_p, where they follow, the values that the other numbers make.
+    void follow();
 };
 
 /// Moments of the spectrum of \p face: from rms gradient and alpha where they are known, else from R and D_p with eq. (4.10) and
@@ -69,7 +92,8 @@ struct Face {
 /// measured.
 [[nodiscard]] SpectralMoments<double> spectral_moments(const Face& face);
 [[nodiscard]] double hurst_exponent(const Face& face);
-/// Whether the joint peaks of \p face follow from its alpha: it is known, or rms_gradient makes it, and above 1.5.
+/// Whether the joint peaks of \p face follow from its alpha: it is known, or the face has a gradient of its own, and it is above
+/// 1.5.
 [[nodiscard]] bool has_isotropic_peaks(const Face& face);
 /// Why \p face has no spectrum for Persson's theory, and what gives it one; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
@@ -88,6 +112,8 @@ struct Face {
 
 /// Why two faces have no sum of heights; empty where both are maps of one grid.
 [[nodiscard]] std::string no_sum_of_maps(const Face& upper, const Face& lower);
+/// Both faces as one, of their numbers alone and without errors.
+[[nodiscard]] Face sum_of_numbers(const Face& upper, const Face& lower);
 /// Both faces as one; of maps of one grid the heights are added at \p shifts random shifts.
 /// \throws domain_error where the sum is out of range.
 [[nodiscard]] Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed);

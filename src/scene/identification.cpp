@@ -4,13 +4,19 @@
 #include "surface/request.hpp"
 
 #include "document/file.hpp"
+#include "scene/answer.hpp"
+#include "scene/each_contact.hpp"
 #include "scene/results.hpp"
 #include "document/shown_unit.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/validity/answer.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 
 namespace fstiff::scene {
@@ -47,16 +53,102 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
     return data;
 }
 
-ContactParameters<double> start_of(const Scene& scene, const PeakDistribution<double>& peaks) {
+bool has(const std::vector<Parameter>& wanted, Parameter one) {
+    return std::count(wanted.begin(), wanted.end(), one) > 0;
+}
+
+/// Whether the surface is (sigma, g, alpha) to a fit of \p wanted: R and D_p follow then.
+bool of_spectrum(const std::vector<Parameter>& wanted) {
+    return has(wanted, Parameter::rms_gradient) || has(wanted, Parameter::alpha);
+}
+
+ContactParameters<double> start_of(const Scene& scene, const Peaks* peaks) {
     ContactParameters<double> start;
+    const SpectralMoments<double> moments = spectral_moments(scene.face);
     start.rms_height = scene.face.parameters.rms_height.value;
     start.peak_radius = scene.face.parameters.peak_radius.value;
     start.peak_density = scene.face.parameters.peak_density.value;
     start.fractal_dimension = scene.face.dimension().value_or(1.5);
     start.effective_modulus = effective_modulus(scene.upper, scene.lower);
-    start.r = peaks.r();
-    start.theta = peaks.theta();
+    start.rms_gradient = std::sqrt(2 * moments.m2);
+    start.alpha = moments.bandwidth();
+    start.hardness = hardness_of(scene);
+    if (peaks) {
+        const PeakDistribution<double> density = peak_density(*peaks);
+        start.r = density.r();
+        start.theta = density.theta();
+    }
     return start;
+}
+
+/// \p scene with \p fit's law and peaks alone, and without what only a band or a document takes.
+Scene lean_scene(const Scene& scene, const Fit& fit) {
+    Scene lean = scene;
+    lean.inputs.clear();
+    lean.faces.clear();
+    lean.face.measured.reset();
+    lean.face.neighbours.clear();
+    lean.laws = {fit.law};
+    if (fit.theta) lean.peaks = {{.theta = *fit.theta, .r = fit.r}};
+    return lean;
+}
+
+/// \p map with heights that are \p factor times as high.
+std::shared_ptr<const MapOfSurface> made_taller(MapOfSurface map, double factor) {
+    map.taller *= factor;
+    for (Summits<double>& of : map.summits) {
+        of.rms_height *= factor;
+        for (parts::Summit<double>& one : of.summits) {
+            one.height *= factor, one.max_curvature *= factor, one.min_curvature *= factor;
+            one.load_factor /= std::sqrt(factor), one.area_factor /= factor;  // R^(1/2) and R
+        }
+    }
+    return std::make_shared<const MapOfSurface>(std::move(map));
+}
+
+/// \p face with those of \p x that are \p wanted.
+Face with_parameters(Face face, const ContactParameters<double>& x, const std::vector<Parameter>& wanted) {
+    const double taller = x.rms_height / face.parameters.rms_height.value;
+    for (const Parameter each : wanted)
+        if (auto* known = face.parameters.find(each)) known->value = x[each];
+    if (face.map && has(wanted, Parameter::rms_height)) {  // all its heights
+        face.map = made_taller(*face.map, taller);
+        if (face.rms_gradient && face.spectrum_of_map) *face.rms_gradient *= taller;
+    }
+    if (of_spectrum(wanted)) {
+        face.rms_gradient = x.rms_gradient, face.alpha = x.alpha;
+        const auto moments = parts::moments_of_gradient(x.rms_height, x.rms_gradient, x.alpha);
+        face.parameters.peak_radius.value = parts::peak_radius_of(moments);
+        face.parameters.peak_density.value = parts::peak_density_of(moments);
+    }
+    return face;
+}
+
+/// The contact that \p lean makes with those of \p x that are \p wanted, under \p pressures.
+std::vector<ContactPoint<double>> points_with(Scene lean, const ContactParameters<double>& x,
+                                              const std::vector<Parameter>& wanted, std::span<const double> pressures) {
+    lean.face = with_parameters(std::move(lean.face), x, wanted);
+    if (has(wanted, Parameter::hardness)) lean.hardness = x.hardness;
+    const bool own_peaks = has(wanted, Parameter::r) || has(wanted, Parameter::theta);
+    if (own_peaks) lean.peaks = {{.theta = x.theta, .r = x.r}};
+    lean.default_peaks = lean.default_peaks && of_spectrum(wanted) && !own_peaks;  // r follows alpha
+    std::vector<ContactPoint<double>> points;
+    for_each_contact(lean, x.effective_modulus, {}, [&](const Curve&, const auto& contact) {
+        if (points.empty()) points = contact()->at_pressures(pressures, Quantity::stiffness);
+    });
+    return points;
+}
+
+Identification<double> found_by(const Scene& scene, const Fit& fit, const FitInputs& inputs) {
+    const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
+    if (fit.law->fit && exact) return fit.law->fit(inputs);
+    const Scene lean = lean_scene(scene, fit);
+    return fit_curve(inputs, [&](const ContactParameters<double>& x, std::span<const double> pressures) {
+        std::vector<double> stiffness;
+        for (const auto& point : points_with(lean, x, inputs.wanted, pressures))
+            stiffness.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
+        return stiffness;
+    });
 }
 
 std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
@@ -68,9 +160,11 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
                         : "the data cannot tell " + names +
                               " apart: a change of one is undone by the others, so that only a combination of them can "
                               "be found") +
-                   "; fit fewer parameters. K(p) holds R, Dp and E as the product E Dp sqrt(R) alone, and of sigma, "
-                   "that "
-                   "product and D no more than two can be found; no law but the fractal ones depends on D";
+                   "; fit fewer parameters. K(p) holds " +
+                   (fit.law->needs_spectrum
+                        ? "g and E as the product E g alone; R and Dp count only where g or alpha follows from them"
+                        : "R, Dp and E as the product E Dp sqrt(R) alone, and of sigma, that product and D no more "
+                          "than two can be found; no law but the fractal ones depends on D");
         case FitConcern::not_converged:
             return "the search did not converge: start closer to the data, or fit fewer parameters";
         case FitConcern::misfit:
@@ -120,69 +214,125 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
                         scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
 }
 
+/// Whether a law of peaks that flow is \p law.
+bool is_plastic(const Law& law) { return law.needs_hardness || law.needs_yield; }
+
+/// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.
+std::vector<const Law*> laws_of(const Scene& scene, const FitRequest& request) {
+    if (request.law.empty()) return scene.laws;
+    const Law* law = find_law(request.law);
+    const std::string why = law->needs_dimension && !scene.face.dimension()
+                                ? "needs surface.fractal_dimension, which is missing"
+                                : refusal_of(*law, scene);
+    if (!why.empty())
+        throw domain_error(scene.file + ": law \"" + request.law + "\", which " + option_name(request.prefix, "law") +
+                           " asks for, " + why);
+    return {law};
+}
+
 /// The fits that are asked for, still without what they find.
 std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request,
                          std::vector<std::string>& warnings) {
     std::vector<Fit> fits;
     std::string skipped;
-    for (const Law* law : scene.laws) {
-        if (!request.law.empty() && request.law != law->name) continue;
-        if (!law->fit) {
+    for (const Law* law : laws_of(scene, request)) {
+        if (!law->varies) {
             skipped = law->name;
             continue;
         }
-        for (const Peaks& peaks : scene.peaks) {
-            const PeakDistribution<double> density = peak_density(peaks);
-            fits.push_back({law,
-                            density.theta(),
-                            density.r(),
-                            start_of(scene, density),
-                            curve.points_of({std::string(law->name), density.theta(), density.r()}),
-                            {}});
-        }
+        const auto add = [&](const Peaks* peaks) {
+            Fit fit{law, {}, {}, start_of(scene, peaks), {}, {}};
+            if (law->has_peaks) fit.theta = fit.start.theta, fit.r = fit.start.r;
+            fit.points = curve.points_of({std::string(law->name), fit.theta, fit.r});
+            fits.push_back(std::move(fit));
+        };
+        for (const Peaks& peaks : peaks_of(*law, scene)) add(&peaks);
+        if (!law->has_peaks) add(scene.peaks.empty() ? nullptr : &scene.peaks.front());
     }
     if (fits.empty())
-        throw domain_error(scene.file + ": contact.laws: must name " +
-                           (skipped.empty()
-                                ? "\"" + request.law + "\", which " + option_name(request.prefix, "law") + " asks for"
-                                : joined(fitted_law_names(), " or ") + "; " + skipped + " has no derivatives"));
+        throw domain_error(scene.file + ": contact.laws: must name " + joined(fitted_law_names(), " or ") + "; " +
+                           skipped + " is too slow to fit");
     if (std::erase_if(fits, [](const Fit& fit) { return fit.points.empty(); }) > 0 && fits.empty())
         throw domain_error(curve.name + ": holds " + std::to_string(curve.computed.size()) +
                            " computed curves, none of a law and peaks of " + scene.file +
                            "; must hold one curve, or one of theirs");
-    if (!skipped.empty()) warnings.push_back(skipped + " is not fitted: it has no derivatives");
+    if (!skipped.empty()) warnings.push_back(skipped + " is not fitted: it is too slow");
     return fits;
+}
+
+/// Refuses parameters that \p scene has no value of, or that follow from others. \throws option_error, domain_error
+void require_known(const Scene& scene, const FitRequest& request) {
+    const std::string option = option_name(request.prefix, "fit");
+    if (has(request.wanted, Parameter::fractal_dimension) && !scene.face.dimension())
+        throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " + option + " D starts from it");
+    if (has(request.wanted, Parameter::hardness) && !(hardness_of(scene) > 0))
+        throw domain_error(scene.file + ": material.upper.hardness: is missing; " + option +
+                           " hardness starts from it, or from 2.8 yield_strength");
+    for (const Parameter each : {Parameter::peak_radius, Parameter::peak_density})
+        if (of_spectrum(request.wanted) && has(request.wanted, each))
+            throw option_error(option + " " + std::string(parts::row_of(each).short_name) +
+                               ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the "
+                               "other");
+    for (const Parameter each : {Parameter::rms_gradient, Parameter::alpha})
+        if (has(request.wanted, each) && scene.face.map && scene.face.spectrum_of_map)
+            throw domain_error(scene.file + ": " + option + " " + std::string(parts::row_of(each).short_name) +
+                               ": the surface is a map, whose heights have one factor, sigma; [contact.persson] "
+                               "spectrum = \"moments\" makes it numbers");
+}
+
+/// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
+std::string flow_of(const Scene& scene, const Fit& fit, const std::vector<Parameter>& wanted) {
+    const double hardness = hardness_of(scene);
+    if (is_plastic(*fit.law) || !(hardness > 0) || fit.found.status == math::FitStatus::singular) return "";
+    const ContactParameters<double>& x = fit.found.all;
+    Scene fitted = lean_scene(scene, fit);
+    fitted.face = with_parameters(std::move(fitted.face), x, wanted);
+    const double psi = parts::plasticity_index(fitted.face.roughness(), x.effective_modulus,
+                                               hardness / parts::hardness_over_yield_strength<double>);
+    const std::optional<double> g = gradient(fitted);
+    const double relative = g ? hardness / (x.effective_modulus * *g) : std::numeric_limits<double>::quiet_NaN();
+    if (!(g ? relative < parts::flowing_hardness : psi > parts::max_elastic_plasticity_index<double>)) return "";
+    const bool has_plastic = refusal_of(find_law(LawName::plastic), scene).empty();
+    return "the peaks of the fitted surface flow (" +
+           (g ? "H/(E g) = " + rounded(relative, 2) + ", below " + rounded(parts::flowing_hardness) + "; " : "") +
+           "plasticity index " + rounded(psi, 3) +
+           "): an elastic law is not that of this contact, and what it found is no property of the surface; fit " +
+           (has_plastic ? "plastic" : "jackson_green");
 }
 
 }  // namespace
 
 std::string title(const Fit& fit) {
-    return std::string(fit.law->name) + ", theta = " + rounded(fit.theta) + ", r = " + rounded(fit.r);
+    const std::string law(fit.law->name);
+    return fit.theta ? law + ", theta = " + rounded(*fit.theta) + ", r = " + rounded(*fit.r) : law;
+}
+
+std::vector<ContactPoint<double>> fitted_points(const Scene& scene, const Fit& fit, std::span<const double> pressures) {
+    std::vector<Parameter> wanted;
+    for (const auto& one : fit.found.parameters) wanted.push_back(one.parameter);
+    return points_with(lean_scene(scene, fit), fit.found.all, wanted, pressures);
 }
 
 Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
     if (scene.reading != InteractionReading::none)
         throw domain_error(scene.file +
-                           ": contact.interaction: must be \"none\" to identify parameters: the derivatives are those "
-                           "of the interface alone");
+                           ": contact.interaction: must be \"none\" to identify parameters: the fitted K is that of "
+                           "the interface alone");
     Fits all;
     all.wave = wave_of(scene, curve, request);
     all.warnings = scene.warnings;
+    require_known(scene, request);
     all.fits = fits_of(scene, curve, request, all.warnings);
-    if (std::count(request.wanted.begin(), request.wanted.end(), Parameter::fractal_dimension) > 0 &&
-        !scene.face.dimension())
-        throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " +
-                           option_name(request.prefix, "fit") + " D starts from it");
     IdentifyOptions<double> options;
     options.wave = all.wave;
     for (Fit& fit : all.fits) {
         const auto data = observations(curve, fit.points);
         fit.found = parts::located(parts::Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
-            return fit.law->fit({data, request.wanted, fit.start, options});
+            return found_by(scene, fit, {data, request.wanted, fit.start, options});
         });
     }
     for (const Parameter unknown : unknown_parameters(scene))  // of the surface, and held at what nobody knows
-        if (std::count(request.wanted.begin(), request.wanted.end(), unknown) == 0) all.doubtful = true;
+        if (!has(request.wanted, unknown)) all.doubtful = true;
     if (scene.implausible) all.doubtful = true;
     std::size_t sound = 0;
     for (const Fit& fit : all.fits) {
@@ -191,6 +341,10 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
             all.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
             if (parts::is_fatal(finding.concern)) all.doubtful = true;
             doubted = doubted || parts::is_doubtful(finding.concern);
+        }
+        if (const std::string flow = flow_of(scene, fit, request.wanted); !flow.empty()) {
+            all.warnings.push_back(title(fit) + ": " + flow);
+            doubted = true;
         }
         sound += !doubted;
     }

@@ -9,6 +9,7 @@
 #include <fstiff/fit/identify.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,20 +19,20 @@ namespace fstiff::scene {
 /// What is fitted, and of what.
 struct FitRequest {
     std::vector<Parameter> wanted;
-    std::string law{};   ///< this law of the scene alone; empty: every one that has derivatives
+    std::string law{};   ///< alone; empty: the laws that somebody chose, or else the one whose K is the answer
     bool shear = false;  ///< measured reflections are of shear waves
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 };
 
 struct Fit {
     const Law* law = nullptr;
-    double theta = 0, r = 0;  ///< of the scene
+    std::optional<double> theta, r;  ///< of the scene; none: a law without a joint distribution of peaks
     ContactParameters<double> start{};
     std::vector<MeasuredPoint> points;  ///< that were fitted
     Identification<double> found{};
 };
 
-/// "hertz, theta = 0.7854, r = 0.5".
+/// "hertz, theta = 0.7854, r = 0.5", or the law alone.
 [[nodiscard]] std::string title(const Fit& fit);
 
 struct Fits {
@@ -43,5 +44,9 @@ struct Fits {
 
 /// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve lacks.
 [[nodiscard]] Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request);
+
+/// The contact that \p fit found, under \p pressures [Pa], with its stiffness alone.
+[[nodiscard]] std::vector<ContactPoint<double>> fitted_points(const Scene& scene, const Fit& fit,
+                                                              std::span<const double> pressures);
 
 }  // namespace fstiff::scene

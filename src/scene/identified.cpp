@@ -52,14 +52,13 @@ Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p)
 
 Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
     const auto& found = fit.found;
-    Json entry{{"law", fit.law->name},
-               {"theta", fit.theta},
-               {"r", fit.r},
-               {"status", name_of(found.status)},
-               {"chi_squared", found.chi_squared},
-               {"degrees_of_freedom", found.degrees_of_freedom},
-               {"errors_known", found.errors_known},
-               {"evaluations", found.evaluations}};
+    Json entry{{"law", fit.law->name}};
+    if (fit.theta) entry["theta"] = *fit.theta, entry["r"] = *fit.r;
+    entry["status"] = name_of(found.status);
+    entry["chi_squared"] = found.chi_squared;
+    entry["degrees_of_freedom"] = found.degrees_of_freedom;
+    entry["errors_known"] = found.errors_known;
+    entry["evaluations"] = found.evaluations;
     Json& concerns = entry["concerns"] = Json::array();
     for (const auto& finding : concerns_of(found)) concerns.push_back(name_of(finding.concern));
     Json& parameters = entry["parameters"] = Json::array();

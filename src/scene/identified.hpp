@@ -39,7 +39,7 @@ inline constexpr auto parameter_short_names = [] {
 struct IdentifyRequest {
     std::string measured{};          ///< file of the curve
     std::vector<std::string> fit{};  ///< parameters, by their short names or their keys in a scene
-    std::string law{};               ///< this law of the scene alone; empty: every one that has derivatives
+    std::string law{};               ///< alone; empty: the laws that somebody chose, or the one whose K is the answer
     WaveKind wave = WaveKind::longitudinal;
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 
@@ -52,9 +52,11 @@ struct IdentifyRequest {
              "file (CSV) of pressure and stiffness or reflection, with their errors if they are known",
              {.required = true, .type = "FILE"});
         take("fit", fit,
-             "parameters to fit, among " + names + " (offset: of the pressure); the others keep their values",
+             "parameters to fit, among " + names +
+                 " (g: rms gradient, offset: of the pressure); the others keep their values",
              {.required = true, .type = "NAME,..."});
-        take("law", law, "fit only this law of the scene", {.words = fitted_law_names()});
+        take("law", law, "law to fit; the default is contact.laws, or plastic or hybrid where it is not there",
+             {.words = fitted_law_names()});
         take("wave", wave, "kind of wave whose reflection coefficients were measured: longitudinal (default) or shear");
     }
 };

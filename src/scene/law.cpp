@@ -8,14 +8,15 @@
 #include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fstiff::scene {
@@ -113,58 +114,38 @@ std::unique_ptr<AnyContact> hybrid_of_numbers(const ContactInputs& inputs) {
     return of_hybrid_of_numbers(inputs, [](auto&& contact) { return std::move(contact); });
 }
 
-/// K of hybrid of one of many surfaces that a band is drawn of: from their table, and by the law itself beyond it.
-class SimilarHybrid final : public AnyContact {
-public:
-    explicit SimilarHybrid(const ContactInputs& inputs) : inputs_(inputs) {}
-    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
-        std::vector<ContactPoint<double>> points;
-        for (const double& p : pressures) {
-            const auto K = inputs_.similar->stiffness(inputs_.moments, inputs_.hurst, inputs_.effective_modulus, p);
-            if (!K) {
-                points.push_back(itself().at_pressures(std::span(&p, 1), wanted).front());
-                continue;
-            }
-            ContactState<double> state;
-            state.pressure = {p, 0, 0};
-            state.stiffness = {*K, parts::SimilarHybrids<double>::accuracy * *K, 0};
-            points.push_back(ContactPoint<double>::of(state));
-        }
-        return points;
-    }
-    std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
-                                                     Quantity wanted) const override {
-        return itself().at_separations(separations, wanted);
-    }
-
-private:
-    const AnyContact& itself() const {
-        if (!itself_) itself_ = hybrid_of_numbers(inputs_);
-        return *itself_;
-    }
-    ContactInputs inputs_;
-    mutable std::unique_ptr<AnyContact> itself_;
-};
-
 std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
     if (!inputs.map || !inputs.spectrum_of_map) {
-        if (inputs.similar) return std::make_unique<SimilarHybrid>(inputs);
-        return hybrid_of_numbers(inputs);
+        if (!inputs.similar) return hybrid_of_numbers(inputs);
+        const auto itself = [](double K, double) { return std::optional(K); };
+        return std::make_unique<QuickContact<decltype(itself)>>(inputs, hybrid_of_numbers, itself);
     }
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
         return hybrid_of_map(inputs, of, shift);
     });
 }
 
-/// Peaks that have flowed: the cut of the map itself, of numbers that of a Gaussian surface.
+/// Peaks that have flowed, of numbers: the cut of a Gaussian surface.
+parts::GaussianCut<double> gaussian_cut(const ContactInputs& inputs) {
+    return {std::sqrt(inputs.moments.m0), std::sqrt(2 * inputs.moments.m2), inputs.effective_modulus};
+}
+
+std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs& inputs) {
+    return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
+        return PlasticContact(std::move(contact), gaussian_cut(inputs), inputs.material.hardness_or_default(),
+                              inputs.effective_modulus, std::sqrt(2 * inputs.moments.m2));
+    });
+}
+
+/// The same; of a map with the cut of the map itself.
 std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     const double hardness = inputs.material.hardness_or_default(), E = inputs.effective_modulus;
     if (!inputs.map || !inputs.spectrum_of_map) {
-        const double g = std::sqrt(2 * inputs.moments.m2);
-        return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
-            return PlasticContact(std::move(contact), parts::GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E),
-                                  hardness, E, g);
-        });
+        if (!inputs.similar) return plastic_of_numbers(inputs);
+        const auto joined = [cut = gaussian_cut(inputs), hardness](double K, double p) {
+            return p < hardness ? std::optional(parts::plastic_stiffness(cut.stiffness(p / hardness), K)) : std::nullopt;
+        };
+        return std::make_unique<QuickContact<decltype(joined)>>(inputs, plastic_of_numbers, joined);
     }
     const double g = inputs.map->spectrum(inputs.options.edges).rms_gradient();
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
@@ -200,6 +181,33 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
         RoughContact(inputs.surface, *inputs.peaks, law, inputs.effective_modulus, options), law.critical(1.0));
 }
 
+/// K of the pressure and the rms height alone.
+class ProportionalToPressure final : public AnyContact {
+public:
+    explicit ProportionalToPressure(double rms_height) : rms_height_(rms_height) {}
+    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity) const override {
+        std::vector<ContactPoint<double>> points;
+        for (const double p : pressures) {
+            ContactState<double> state;
+            state.pressure = {p, 0, 0};
+            const double K = parts::linear_stiffness(p, rms_height_);
+            state.stiffness = {K, 4 * std::numeric_limits<double>::epsilon() * K, 0};
+            points.push_back(ContactPoint<double>::of(state));
+        }
+        return points;
+    }
+    std::vector<ContactPoint<double>> at_separations(std::span<const double>, Quantity) const override {
+        throw domain_error("law proportional: gives no separation; must be asked at pressures");
+    }
+
+private:
+    double rms_height_;
+};
+
+std::unique_ptr<AnyContact> proportional(const ContactInputs& inputs) {
+    return std::make_unique<ProportionalToPressure>(inputs.surface.rms_height);
+}
+
 std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
     const LawOptions& of = inputs.options;
     std::vector<BoundaryElementContact<double>> of_shifts;
@@ -216,7 +224,7 @@ constexpr Quantity without_contacts =
     Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area_fraction |
     Quantity::loading_stiffness;
 
-const std::array<Law, 12> table{{
+const std::array<Law, 13> table{{
     {.which = LawName::fractal,
      .nature = "the print of the paper: K is not the slope of the load (docs/errata.md)",
      .needs_dimension = true,
@@ -322,13 +330,23 @@ const std::array<Law, 12> table{{
      .needs_whole_map = true,
      .holds_when_crowded = true,
      .varies = false},
+    {.which = LawName::proportional,
+     .nature = "elastic, of the rms height alone: K is p/(0.48 sigma)",
+     .has_peaks = false,
+     .load = "not given",
+     .stiffness = "Akarapu, Sharp, Robbins (2011)",
+     .peaks = "none: the rms height",
+     .contact = proportional,
+     .quantities = Quantity::pressure | Quantity::stiffness,
+     .holds_when_crowded = true},
 }};
 
 }  // namespace
 
 ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
     throw domain_error(
-        "this law cannot be tabulated: each of its points is a solution by boundary elements; must be another");
+        "this law cannot be tabulated: it gives no separation, or each of its points is a solution by boundary elements; "
+        "must be another");
 }
 
 std::span<const Law> laws() { return table; }
@@ -341,8 +359,12 @@ std::vector<std::string_view> law_names() {
 std::vector<std::string_view> fitted_law_names() {
     std::vector<std::string_view> names;
     for (const Law& law : table)
-        if (law.fit) names.push_back(law.name);
+        if (law.varies) names.push_back(law.name);
     return names;
+}
+
+Identification<double> fit_curve(const FitInputs& inputs, const parts::CurveOfParameters<double>& curve) {
+    return parts::identify_by_differences(inputs.data, inputs.wanted, inputs.start, curve, inputs.options);
 }
 
 const Law& find_law(LawName name) { return table[static_cast<std::size_t>(name)]; }

@@ -12,13 +12,14 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
+#include <fstiff/fit/difference_fit.hpp>
 #include <fstiff/fit/identify.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/summits.hpp>
-#include <fstiff/validity/validated_ratio.hpp>
+#include <fstiff/validity/law_name.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -36,11 +37,6 @@ template <parts::ReadableReal T>
 class ContactLaw;
 template <parts::ReadableReal T>
 struct LawRange;
-namespace parts {
-template <Real T>
-class SimilarHybrids;
-}
-
 }  // namespace fstiff
 
 namespace fstiff::scene {
@@ -101,6 +97,16 @@ struct MapOfSurface {
     }
 };
 
+struct ContactInputs;
+
+/// K of hybrid of many surfaces of numbers, faster than by a contact of each.
+class QuickHybrid {
+public:
+    virtual ~QuickHybrid() = default;
+    /// K [Pa/m] of the surface of \p inputs; none where it takes the contact itself.
+    [[nodiscard]] virtual std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const = 0;
+};
+
 /// What a contact is made of.
 struct ContactInputs {
     Roughness<double> surface{};
@@ -114,7 +120,7 @@ struct ContactInputs {
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
     const parts::BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
-    const parts::SimilarHybrids<double>* similar = nullptr;  ///< of surfaces drawn for a band: K alone counts, to 1e-3
+    const QuickHybrid* similar = nullptr;  ///< of surfaces for a band: K alone counts, to 1e-3
     PlasticMaterial<double> material{};  ///< of the softer body
     ProgressHook progress{};             ///< called once a state where that takes seconds
 };
@@ -138,7 +144,7 @@ struct Law {
     std::string_view load, stiffness, peaks;
     /// \throws domain_error naming the parameter that is out of range.
     std::unique_ptr<AnyContact> (*contact)(const ContactInputs&) = nullptr;
-    /// Null where the law has no derivatives. \throws as fstiff::identify.
+    /// Null where the law has no exact derivatives. \throws as fstiff::identify.
     Identification<double> (*fit)(const FitInputs&) = nullptr;
     Quantity quantities = Quantity::all;  ///< that the law gives
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
@@ -146,15 +152,17 @@ struct Law {
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
     bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning
     bool has_quick_form = false;      ///< without LawOptions::mutual, for the shape of a band
-    bool varies = true;    ///< can be computed of surfaces drawn about the measured one, for a band
+    bool varies = true;    ///< can be computed of surfaces drawn about the measured one, for a band, and fitted
     PlasticRange range{};  ///< of a law whose contact has means_at
 };
 
 /// All laws, in the order in which choices are listed.
 [[nodiscard]] std::span<const Law> laws();
 [[nodiscard]] std::vector<std::string_view> law_names();
-/// Those that fit() has.
+/// Those that can be fitted.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
+/// Fits the parameters of any curve, by differences. \throws as parts::identify_by_differences.
+[[nodiscard]] Identification<double> fit_curve(const FitInputs& inputs, const parts::CurveOfParameters<double>& curve);
 [[nodiscard]] const Law& find_law(LawName name);
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);

@@ -76,7 +76,7 @@ struct ReadColumn {
 struct Header {
     std::array<std::optional<ReadColumn>, 4> columns;  ///< by column::Kind
     bool error_is_share = false;                   ///< a plain "error" column without a unit
-    std::optional<std::size_t> law, theta, r;      ///< of fstiff run
+    std::optional<std::size_t> law, theta, r, answer;  ///< of fstiff run
     [[nodiscard]] bool computed() const { return law.has_value(); }
 };
 
@@ -94,6 +94,7 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
         header.law = column_called(cells, "law");
         header.theta = column_called(cells, "theta");
         header.r = column_called(cells, "r");
+        header.answer = column_called(cells, "answer");
     }
     const bool has_stiffness =
         std::any_of(cells.begin(), cells.end(), [](auto cell) { return title_of(cell).name == "stiffness"; });
@@ -181,8 +182,15 @@ bool has_decimal_comma(const std::vector<text::Line>& lines, char separator) {
     });
 }
 
+/// How the one curve of several laws is called that the rows of an answer are.
+constexpr std::string_view answer_curve = "answer";
+
 ComputedCurve computed_curve(const Cells& cells, const Header& header) {
     ComputedCurve curve;
+    if (header.answer && *header.answer < cells.size() && text::trimmed(cells[*header.answer]) == "1") {
+        curve.law = answer_curve;
+        return curve;
+    }
     if (*header.law < cells.size()) curve.law = text::trimmed(cells[*header.law]);
     const auto number = [&](std::optional<std::size_t> index) -> std::optional<double> {
         if (!index || *index >= cells.size()) return std::nullopt;
@@ -241,6 +249,11 @@ MeasuredCurve read_measured_curve(const std::string& file) {
         if (known == curve.computed.end()) curve.computed.push_back(of);
     }
     if (curve.points.empty()) throw domain_error(curve.name + ": has a header but no row; at least one row is needed");
+    if (curve.computed.size() > 1 && curve.computed.front().law == answer_curve) {  // the laws that are named count
+        std::erase_if(curve.points, [](const MeasuredPoint& point) { return point.curve == 0; });
+        for (MeasuredPoint& point : curve.points) --point.curve;
+        curve.computed.erase(curve.computed.begin());
+    }
     return curve;
 }
 

@@ -40,7 +40,7 @@ struct MeasuredCurve {
 /// Reads \p file ("-" is standard input). The first line that is no comment names the columns with their units:
 /// pressure, then stiffness or reflection, and optionally stiffness_error or reflection_error (or error). Others are left.
 /// A file with the columns law and eta is of `fstiff run`: r is the correlation of heights and curvatures there, the
-/// stiffness is taken before the reflection, and no error is read.
+/// stiffness is taken before the reflection, and no error is read. Its answer is one curve, and left out where laws are named.
 /// \throws domain_error naming file, line and what must be there.
 [[nodiscard]] MeasuredCurve read_measured_curve(const std::string& file);
 /// A curve that no file holds: the values, reflections or else stiffnesses, at \p pressures, with their standard errors unless

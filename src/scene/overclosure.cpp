@@ -2,6 +2,7 @@
 #include "scene/overclosure.hpp"
 
 #include "document/file.hpp"
+#include "scene/answer.hpp"
 #include "scene/one_contact.hpp"
 #include "scene/results.hpp"
 #include "surface/request.hpp"
@@ -33,8 +34,9 @@ bool has_separation(const Law& law) { return parts::has(law.quantities, Quantity
 
 const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     const std::string& name = options.law;
+    const std::vector<const Law*> all = name.empty() ? scene.laws : offered_laws(scene);
     std::vector<std::string_view> names;
-    for (const Law* law : scene.laws) {
+    for (const Law* law : all) {
         if (has_separation(*law) && (name.empty() || name == law->name)) return *law;
         if (has_separation(*law)) names.push_back(law->name);
     }
@@ -67,6 +69,7 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
         fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
     }
     fine.samples = 0;
+    fine.best = fine.solves_map = false;
     fine.separation = true;
     fine.stiffness = fine.loading_stiffness = true;
     fine.real_area = fine.contacts = fine.tangential_stiffness = false;
@@ -78,6 +81,21 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     for (std::size_t i = 0; i <= steps; ++i)
         fine.points.push_back(from * std::exp(decades * static_cast<double>(i) / static_cast<double>(steps)));
     return fine;
+}
+
+/// The answer of \p scene, which names no law, at those of its pressures that are between \p from and \p to.
+std::vector<PressureTable::Answer> answer_between(Scene scene, double from, double to, const ProgressHook& progress) {
+    std::vector<double> kept;
+    for (const std::size_t place : points_of_answer(scene))
+        if (const double p = scene.points[place]; p >= from * (1 - 1e-9) && p <= to * (1 + 1e-9)) kept.push_back(p);
+    scene.points = std::move(kept);
+    std::vector<PressureTable::Answer> rows;
+    if (scene.at_separations || scene.points.empty()) return rows;
+    const Curve curve = compute(scene, progress).answer->curve;
+    for (std::size_t i = 0; i < curve.states.size(); ++i)
+        rows.push_back({curve.states[i].pressure.value, curve.states[i].stiffness.value, curve.band[i].low,
+                        curve.band[i].high, std::string(curve.law_at(i).name)});
+    return rows;
 }
 
 /// The least and the greatest -dp/dd over K.
@@ -137,6 +155,10 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
                         .from = points.front().pressure,
                         .to = points.back().pressure,
                         .compared = points.size(),
+                        .answer = scene.best && options.law.empty()
+                                      ? answer_between(scene, points.front().pressure, points.back().pressure,
+                                                       options.progress)
+                                      : std::vector<PressureTable::Answer>(),
                         .slope_over_stiffness = slope_over_stiffness(curve),
                         .warnings = results.warnings,
                         .doubtful = results.doubtful};

@@ -23,7 +23,8 @@
 namespace fstiff::scene {
 
 struct PressureTableOptions {
-    std::string law{};                   ///< one of the scene; empty: its first that has a separation
+    std::string law{};  ///< one of the scene, which may be any where it names none; empty: that of the answer, or its first
+                        ///< that has a separation
     int peaks = 1;                       ///< which of contact.peaks, from 1 on
     std::optional<double> from{}, to{};  ///< [Pa]; none: the least and the greatest pressure of the scene
     double tolerance = 0.01;             ///< of the interpolated pressure, relative; 1e-5 to 0.2
@@ -46,6 +47,11 @@ struct PressureTable {
     std::vector<Row> rows{};     ///< both rise from row to row
     double error = 0;            ///< the largest relative one of the interpolated pressure between `from` and `to`
     std::size_t compared = 0;    ///< pressures at which it was measured
+    struct Answer {
+        double pressure, stiffness, low, high;  ///< [Pa, Pa/m]; the ends of the 90 % band
+        std::string law;
+    };
+    std::vector<Answer> answer{};  ///< of a scene that names no law: what run prints, by laws that have no table too
     std::optional<Range> slope_over_stiffness{};  ///< -dp/dd over K of the law; none: one of them is not known
     std::vector<std::string> warnings{};
     bool doubtful = false;  ///< as Results::doubtful

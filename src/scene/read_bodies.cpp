@@ -20,41 +20,96 @@ struct Strength {
     }
 };
 
-Material<double> read_material(Source& source, const Section& body, Strength& strength) {
+/// A body of [material].
+struct ReadBody {
     Material<double> material{};
-    material.youngs_modulus = body.positive("youngs_modulus", Dimension::pressure);
-    const toml::node& nu = body.at("poisson_ratio");
-    material.poisson_ratio = source.number(nu, body.key("poisson_ratio"));
-    try {
-        (void)effective_modulus(material, material);
-    } catch (const domain_error& error) {
-        throw error.with_parameter(body.key(error.parameter())).with_place(source.place(nu));
+    Strength strength{};
+    std::optional<double> thermal{}, electrical{};  ///< conductivities
+    const parts::NamedMaterial* name = nullptr;
+};
+
+const parts::NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
+    const std::string name = source.text(node, key);
+    if (const auto* found = parts::find_material(name)) return *found;
+    std::vector<std::string_view> names;
+    for (const parts::NamedMaterial& one : parts::named_materials) names.push_back(one.name);
+    source.refuse(node, key,
+                  "must be one of " + list_of(names) + ", or a section with youngs_modulus and poisson_ratio");
+}
+
+void record_of_name(Source& source, const std::string& key, const parts::NamedMaterial& name, double value,
+                    std::string_view unit) {
+    source.record(key, "of " + std::string(name.name) + " (default)", value, unit);
+}
+
+/// A name, or a section that may begin from one: what else it holds replaces the values of the name.
+ReadBody read_material(Source& source, const toml::node& node, const std::string& key) {
+    static const toml::table empty;
+    if (!node.is_string() && !node.is_table())
+        source.refuse(node, key, "must be the name of a material, such as \"steel\", or a section of keys");
+    const Section body(source, node.is_table() ? *node.as_table() : empty, key,
+                       {"name", "youngs_modulus", "poisson_ratio", "yield_strength", "hardness", "thermal_conductivity",
+                        "electrical_conductivity"});
+    ReadBody read;
+    if (const toml::node* name = node.is_string() ? &node : body.find("name"))
+        read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
+    if (read.name) read.material = read.name->elastic;
+    if (read.name && !body.find("youngs_modulus"))
+        record_of_name(source, body.key("youngs_modulus"), *read.name, read.material.youngs_modulus, "Pa");
+    else
+        read.material.youngs_modulus = body.positive("youngs_modulus", Dimension::pressure);
+    if (read.name && !body.find("poisson_ratio")) {
+        record_of_name(source, body.key("poisson_ratio"), *read.name, read.material.poisson_ratio, "");
+    } else {
+        const toml::node& nu = body.at("poisson_ratio");
+        read.material.poisson_ratio = source.number(nu, body.key("poisson_ratio"));
+        try {
+            (void)effective_modulus(read.material, read.material);
+        } catch (const domain_error& error) {
+            throw error.with_parameter(body.key(error.parameter())).with_place(source.place(nu));
+        }
     }
-    strength = {body.optional_positive("yield_strength", Dimension::pressure),
-                body.optional_positive("hardness", Dimension::pressure), material.poisson_ratio};
-    return material;
+    read.strength = {body.optional_positive("yield_strength", Dimension::pressure),
+                     body.optional_positive("hardness", Dimension::pressure), read.material.poisson_ratio};
+    read.thermal = body.optional_positive("thermal_conductivity", Dimension::thermal_conductivity);
+    read.electrical = body.optional_positive("electrical_conductivity", Dimension::electrical_conductivity);
+    if (read.name && !read.thermal) read.thermal = read.name->thermal_conductivity;
+    if (read.name && !read.electrical) read.electrical = read.name->electrical_conductivity;
+    return read;
+}
+
+/// "205 GPa, nu 0.3".
+std::string shown(const Material<double>& material) {
+    return rounded(material.youngs_modulus / 1e9) + " GPa, nu " + rounded(material.poisson_ratio);
 }
 
 }  // namespace
 
-void read_materials(Source& source, const toml::table& table, Scene& scene) {
-    const Section material(source, table, "material", {"upper", "lower"});
-    const std::initializer_list<std::string_view> keys{"youngs_modulus", "poisson_ratio", "yield_strength", "hardness"};
-    std::array<Strength, 2> of;
-    const auto read = [&](const char* name, Strength& strength) {
-        return read_material(source, Section(source, material.subtable(name), "material." + std::string(name), keys),
-                             strength);
-    };
-    scene.upper = read("upper", of[0]);
-    scene.lower = material.find("lower") ? read("lower", of[1]) : scene.upper;
-    if (!material.find("lower")) of[1] = of[0];
-    const Strength& softer = of[of[1].resistance() < of[0].resistance() ? 1 : 0];
+void read_materials(Source& source, const toml::table* table, Scene& scene) {
+    static const toml::table steel{{"upper", "steel"}};
+    const bool assumed = !table || table->empty();
+    const Section material(source, assumed ? steel : *table, "material", {"upper", "lower"});
+    const ReadBody upper =
+        read_material(source, material.at("upper", "is missing; the scene needs it"), material.key("upper"));
+    const toml::node* second = material.find("lower");
+    const ReadBody lower = second ? read_material(source, *second, material.key("lower")) : upper;
+    if (!second) source.record("material.lower", "as material.upper (default)");
+    scene.upper = upper.material, scene.lower = lower.material;
+    scene.upper_name = upper.name, scene.lower_name = lower.name;
+    if (upper.thermal && lower.thermal) scene.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
+    if (upper.electrical && lower.electrical)
+        scene.conduction.electrical = joint_conductivity(*upper.electrical, *lower.electrical);
+    const bool is_lower_softer = lower.strength.resistance() < upper.strength.resistance();
+    const Strength& softer = is_lower_softer ? lower.strength : upper.strength;
     scene.softer_poisson = softer.poisson;
     scene.hardness = softer.hardness;
-    for (const Strength& one : of)
+    for (const Strength& one : {upper.strength, lower.strength})
         if (one.yield)
             scene.yield_strength = scene.yield_strength ? std::min(*scene.yield_strength, *one.yield) : *one.yield;
-    if (!material.find("lower")) source.record("material.lower", "as material.upper (default)");
+    if (!assumed) return;
+    for (Input& input : source.inputs)
+        if (input.key == "material.upper") input.written += " (default)";
+    scene.assumptions.push_back("both bodies steel, " + shown(scene.upper));
 }
 
 namespace {
@@ -63,52 +118,81 @@ namespace {
 struct Body {
     double impedance = 0;
     std::optional<double> shear_impedance;
+    bool is_shear_usual = false;  ///< by the name of the material
 };
 
-/// \p name, or the product of density and \p velocity; none: neither is there.
+/// \p name, or the product of density and \p velocity, which is \p usual where it is not there; none: no velocity.
 std::optional<double> read_impedance(Source& source, const Section& body, std::string_view name,
-                                     std::string_view velocity, std::optional<double> density) {
+                                     std::string_view velocity, std::optional<double> density,
+                                     std::optional<double> usual) {
     if (body.find(name)) {
         if (body.find(velocity))
             throw domain_error(source.at(*body.find(velocity)) + ": " + body.key(velocity) +
                                ": must not stand beside " + body.key(name) + "; give one of the two");
         return body.positive(name, Dimension::impedance);
     }
-    const auto speed = body.optional_positive(velocity, Dimension::velocity);
+    const auto written = body.optional_positive(velocity, Dimension::velocity);
+    const auto speed = written ? written : usual;
     if (!speed) return std::nullopt;
     const std::string why = "is missing; " + body.key(velocity) + " needs it";
     if (!density) static_cast<void>(body.at("density", why));
     const double product = *density * *speed;
     if (!(product > 0) || !std::isfinite(product))
-        source.refuse(*body.find(velocity), body.key(velocity),
+        source.refuse(written ? *body.find(velocity) : *body.find("density"), body.key(written ? velocity : "density"),
                       "must make an impedance density * velocity in the range of double precision");
     return product;
 }
 
-Body read_body(Source& source, const Section& body) {
-    const auto density = body.optional_positive("density", Dimension::density);
-    const auto impedance = read_impedance(source, body, "impedance", "velocity", density);
+/// A body of [ultrasound]; \p table is null where it is not there. What it does not say is that of the material
+/// \p name, unless it gives its impedance itself.
+Body read_body(Source& source, const toml::table* table, const std::string& key, const parts::NamedMaterial* name,
+               Scene& scene) {
+    static const toml::table none;
+    const Section body(source, table ? *table : none, key,
+                       {"impedance", "density", "velocity", "shear_impedance", "shear_velocity"});
+    if (body.find("impedance")) name = nullptr;
+    std::string taken;
+    const auto usual = [&](const char* what, double value, std::string_view unit) {
+        record_of_name(source, body.key(what), *name, value, unit);
+        taken += (taken.empty() ? "" : ", ") + std::string(what) + " " + rounded(value) + " " + std::string(unit);
+        return value;
+    };
+    auto density = body.optional_positive("density", Dimension::density);
+    if (!density && name) density = usual("density", name->density, "kg/m^3");
+    const auto velocity = [&](const char* what, const char* other, double value) {
+        return name && !body.find(what) && !body.find(other) ? std::optional(usual(what, value, "m/s")) : std::nullopt;
+    };
+    const auto impedance = read_impedance(source, body, "impedance", "velocity", density,
+                                          velocity("velocity", "impedance", name ? name->longitudinal_velocity : 0));
     if (!impedance)
-        throw domain_error(source.at(body.node()) + ": " + body.key("impedance") +
+        throw domain_error((table ? source.at(body.node()) : source.file) + ": " + body.key("impedance") +
                            ": is missing; the scene needs it, or " + body.key("density") + " and " +
                            body.key("velocity"));
-    return {*impedance, read_impedance(source, body, "shear_impedance", "shear_velocity", density)};
+    const auto usual_shear = velocity("shear_velocity", "shear_impedance", name ? name->shear_velocity : 0);
+    const auto shear = read_impedance(source, body, "shear_impedance", "shear_velocity", density, usual_shear);
+    if (!taken.empty()) scene.assumptions.push_back(key + " as " + std::string(name->name) + ": " + taken);
+    return {*impedance, shear, usual_shear.has_value()};
 }
 
 }  // namespace
 
 void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     const Section section(source, table, "ultrasound", {"frequency", "upper", "lower"});
-    const std::initializer_list<std::string_view> keys{"impedance", "density", "velocity", "shear_impedance",
-                                                       "shear_velocity"};
     Waves waves;
     waves.frequency = section.positive("frequency", Dimension::frequency);
     if (!std::isfinite(waves.angular()) || waves.angular() == 0)
         source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");
-    const Body upper = read_body(source, Section(source, section.subtable("upper"), "ultrasound.upper", keys));
+    const auto sides = [&](const char* name) {
+        return section.find(name) ? &section.subtable(name) : nullptr;
+    };
+    const toml::table *first = sides("upper"), *second = sides("lower");
+    if (!first && !scene.upper_name) static_cast<void>(section.subtable("upper"));  // which refuses it
+    Body upper = read_body(source, first, "ultrasound.upper", scene.upper_name, scene);
     Body lower = upper;
-    if (section.find("lower")) {
-        lower = read_body(source, Section(source, section.subtable("lower"), "ultrasound.lower", keys));
+    if (second || (scene.lower_name && scene.lower_name != scene.upper_name)) {
+        lower = read_body(source, second, "ultrasound.lower", scene.lower_name, scene);
+        if (upper.is_shear_usual && !lower.shear_impedance) upper.shear_impedance.reset();
+        if (lower.is_shear_usual && !upper.shear_impedance) lower.shear_impedance.reset();
         if (upper.shear_impedance.has_value() != lower.shear_impedance.has_value())
             throw domain_error(source.at(table) + ": ultrasound." + (upper.shear_impedance ? "lower" : "upper") +
                                ".shear_impedance: is missing; shear waves need that of both sides");
@@ -118,6 +202,40 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     waves.longitudinal = {upper.impedance, lower.impedance};
     if (upper.shear_impedance) waves.shear = {*upper.shear_impedance, *lower.shear_impedance};
     scene.ultrasound = waves;
+}
+
+void read_gap(Source& source, const toml::table& table, Scene& scene) {
+    const Section gap(source, table, "gap",
+                      {"medium", "conductivity", "temperature_jump", "accommodation", "temperature", "emissivity",
+                       "thermal_film", "electrical_film"});
+    Conduction& conduction = scene.conduction;
+    const auto share = [&](std::string_view key) -> std::optional<double> {
+        const toml::node* node = gap.find(key);
+        if (!node) return std::nullopt;
+        const double value = source.number(*node, gap.key(key));
+        if (!(value > 0 && value <= 1)) source.refuse(*node, gap.key(key), "must be greater than 0 and 1 at most");
+        return value;
+    };
+    const auto apart = [&](std::string_view one, std::string_view other) {
+        if (gap.find(one) && gap.find(other))
+            source.refuse(*gap.find(one), gap.key(one), "must not stand beside " + gap.key(other));
+    };
+    for (const std::string_view key : {"conductivity", "temperature_jump"})
+        for (const std::string_view of_gas : {"medium", "accommodation"}) apart(key, of_gas);
+    if (const toml::node* medium = gap.find("medium")) {
+        static_cast<void>(source.choice(*medium, gap.key("medium"), std::array<std::string_view, 1>{"air"}));
+        const double accommodation = share("accommodation").value_or(0.87);
+        conduction.gap = {parts::air<double>.conductivity, parts::temperature_jump(parts::air<double>, accommodation)};
+    } else if (const auto conductivity = gap.optional_positive("conductivity", Dimension::thermal_conductivity)) {
+        conduction.gap = {*conductivity, gap.optional_positive("temperature_jump", Dimension::length).value_or(0)};
+    }
+    if (const auto emissivity = share("emissivity")) {
+        conduction.radiation =
+            parts::radiative_conductance(gap.positive("temperature", Dimension::temperature), *emissivity);
+        if (!conduction.gap) conduction.gap.emplace();
+    }
+    conduction.thermal_film = gap.optional_positive("thermal_film", Dimension::thermal_film).value_or(0);
+    conduction.electrical_film = gap.optional_positive("electrical_film", Dimension::electrical_film).value_or(0);
 }
 
 }  // namespace fstiff::scene

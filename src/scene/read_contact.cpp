@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The section [contact] of a scene, and those of its laws.
+#include "scene/answer.hpp"
 #include "scene/law_options.hpp"
 #include "scene/readers.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace fstiff::scene {
 namespace {
 
-/// A list of quantities, or { from, to, count, spacing }. Pressures are positive; separations may have either sign.
-std::vector<double> read_points(Source& source, const toml::node& node, const std::string& key, Dimension dimension) {
-    const bool pressures = dimension == Dimension::pressure;
+/// A list of quantities, or { from, to, count, spacing }, or one force. Separations may have either sign, the others
+/// are positive.
+std::vector<double> read_values(Source& source, const toml::node& node, const std::string& key, Dimension dimension) {
+    const bool loads = dimension != Dimension::length;
     const auto one = [&](const toml::node& item, const std::string& item_key) {
-        return pressures ? source.positive(item, item_key, dimension) : source.quantity(item, item_key, dimension);
+        return loads ? source.positive(item, item_key, dimension) : source.quantity(item, item_key, dimension);
     };
+    if (dimension == Dimension::force && !node.is_array() && !node.is_table()) return {one(node, key)};
     if (const auto* list = node.as_array()) {
         if (list->empty()) source.refuse(node, key, "is an empty list; at least one value is needed");
         std::vector<double> points;
@@ -37,7 +42,7 @@ std::vector<double> read_points(Source& source, const toml::node& node, const st
     source.record(range.key("count"), written(count_node), static_cast<double>(count->get()));
     if (!(from < to)) source.refuse(range.at("to"), range.key("to"), "must be greater than " + range.key("from"));
     const bool log =
-        range.find("spacing") ? source.choice(*range.find("spacing"), range.key("spacing"), spacings) == 0 : pressures;
+        range.find("spacing") ? source.choice(*range.find("spacing"), range.key("spacing"), spacings) == 0 : loads;
     if (!range.find("spacing")) source.record(range.key("spacing"), std::string(spacings[log ? 0 : 1]) + " (default)");
     if (log && !(from > 0))
         source.refuse(range.at("from"), range.key("from"), "must be greater than 0 for spacing = \"log\"");
@@ -46,6 +51,72 @@ std::vector<double> read_points(Source& source, const toml::node& node, const st
     std::vector<double> points;
     for (std::uint64_t i = 0; i < spaced.count; ++i) points.push_back(spaced.at(i));
     return points;
+}
+
+/// contact.nominal_area, or the ring of contact.washer. The area of the built-in scene is not that of another surface.
+void read_area(Source& source, const Section& contact, Scene& scene, bool replaced) {
+    const toml::node* washer = contact.find("washer");
+    if (!(source.builtin && replaced)) scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
+    if (!washer) return;
+    const std::string key = contact.key("washer");
+    if (scene.nominal_area)
+        throw domain_error(source.at(*washer) + ": " + key + ": must not stand beside " + contact.key("nominal_area") +
+                           "; give one of the two");
+    if (!washer->is_table())
+        source.refuse(*washer, key, "must be a table such as { inner = \"8.4 mm\", outer = \"16 mm\" }");
+    const Section ring(source, *washer->as_table(), key, {"inner", "outer"});
+    const double inner = source.quantity(ring.at("inner"), ring.key("inner"), Dimension::length);
+    const double outer = ring.positive("outer", Dimension::length);
+    if (!(inner >= 0)) source.refuse(ring.at("inner"), ring.key("inner"), "must be 0 or greater");
+    if (!(outer > inner))
+        source.refuse(ring.at("outer"), ring.key("outer"), "must be greater than " + ring.key("inner"));
+    const double area = std::numbers::pi / 4 * (outer - inner) * (outer + inner);
+    if (!(area > 0) || !std::isfinite(area))
+        source.refuse(*washer, key, "must have an area in the range of double precision");
+    scene.nominal_area = area;
+    scene.is_joint = true;
+    source.record(contact.key("nominal_area"), "of the washer, pi/4 (outer^2 - inner^2)", area,
+                  si_unit(Dimension::area));
+}
+
+/// The pressures, separations or forces of the scene; forces over the nominal area are pressures.
+void read_points(Source& source, const Section& contact, Scene& scene) {
+    struct Kind {
+        std::string_view name;
+        Dimension dimension;
+    };
+    constexpr std::array<Kind, 3> kinds{{{"pressures", Dimension::pressure},
+                                         {"separations", Dimension::length},
+                                         {"force", Dimension::force}}};
+    const Kind* kind = nullptr;
+    for (const Kind& one : kinds) {
+        if (!contact.find(one.name)) continue;
+        if (kind)
+            throw domain_error(source.at(*contact.find(one.name)) + ": " + contact.key(one.name) +
+                               ": must not stand beside " + contact.key(kind->name) + "; give one of the two");
+        kind = &one;
+    }
+    if (!kind)
+        static_cast<void>(contact.at("pressures", "is missing; the scene needs contact.pressures, contact.force or "
+                                                  "contact.separations"));
+    const toml::node& node = contact.at(kind->name);
+    const std::string key = contact.key(kind->name);
+    scene.at_separations = kind->dimension == Dimension::length;
+    scene.points_where = source.at(node) + ": " + key + ": ";
+    scene.points = read_values(source, node, key, kind->dimension);
+    if (const auto seating = contact.optional_positive("seating", Dimension::pressure)) scene.seating = *seating;
+    if (kind->dimension != Dimension::force) return;
+    if (!scene.nominal_area)
+        throw domain_error(scene.points_where + "needs " + contact.key("nominal_area") + ", or " +
+                           contact.key("washer") + ", over which a force is a pressure");
+    scene.forces = scene.points;
+    scene.force = scene.is_joint = true;
+    for (double& point : scene.points) {
+        point /= *scene.nominal_area;
+        if (!(point > 0) || !std::isfinite(point))
+            source.refuse(node, key, "must be a pressure on " + contact.key("nominal_area") +
+                                         " in the range of double precision");
+    }
 }
 
 /// The peak density of [surface].
@@ -111,37 +182,29 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
 }
 
 void read_laws(Source& source, const Section& root, const Section& contact, Scene& scene, bool replaced) {
+    const toml::node* const node = contact.find("laws");
+    if (!node || (node->is_string() && written(*node) == "best")) {
+        scene.best = true;
+        set_law_of_answer(scene);
+        source.record(contact.key("laws"), node ? "best" : "best (default)");
+        return read_law_options(source, root, scene.laws.front()->which, scene);
+    }
     std::vector<const Law*> chosen;
-    if (const auto* node = contact.find("laws")) {
-        const auto names = law_names();
-        for (const auto i : source.choices(*node, contact.key("laws"), names)) chosen.push_back(&laws()[i]);
-    } else {
-        if (scene.face.dimension()) chosen.push_back(find_law("fractal"));
-        chosen.insert(chosen.end(), {find_law("hertz"), find_law("greenwood_williamson")});
-        source.record(contact.key("laws"), scene.face.dimension() ? "fractal, hertz, greenwood_williamson (default)"
-                                                                   : "hertz, greenwood_williamson (default)");
-    }
+    const auto names = law_names();
+    for (const auto i : source.choices(*node, contact.key("laws"), names)) chosen.push_back(&laws()[i]);
     const auto lacks = [&](const Law* law) { return law->needs_dimension && !scene.face.dimension(); };
-    if (!measured_faces(scene).empty() && (source.builtin || !contact.find("laws")) &&
-        !std::count(chosen.begin(), chosen.end(), find_law("hybrid"))) {
-        if (const std::string why = no_spectrum(scene.face); why.empty())
-            chosen.insert(chosen.begin(), find_law("hybrid"));
-        else
-            scene.warnings.push_back("law hybrid is not computed: " + why);
-    }
     if (replaced && !std::all_of(chosen.begin(), chosen.end(), lacks)) {
         if (std::erase_if(chosen, lacks) > 0) scene.warnings.push_back("no fractal law is computed, for want of D");
     }
     for (const Law* law : chosen) {
         if (lacks(law))
-            throw domain_error(source.at(*contact.find("laws")) + ": surface.fractal_dimension: is missing; law \"" +
+            throw domain_error(source.at(*node) + ": surface.fractal_dimension: is missing; law \"" +
                                std::string(law->name) + "\" needs it" +
                                (scene.face.measured && !scene.face.measured->found.why_no_dimension.empty()
                                     ? "; it was not found: " + scene.face.measured->found.why_no_dimension
                                     : ""));
         if (const std::string why = refusal_of(*law, scene); !why.empty())
-            throw domain_error((contact.find("laws") ? source.at(*contact.find("laws")) : source.file) + ": " +
-                               contact.key("laws") + ": \"" + std::string(law->name) + "\" " + why);
+            throw domain_error(source.at(*node) + ": " + contact.key("laws") + ": \"" + std::string(law->name) + "\" " + why);
         scene.laws.push_back(law);
         if (!is_shared(law->which)) read_law_options(source, root, law->which, scene);
     }
@@ -181,24 +244,12 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
         scene.face.write([&](Face& face) { face.spectrum_of_map = spectrum == SpectrumSource::map; });
-    std::vector<std::string_view> keys{"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"};
+    std::vector<std::string_view> keys{"nominal_area", "washer", "pressures", "separations", "force", "seating",
+                                       "laws",         "peaks",  "interaction"};
     for (const LawName law : laws_with_options()) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
-    scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
-
-    const toml::node* pressures = contact.find("pressures");
-    const toml::node* separations = contact.find("separations");
-    if (pressures && separations)
-        throw domain_error(source.at(*separations) + ": " + contact.key("separations") +
-                           ": must not stand beside contact.pressures; give one of the two");
-    scene.at_separations = separations != nullptr;
-    const toml::node& points =
-        separations ? *separations
-                    : contact.at("pressures", "is missing; the scene needs contact.pressures or contact.separations");
-    const std::string key = contact.key(separations ? "separations" : "pressures");
-    scene.points = read_points(source, points, key, separations ? Dimension::length : Dimension::pressure);
-    scene.points_where = source.at(points) + ": " + key + ": ";
-
+    read_area(source, contact, scene, replaced);
+    read_points(source, contact, scene);
     read_laws(source, root, contact, scene, replaced);
     read_peaks(source, contact, scene, replaced);
     read_interaction(source, contact, scene);

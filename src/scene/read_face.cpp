@@ -2,6 +2,7 @@
 #include "scene/readers.hpp"
 
 #include "document/file.hpp"
+#include "scene/priors.hpp"
 #include "surface/surface_option_table.hpp"
 
 #include <algorithm>
@@ -154,13 +155,15 @@ void read_spectrum(Source& source, const Section& surface, Face& face) {
     read("hurst", &Face::hurst, 0, 1, "must be greater than 0 and at most 1");
 }
 
-/// surface.errors.rms_gradient.
-void read_gradient_error(Source& source, const Section& errors, const toml::node& node, Face& face) {
-    const std::string key = errors.key("rms_gradient");
-    if (!face.rms_gradient)
-        source.refuse(node, key, "has no value next to it; must stand next to surface.rms_gradient");
-    face.gradient_error = source.number(node, key);
-    if (!(face.gradient_error >= 0)) source.refuse(node, key, "must be finite and not negative");
+/// surface.errors.rms_gradient, or of \p key, which made it.
+void read_gradient_error(Source& source, const Section& surface, const Section& errors, std::string_view key,
+                         const toml::node& node, Face& face) {
+    if (!surface.find(key) && !(key == "rms_gradient" && face.measured && face.rms_gradient))
+        source.refuse(node, errors.key(key),
+                      "has no value next to it; must stand next to " + surface.key(key));
+    const double error = source.number(node, errors.key(key));
+    if (!(error >= 0)) source.refuse(node, errors.key(key), "must be finite and not negative");
+    face.gradient_error = key == "rms_gradient" ? error : error * over_written(surface, key, *face.rms_gradient);
 }
 
 /// surface.errors: standard errors of parameters that are known.
@@ -168,7 +171,10 @@ void read_errors(Source& source, const Section& surface, Face& face) {
     const toml::node* errors = surface.find("errors");
     if (!errors) return;
     if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
-    std::vector<std::string_view> keys{"rms_gradient"};
+    constexpr std::array<std::string_view, 3> gradients{"rms_gradient", "Sdq", "Rdq"};
+    constexpr std::array<std::string_view, 4> heights{"Rq", "Sq", "Ra", "Sa"};
+    std::vector<std::string_view> keys(gradients.begin(), gradients.end());
+    keys.insert(keys.end(), heights.begin(), heights.end());
     for (const parts::ParameterRow& row : parts::surface_parameter_table) keys.push_back(row.key);
     const Section section(source, *errors->as_table(), surface.key("errors"), keys);
     for (const parts::ParameterRow& row : parts::surface_parameter_table) {
@@ -176,7 +182,8 @@ void read_errors(Source& source, const Section& surface, Face& face) {
         if (!node) continue;
         const std::string key = section.key(row.key);
         Measurement<double>* known = face.parameters.find(row.parameter);
-        if (!known) source.refuse(*node, key, "has no value beside it; must stand beside " + surface.key(row.key));
+        if (!known || !(face.measured || surface.find(row.key)))
+            source.refuse(*node, key, "has no value beside it; must stand beside " + surface.key(row.key));
         known->error = read_parameter(source, section, row, *node, true);
         if (!(known->error >= 0 && std::isfinite(known->error)))
             source.refuse(*node, key, "must be finite and not negative");
@@ -185,7 +192,19 @@ void read_errors(Source& source, const Section& surface, Face& face) {
             source.refuse(*node, key,
                           "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
-    if (const toml::node* node = section.find("rms_gradient")) read_gradient_error(source, section, *node, face);
+    for (const std::string_view key : heights)
+        if (const toml::node* node = section.find(key)) {
+            if (!surface.find(key))
+                source.refuse(*node, section.key(key), "has no value next to it; must stand next to " + surface.key(key));
+            const double error = source.quantity(*node, section.key(key), Dimension::length);
+            if (!(error >= 0 && std::isfinite(error)))
+                source.refuse(*node, section.key(key), "must be finite and not negative");
+            Measurement<double>& height = face.parameters.rms_height;
+            height.error = error * over_written(surface, key, height.value);
+        }
+    for (const std::string_view key : gradients)
+        if (const toml::node* node = section.find(key))
+            read_gradient_error(source, surface, section, key, *node, face);
 }
 
 /// The keys of a face in \p table.
@@ -193,10 +212,12 @@ std::vector<std::string_view> keys_of_face(const toml::table& table) {
     std::vector<std::string_view> keys{"from",         "rms_height",        "peak_radius",       "peak_density",
                                        "max_peak_height", "fractal_dimension", "fractal_roughness", "r",
                                        "theta",        "rms_gradient",      "alpha",             "hurst",
-                                       "errors"};
+                                       "errors",       "process"};
     for (const std::string_view key : bearing_keys()) keys.push_back(key);
     if (table.contains("from"))
         for (const SurfaceOptionRow& row : surface_option_table()) keys.push_back(row.key);
+    else
+        for (const std::string_view key : roughness_keys()) keys.push_back(key);
     return keys;
 }
 
@@ -208,29 +229,31 @@ bool writes_spectrum(const Section& surface) {
            std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key) != nullptr; });
 }
 
-/// R or D_p of \p face as its rms height, rms gradient and alpha make it.
-void follow_moments(Source& source, const Section& surface, const parts::ParameterRow& row, Face& face) {
-    const bool radius = row.parameter == Parameter::peak_radius;
-    (radius ? face.radius_follows : face.density_follows) = true;
-    const auto moments = parts::moments_of_gradient(face.parameters.rms_height.value, *face.rms_gradient, *face.alpha);
-    const double value = radius ? parts::peak_radius_of(moments) : parts::peak_density_of(moments);
-    if (!(value > 0 && std::isfinite(value)))
-        source.refuse(surface.at("alpha"), surface.key("alpha"),
-                      "makes, with rms_height and rms_gradient, " + std::string(row.key) + " = " + shortest(value) +
-                          ", which must be finite and greater than 0");
-    face.write(row.parameter, value);
-    source.record(surface.key(row.key), "of rms_height, rms_gradient and alpha (default)", value, row.unit);
+/// Puts on record R or D_p of \p face where it follows from the moments, which must make it a number.
+void record_following(Source& source, const Section& surface, const Face& face) {
+    for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
+                                         std::pair(face.density_follows, Parameter::peak_density)}) {
+        if (!follows) continue;
+        const parts::ParameterRow& row = parts::row_of(which);
+        const double value = *face.value(which);
+        if (!(value > 0 && std::isfinite(value))) {
+            const toml::node* alpha = surface.find("alpha");
+            source.refuse(alpha ? *alpha : surface.node(), surface.key(alpha ? "alpha" : "rms_height"),
+                          "makes, with rms_height and rms_gradient, " + std::string(row.key) + " = " + shortest(value) +
+                              ", which must be finite and greater than 0");
+        }
+        source.record(surface.key(row.key), "of rms_height, rms_gradient and alpha (default)", value, row.unit);
+    }
 }
 
-/// The parameters that \p surface writes; sigma, R and D_p must be known of a face that was not measured.
+/// The parameters that \p surface writes. R and D_p of a face that was not measured follow where they are not there.
 void read_parameters(Source& source, const Section& surface, Face& face) {
     for (const parts::ParameterRow& row : parts::surface_parameter_table) {
-        const bool needed = !face.measured && row.parameter <= Parameter::peak_density;
-        // R and D_p follow from the moments where these are complete
-        const bool follows = needed && row.parameter > Parameter::rms_height && face.rms_gradient && face.alpha;
-        const toml::node* node = needed && !follows ? &surface.at(row.key) : surface.find(row.key);
+        const toml::node* node = surface.find(row.key);
+        if (!face.measured && row.parameter == Parameter::rms_height) continue;  // read_roughness() has it
         if (!node) {
-            if (follows) follow_moments(source, surface, row, face);
+            if (!face.measured && row.parameter == Parameter::peak_radius) face.radius_follows = true;
+            if (!face.measured && row.parameter == Parameter::peak_density) face.density_follows = true;
             continue;
         }
         const double value = read_parameter(source, surface, row, *node);
@@ -249,11 +272,20 @@ void read_parameters(Source& source, const Section& surface, Face& face) {
 
 /// Reads the section \p path, a face.
 Face read_face(Source& source, const toml::table& table, const std::string& path, const ProgressHook& progress) {
+    refuse_extremes(source, table, path);
     const Section surface(source, table, path, keys_of_face(table));
     Face face;
+    const auto read_process = [&] {
+        if (const toml::node* node = surface.find("process"))
+            face.process = source.choice<parts::Process>(*node, surface.key("process"));
+    };
     if (surface.find("from")) {
         face = face_of(read_from(source, surface, progress));
         record_measured(source, *face.measured, path);
+        read_process();
+    } else {
+        read_process();
+        read_roughness(source, surface, face);
     }
     read_spectrum(source, surface, face);
     if (face.map && writes_spectrum(surface)) face.write([](Face& one) { one.spectrum_of_map = false; });
@@ -268,6 +300,8 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
         throw domain_error(source.at(table) + ": " + surface.key(parameters.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");
     read_bearing(source, surface, face);
+    fill_unknown(face, has_bearing(surface));
+    record_following(source, surface, face);
     return face;
 }
 
@@ -301,13 +335,16 @@ Face face_of_file(Source& source, const std::string& file, const ProgressHook& p
     }
     source.record("surface.from", display_name(file) + " (--surface)");
     record_measured(source, *face.measured, "surface");
+    fill_unknown(face, false);
     return face;
 }
 
 Face face_in_place(Source& source, const MeasuredSurface& measured) {
     source.record("surface.from", measured.file + " (measured before)");
     record_measured(source, measured, "surface");
-    return face_of(std::make_shared<const MeasuredSurface>(measured));
+    Face face = face_of(std::make_shared<const MeasuredSurface>(measured));
+    fill_unknown(face, false);
+    return face;
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {

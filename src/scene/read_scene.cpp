@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from its text: the sections in turn, what they leave in doubt, and what is computed of them.
 #include "document/file.hpp"
+#include "scene/priors.hpp"
 #include "scene/readers.hpp"
 
 #include <algorithm>
@@ -12,15 +13,24 @@ namespace fstiff::scene {
 namespace {
 
 void read_output(Source& source, const toml::table* table, Scene& scene) {
-    constexpr std::array<std::string_view, 8> names{"stiffness",        "separation",           "real_area",
-                                                    "contacts",         "tangential_stiffness", "reflection",
-                                                    "shear_reflection", "loading_stiffness"};
-    const std::array<bool*, 8> flags{&scene.stiffness,        &scene.separation,           &scene.real_area,
-                                     &scene.contacts,         &scene.tangential_stiffness, &scene.reflection,
-                                     &scene.shear_reflection, &scene.loading_stiffness};
+    constexpr std::array<std::string_view, 12> names{
+        "stiffness",  "separation",       "real_area",         "contacts",        "tangential_stiffness",
+        "reflection", "shear_reflection", "loading_stiffness", "joint_stiffness", "approach",
+        "thermal_conductance", "electrical_conductance"};
+    const std::array<bool*, 12> flags{
+        &scene.stiffness,  &scene.separation,       &scene.real_area,         &scene.contacts,
+        &scene.tangential_stiffness, &scene.reflection, &scene.shear_reflection, &scene.loading_stiffness,
+        &scene.joint_stiffness, &scene.approach, &scene.thermal_conductance, &scene.electrical_conductance};
     static const toml::table none;
     const Section output(source, table ? *table : none, "output", {"quantities"});
     const bool shear = scene.ultrasound && scene.ultrasound->shear;
+    const auto is_written = [&](std::string_view end) {
+        return std::any_of(source.inputs.begin(), source.inputs.end(), [&](const Input& input) {
+            return input.key.starts_with("material.") && input.key.ends_with(end) && !input.written.ends_with("(default)");
+        });
+    };
+    const bool heat = scene.conduction.thermal && (scene.conduction.gap || is_written(".thermal_conductivity")),
+               current = scene.conduction.electrical && is_written(".electrical_conductivity");
     if (const auto* quantities = output.find("quantities")) {
         const std::string key = output.key("quantities");
         for (const auto i : source.choices(*quantities, key, names)) *flags[i] = true;
@@ -30,15 +40,29 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
         if (scene.shear_reflection && !shear)
             throw domain_error(source.at(*quantities) + ": " + key +
                                ": needs ultrasound.upper.shear_impedance or shear_velocity for \"shear_reflection\"");
+        if (scene.joint_stiffness && !scene.nominal_area)
+            throw domain_error(source.at(*quantities) + ": " + key +
+                               ": needs contact.nominal_area or contact.washer for \"joint_stiffness\"");
+        for (const auto& [asked, known, word] :
+             {std::tuple(scene.thermal_conductance, scene.conduction.thermal.has_value(), "thermal"),
+              {scene.electrical_conductance, scene.conduction.electrical.has_value(), "electrical"}})
+            if (asked && !known)
+                throw domain_error(source.at(*quantities) + ": " + key + ": needs material.upper." + word +
+                                   "_conductivity for \"" + word + "_conductance\"");
     } else {
         const std::size_t count = shear ? 7 : scene.ultrasound ? 6 : 4;
         std::string text;
-        for (std::size_t i = 0; i < count; ++i) {
-            *flags[i] = true;
-            text += (i ? ", " : "") + std::string(names[i]);
-        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (i < count || (scene.is_joint && (i == 8 || i == 9)) || (i == 10 && heat) || (i == 11 && current)) {
+                *flags[i] = true;
+                text += (i ? ", " : "") + std::string(names[i]);
+            }
         source.record(output.key("quantities"), text + " (default)");
     }
+    scene.thermal_conductance_gap = scene.thermal_conductance && scene.conduction.gap;
+    if (scene.approach && std::none_of(source.inputs.begin(), source.inputs.end(),
+                                       [](const Input& input) { return input.key == "contact.seating"; }))
+        source.record("contact.seating", "1 kPa (default)", scene.seating, si_unit(Dimension::pressure));
 }
 
 void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
@@ -116,7 +140,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     scene.file = file;
 
     const Section top(source, root, "",
-                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound",
+                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap",
                        "uncertainty", "output"});
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
@@ -138,18 +162,27 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
             measured.find(',') == std::string::npos ? std::filesystem::path(measured).filename().string() : measured;
     }
     for (const auto& [name, face] : measured_faces(scene))
-        for (const std::string& warning : face->measured->warnings)
-            scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + warning);
-    for (const auto& [name, face] : measured_faces(scene))
         scene.has_lay = scene.has_lay || is_profile_with_lay(*face->measured);
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
-    read_materials(source, top.subtable("material"), scene);
+    read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
+    if (builtin && replaced)
+        scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
     for (const Assumed& one : assumed(scene))
         source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
+    for (AssumedNumber& one : assumed_numbers(scene)) {
+        if (std::none_of(source.inputs.begin(), source.inputs.end(),
+                         [&](const Input& input) { return input.key == one.key; }))
+            source.record(one.key, "assumed (default)", one.value);
+        scene.assumptions.push_back(std::move(one.phrase));
+    }
+    for (const auto& [name, face] : measured_faces(scene))
+        for (const std::string& warning : scene.best ? face->measured->of_file : face->measured->warnings)
+            scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + warning);
     for (const auto& [name, face] : rough_faces(scene))
         warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
     warn_of_gradients(scene);
+    if (top.find("gap")) read_gap(source, top.subtable("gap"), scene);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs.swap(source.inputs), scene.files.swap(source.files);

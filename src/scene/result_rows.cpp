@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/result_rows.hpp"
 
+#include "scene/answer.hpp"
+#include "scene/verdict.hpp"
+#include "surface/documents.hpp"
+
 #include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
@@ -20,27 +24,26 @@ std::vector<Cell> mean_pressures(const Curve& curve) {
     return cells;
 }
 
-/// Whether the points were written one by one, not as a range.
-bool are_listed(const Scene& scene) {
-    return std::none_of(scene.inputs.begin(), scene.inputs.end(), [](const Input& input) {
-        return input.key == "contact.pressures.count" || input.key == "contact.separations.count";
-    });
-}
-
 }  // namespace
 
 Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
 
 Units units_of(const Scene& scene, const Results& results) {
     double least = 0, most = 0;
+    std::vector<double> joint;
     for (const Curve& curve : results.curves)
         for (const auto& state : curve.states) {
             const double p = state.pressure.value;
             most = std::max(most, p);
             if (p > 0) least = least > 0 ? std::min(least, p) : p;
+            joint.push_back(state.stiffness.value * scene.nominal_area.value_or(0));
         }
-    return {unit_of_pressure(std::sqrt(least * most)), unit_of_length(scene.face.parameters.rms_height.value),
-            unit_of_density(scene.face.parameters.peak_density.value)};
+    const double middle = std::sqrt(least * most);
+    return {.pressure = unit_of_pressure(middle),
+            .height = unit_of_length(scene.face.parameters.rms_height.value),
+            .density = unit_of_density(scene.face.parameters.peak_density.value),
+            .force = shown_unit(middle * scene.nominal_area.value_or(0), "N"),
+            .joint_stiffness = shown_unit(joint, "N/m")};
 }
 
 Heading heading_of(const Column& column, const Units& units) {
@@ -49,7 +52,11 @@ Heading heading_of(const Column& column, const Units& units) {
                            : si == "m"     ? units.height
                            : si == "1/m^2" ? units.density
                            : si == "Pa/m"  ? units.stiffness
-                                           : ShownUnit{};
+                           : si == "N"     ? units.force
+                           : si == "N/m"   ? units.joint_stiffness
+                           : si == "S/m^2" ? ShownUnit{"S/m²"}
+                           : si.empty()    ? ShownUnit{}
+                                           : ShownUnit{"W/(m² K)"};
     switch (column.statistic) {
         case Statistic::value: return {column.key(), unit.heading(symbol), unit.factor};
         case Statistic::error:  // the others have that of K
@@ -64,7 +71,9 @@ Heading heading_of(const Column& column, const Units& units) {
 Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     Rows rows;
     const std::size_t size = curve.states.size();
-    rows.repeat({"law"}, curve.law->name, size);
+    std::vector<std::string_view> laws;
+    for (std::size_t i = 0; i < size; ++i) laws.push_back(curve.law_at(i).name);
+    rows.add({"law"}, laws);
     rows.repeat({"theta"}, curve.theta, size);
     rows.repeat({"r"}, curve.r, size);
     for (const Column& column : curve.columns) {
@@ -86,24 +95,139 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     return rows;
 }
 
-std::vector<std::size_t> summary_points(const Scene& scene) {
-    constexpr std::size_t most = 12, few = 4;
-    const std::vector<double>& points = scene.points;
-    std::vector<std::size_t> chosen;
-    const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
-    const bool all = points.size() <= few || (points.size() <= most && are_listed(scene));
-    bool decades = false;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double decade = points[i] > 0 ? std::log10(points[i]) : 0.5;
-        const bool is_decade = !scene.at_separations && std::abs(decade - std::round(decade)) < 1e-6;
-        const bool is_end = points[i] == *least || points[i] == *greatest;
-        if (is_decade || is_end || all) chosen.push_back(i);
-        decades = decades || is_decade;
+std::string shown_point(const Scene& scene, std::size_t i) {
+    const std::string point = with_unit(scene.points[i], scene.at_separations ? "m" : "Pa", 3);
+    return scene.forces.empty() ? point : with_unit(scene.forces[i], "N", 3) + ", " + point;
+}
+
+Json answer_json(const Scene& scene, const Results& results) {
+    Json rows = Json::array();
+    if (!results.answer) return rows;
+    const Curve& curve = results.answer->curve;
+    for (std::size_t i = 0; i < curve.states.size(); ++i) {
+        const AnswerReason& reason = results.answer->reasons[i];
+        const parts::SampledBand<double>& band = curve.band[i];
+        const double K = curve.states[i].stiffness.value;
+        Json row = {{"pressure_Pa", curve.states[i].pressure.value},
+                    {"stiffness_Pa_per_m", K},
+                    {"stiffness_p05_Pa_per_m", band.low},
+                    {"stiffness_p95_Pa_per_m", band.high},
+                    {"law", curve.law_at(i).name}};
+        if (scene.force) row["force_N"] = scene.forces[curve.places[i]];
+        if (scene.approach && !curve.seated.empty())
+            row["approach_m"] = curve.seated[i] - curve.states[i].separation.value;
+        if (reason.loading_stiffness) row["loading_stiffness_Pa_per_m"] = *reason.loading_stiffness;
+        if (scene.nominal_area) {
+            row["stiffness_N_per_m"] = K * *scene.nominal_area;
+            row["stiffness_p05_N_per_m"] = band.low * *scene.nominal_area;
+            row["stiffness_p95_N_per_m"] = std::min(band.high * *scene.nominal_area, 1e300);
+        }
+        for (const Column& column : curve.columns)
+            if (column.quantity >= CurveQuantity::thermal_conductance &&
+                column.quantity <= CurveQuantity::electrical_conductance && !column.values.empty())
+                row[column.key()] = column.values[i];
+        if (reason.p_star) row["p_star"] = *reason.p_star;
+        if (reason.contacts) row["contacts"] = *reason.contacts;
+        Json& causes = row["causes"] = Json::object();
+        const auto shares = parts::shares_of(reason.causes);
+        for (std::size_t c = 0; c < shares.size(); ++c)
+            if (shares[c] > 0) causes[name_of(static_cast<parts::Cause>(c))] = shares[c];
+        rows.push_back(std::move(row));
     }
-    if (all || decades) return chosen;
-    chosen.clear();
-    for (std::size_t k = 0; k < few; ++k) chosen.push_back((k * (points.size() - 1) + 1) / (few - 1));
-    return chosen;
+    return rows;
+}
+
+Json run_document(const Scene& scene, const Results& results) {
+    Json document = json_document("run");
+    document["scene"] = scene_json(scene);
+    for (const auto& [name, face] : measured_faces(scene)) {
+        Json measured = measured_document(*face->measured);
+        Json& place = scene.faces.empty() ? document["surface"] : document["surface"][name];
+        place = {{"source", measured["source"]}, {"measured", measured["surface"]}};
+        put_cut_offs(place, face->measured->found.cut_offs);
+    }
+    if (has_band(results))
+        document["uncertainty"] = {
+            {"samples", scene.samples}, {"seed", scene.seed}, {"quantiles", {0.05, 0.95}}, {"of", "stiffness"}};
+    Json& inputs = document["inputs"] = Json::object();
+    for (const Input& input : scene.inputs) {
+        Json& entry = inputs[input.key] = {{"written", input.written}};
+        if (input.value) entry["value"] = *input.value;
+        if (!input.unit.empty()) entry["unit"] = input.unit;
+    }
+    document["answer"] = answer_json(scene, results);
+    document["verdict"] = results.verdict;
+    document["assumptions"] = scene.assumptions;
+    document["outside_band"] = outside_band(scene, results);
+    if (const std::string next = measure_next(scene, results); !next.empty()) document["measure_next"] = next;
+    document["effective_modulus_Pa"] = results.modulus;
+    if (results.plasticity_index) document["plasticity_index"] = *results.plasticity_index;
+    if (scene.tangential_stiffness || scene.shear_reflection) document["tangential_ratio"] = results.tangential_ratio;
+    if (scene.ultrasound) {
+        const Waves& waves = *scene.ultrasound;
+        Json& entry = document["ultrasound"] = {{"frequency_Hz", waves.frequency},
+                                                {"impedance_Rayl", waves.longitudinal.incident},
+                                                {"impedance2_Rayl", waves.longitudinal.beyond},
+                                                {"equations", {"(5.1)"}}};
+        if (waves.shear) {
+            entry["shear_impedance_Rayl"] = waves.shear->incident;
+            entry["shear_impedance2_Rayl"] = waves.shear->beyond;
+        }
+    }
+    Json& laws = document["laws"] = Json::object();
+    for (const Law* law : scene.laws)
+        laws[law->name] = {{"load", law->load}, {"stiffness", law->stiffness}, {"peaks", law->peaks}};
+    Json& rows = document["rows"] = Json::array();
+    for (const Curve& curve : results.curves) rows_of(results, curve).append_to(rows);
+    return document;
+}
+
+TextRows answer_table(const Scene& scene, const Results& results, std::size_t causes) {
+    const StiffnessAnswer& answer = *results.answer;
+    const Curve& curve = answer.curve;
+    std::vector<std::size_t> shown;
+    std::vector<double> values, joint;
+    for (const std::size_t place : points_of_answer(scene))
+        if (const auto at = curve.state_at(place)) shown.push_back(*at);
+    const double area = scene.nominal_area.value_or(0);
+    for (const std::size_t i : shown) {
+        values.push_back(curve.states[i].stiffness.value);
+        joint.push_back(area * values.back());
+    }
+    const ShownUnit unit = shown_unit(values, "Pa/m"), joint_unit = shown_unit(joint, "N/m"),
+                    height = unit_of_length(scene.face.parameters.rms_height.value);
+    const bool closes = scene.approach && !curve.seated.empty();
+    const auto number = [&](double K) { return rounded(K * unit.factor, 3); };
+    TextRows rows{{scene.forces.empty() ? "pressure" : "force, pressure", unit.heading("K/A0"), "90 % band"}};
+    if (area > 0) rows[0].push_back(joint_unit.heading("K"));
+    if (closes) rows[0].push_back(height.heading("approach"));
+    if (answer.flows) rows[0].push_back("loading K/A0");
+    const std::size_t law = rows[0].size();
+    rows[0].emplace_back("law");
+    if (causes > 0) rows[0].emplace_back("band due to");
+    for (const std::size_t i : shown) {
+        const auto& [low, median, high, failed] = curve.band[i];
+        const int digits = high - low < 0.2 * median ? 3 : 2;  // as many as tell the ends apart
+        rows.push_back({scene.forces.empty() ? with_unit(curve.states[i].pressure.value, "Pa", 3)
+                                             : shown_point(scene, curve.places[i]),
+                        number(curve.states[i].stiffness.value),
+                        rounded(low * unit.factor, digits) + "–" + rounded(high * unit.factor, digits)});
+        if (area > 0) rows.back().push_back(rounded(curve.states[i].stiffness.value * area * joint_unit.factor, 3));
+        if (closes)
+            rows.back().push_back(rounded((curve.seated[i] - curve.states[i].separation.value) * height.factor, 3));
+        if (answer.flows) {
+            const auto& loading = answer.reasons[i].loading_stiffness;
+            rows.back().push_back(loading ? number(*loading) : "-");
+        }
+        rows.back().emplace_back(curve.law_at(i).name);
+        if (causes > 0) rows.back().push_back(shown_causes(answer.reasons[i], causes));
+    }
+    for (std::size_t column = law; column < rows[0].size(); ++column) {  // text begins on the left
+        std::size_t most = 0;
+        for (const auto& row : rows) most = std::max(most, shown_width(row[column]));
+        for (auto& row : rows) row[column] += std::string(most - shown_width(row[column]), ' ');
+    }
+    return rows;
 }
 
 }  // namespace fstiff::scene

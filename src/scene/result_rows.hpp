@@ -14,7 +14,7 @@ namespace fstiff::scene {
 
 /// The units of the columns, by the sizes of the scene.
 struct Units {
-    ShownUnit pressure, height, density, stiffness = unit_of_stiffness;
+    ShownUnit pressure, height, density, stiffness = unit_of_stiffness, force{}, joint_stiffness{};
 };
 
 /// The name, the file and the SHA-256 of \p scene, for a JSON document.
@@ -26,8 +26,14 @@ struct Units {
 /// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.
 [[nodiscard]] Rows rows_of(const Results& results, const Curve& curve, const Units& units = {});
 
-/// The points of a summary, in their order: all of a list of up to twelve, and of a range of up to four; of more pressures
-/// the least, the greatest and the decades; of more separations, or without a decade, four in even steps.
-[[nodiscard]] std::vector<std::size_t> summary_points(const Scene& scene);
+/// Point \p i of \p scene for people: "10 MPa", "20 kN, 100 MPa" of a force, "0.5 µm" of a separation.
+[[nodiscard]] std::string shown_point(const Scene& scene, std::size_t i);
+/// The answer for a JSON document: a row for each point, empty where nothing answers.
+[[nodiscard]] Json answer_json(const Scene& scene, const Results& results);
+/// What fstiff run prints as JSON, still without its warnings.
+[[nodiscard]] Json run_document(const Scene& scene, const Results& results);
+/// The answer of \p results, which have one, for people: K, its band, the law and its greatest \p causes at
+/// points_of_answer().
+[[nodiscard]] TextRows answer_table(const Scene& scene, const Results& results, std::size_t causes = 2);
 
 }  // namespace fstiff::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/results.hpp"
 
+#include "scene/answer.hpp"
 #include "scene/bands.hpp"
 #include "scene/each_contact.hpp"
 #include "document/file.hpp"
@@ -23,10 +24,11 @@ namespace {
 /// What \p scene asks of \p law, and \p more, as far as the law gives it.
 Quantity wanted(const Scene& scene, const Law& law, Quantity more = Quantity::none) {
     Quantity set = Quantity::pressure | Quantity::separation | more;
-    if (scene.needs_stiffness()) set = set | Quantity::stiffness;
-    if (scene.real_area) set = set | Quantity::real_area_fraction;
-    if (scene.contacts) set = set | Quantity::contact_density;
-    if (scene.loading_stiffness) set = set | Quantity::loading_stiffness;
+    if (scene.needs_stiffness() || scene.best) set = set | Quantity::stiffness;
+    if (scene.real_area || scene.conduction.thermal_film > 0 || scene.conduction.electrical_film > 0)
+        set = set | Quantity::real_area_fraction;
+    if (scene.contacts || scene.best) set = set | Quantity::contact_density | Quantity::real_area_fraction;
+    if (scene.loading_stiffness || scene.best) set = set | Quantity::loading_stiffness;
     return static_cast<Quantity>(static_cast<unsigned>(set) & static_cast<unsigned>(law.quantities));
 }
 
@@ -61,7 +63,8 @@ void require_states(const Scene& scene, const std::vector<Curve>& curves) {
                                curve.missed.front().reason);
 }
 
-/// A warning for each law that lacks points. One that ends above some pressure is expected to.
+/// A warning for each law that lacks points. One that ends above some pressure is expected to; that the contact of an
+/// answer closes is said by its verdict.
 void warn_of_missed(const Scene& scene, Results& results) {
     for (const Law* law : scene.laws) {
         std::size_t count = 0, points = 0;
@@ -77,12 +80,13 @@ void warn_of_missed(const Scene& scene, Results& results) {
         const std::string name = "law " + std::string(law->name),
                           at = shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
         const bool ends = law->ends && !first->states.empty();
+        results.doubtful = results.doubtful || !ends;
+        if (scene.best && closed_above(scene, *first)) continue;
         results.warnings.push_back(ends ? name + " ends before " + at +
                                               ": its contacts are too many or too crowded beyond"
                                         : name + " has no result at " + std::to_string(count) + " of " +
                                               std::to_string(points) + " points, the first of them " + at + ": " +
                                               missed.reason);
-        results.doubtful = results.doubtful || !ends;
     }
 }
 
@@ -156,7 +160,8 @@ void warn_of_plastic_ranges(const Scene& scene, Results& results) {
     }
 }
 
-void add_warnings(const Scene& scene, Results& results) {
+/// Of laws that are named: the band of an answer holds what these are about.
+void warn_of_named_laws(const Scene& scene, Results& results) {
     for (const parts::Check<double>& check : results.surface_checks) {
         if (check.holds()) continue;
         const std::string value = rounded(check.least, 3);
@@ -175,25 +180,78 @@ void add_warnings(const Scene& scene, Results& results) {
         results.warnings.push_back(
             "K with interaction holds the elasticity of the bulk over the interaction length: its reflection is not "
             "that of the interface alone");
+}
 
+void add_warnings(const Scene& scene, Results& results) {
+    const std::vector<Parameter> unknown = unknown_parameters(scene);
+    if (!scene.best)
+        warn_of_named_laws(scene, results);
+    else if (scene.reading != InteractionReading::none)
+        results.warnings.push_back("contact.interaction does not enter the answer, whose laws have their own");
+    if (scene.best && !unknown.empty())
+        results.warnings.push_back("sigma is not known to a factor of two, so that K and its band are in doubt");
     const std::size_t before = results.warnings.size();
     for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
         warn_if_any(results, concern);
-    if (results.warnings.size() > before || scene.implausible || scene.has_lay || !unknown_parameters(scene).empty())
+    if (results.warnings.size() > before || scene.implausible || scene.has_lay || !unknown.empty())
         results.doubtful = true;
 }
 
 /// Bands, where the surface has errors, and the columns of every curve, which has its states.
 void finish(const Scene& scene, Results& results, const ProgressHook& progress) {
-    if (scene.needs_stiffness() && scene.samples > 0 && scene.face.has_errors()) add_bands(scene, results, progress);
+    if ((scene.needs_stiffness() || scene.best) && scene.samples > 0 && scene.face.has_errors()) add_bands(scene, results, progress);
     const bool bands = has_band(results);
     for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
 }
 
+/// Finds the answer: of a scene that names no law its curve takes the place of that law's.
+void take_answer(const Scene& scene, Results& results, const ProgressHook& progress) {
+    if (scene.best) {
+        results.answer = answer_of(scene, results, std::move(results.curves.front()), progress);
+        results.curves = {results.answer->curve};
+        return;
+    }
+    Scene of = scene;
+    of.stiffness = of.real_area = of.contacts = of.loading_stiffness = true;
+    constexpr std::size_t many = 100;  // a band costs more than a curve
+    std::vector<std::size_t> places;
+    if (scene.points.size() > many) {
+        places = points_of_answer(scene);
+        const auto take = [&](std::vector<double>& from) {
+            std::vector<double> chosen;
+            for (const std::size_t place : places) chosen.push_back(from[place]);
+            from = std::move(chosen);
+        };
+        take(of.points);
+        if (!of.forces.empty()) take(of.forces);
+    }
+    try {
+        set_law_of_answer(of);
+        results.answer = answer_of(of, results, curves_of(of, contacts_of(of)).front(), progress);
+        Curve& curve = results.answer->curve;
+        if (!places.empty()) {
+            for (std::size_t& place : curve.places) place = places[place];
+            for (MissedPoint& missed : curve.missed) missed.place = places[missed.place];
+        }
+        curve.columns = columns_of(scene, curve, results.tangential_ratio, true);
+    } catch (const domain_error&) {  // no law answers, or at no point: the laws that are named say why they do not
+    }
+}
+
 }  // namespace
 
+std::string laws_of(const Curve& curve) {
+    std::vector<const Law*> laws;
+    for (const Law* law : curve.by)
+        if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
+    if (laws.empty()) laws.push_back(curve.law);
+    std::string text;
+    for (const Law* law : laws) text += (text.empty() ? "" : " and ") + std::string(law->name);
+    return text;
+}
+
 std::string title(const Curve& curve) {
-    std::string text(curve.law->name);
+    std::string text = laws_of(curve);
     if (curve.theta) text += ", theta = " + rounded(*curve.theta) + ", r = " + rounded(*curve.r);
     return text;
 }
@@ -213,10 +271,21 @@ std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity,
 }
 
 std::vector<Parameter> unknown_parameters(const Scene& scene) {
-    if (scene.face.measured) return unknown_parameters(*scene.face.measured, scene.face.parameters);
-    if (measured_faces(scene).empty()) return {};
-    return parts::unknown_parameters(scene.face.parameters, false);  // of a sum: what is
-    // unknown of one face may not matter next to the other
+    std::vector<Parameter> all;
+    if (scene.face.measured)
+        all = unknown_parameters(*scene.face.measured, scene.face.parameters);
+    else if (!measured_faces(scene).empty())  // of a sum: what is unknown of one face may not matter next to the other
+        all = parts::unknown_parameters(scene.face.parameters, false);
+    if (scene.best) std::erase_if(all, [](Parameter one) { return one != Parameter::rms_height; });
+    return all;
+}
+
+std::vector<const Curve*> shown_curves(const Results& results) {
+    std::vector<const Curve*> shown;
+    const bool named = results.curves.front().by.empty();  // else it is the answer's
+    if (results.answer && named) shown.push_back(&results.answer->curve);
+    for (const Curve& curve : results.curves) shown.push_back(&curve);
+    return shown;
 }
 
 bool has_band(const Results& results) {
@@ -251,9 +320,11 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
     for (const MadeContact& made : contacts) {
         Curve& curve = results.curves.emplace_back(made.curve);
         take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made.contact, wanted(scene, *curve.law)));
+        static_cast<void>(seat(scene, *made.contact, curve));
     }
     require_states(scene, results.curves);
     finish(scene, results, {});
+    if (scene.best) take_answer(scene, results, {});
     return std::move(results.curves);
 }
 
@@ -278,6 +349,8 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         const Quantity quantities = wanted(scene, *curve.law, Quantity::contact_density | Quantity::real_area_fraction);
         const auto made = contact();
         take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made, quantities, of_all));
+        if (const std::string why = seat(scene, *made, curve); !why.empty())
+            results.warnings.push_back("law " + std::string(curve.law->name) + " has no approach: " + why);
         curve.checks = parts::check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,
@@ -299,6 +372,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     require_states(scene, results.curves);
     warn_of_missed(scene, results);
     finish(scene, results, progress);
+    take_answer(scene, results, progress);
     add_warnings(scene, results);
     Verdict found = verdict(scene, results);
     results.verdict = std::move(found.sentences);

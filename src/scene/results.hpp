@@ -15,6 +15,7 @@
 #include <fstiff/validity/checks.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/band_parts.hpp>
+#include <fstiff/validity/answer.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -38,12 +39,16 @@ struct Curve {
     std::vector<ContactState<double>> states{};
     std::vector<std::size_t> places{};  ///< of the states among Scene::points
     std::vector<MissedPoint> missed{};  ///< the other points
+    std::vector<double> seated{};       ///< separation at Scene::seating [m], one a state; empty: not known
     std::vector<parts::Check<double>> checks{};
     std::vector<parts::LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<parts::SampledBand<double>>
         band{};  ///< of the stiffness, one a state; empty: the surface has no errors
     std::vector<parts::BandParts<double>> band_parts{};  ///< of the band, where the surface has neighbours
     std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
+    std::vector<const Law*> by{};  ///< of an answer, the law of each state; empty: `law` gave all
+
+    [[nodiscard]] const Law& law_at(std::size_t state) const { return by.empty() ? *law : *by[state]; }
 
     /// Which of the states is that of the point \p place of the scene; none where the law does not reach it.
     [[nodiscard]] std::optional<std::size_t> state_at(std::size_t place) const;
@@ -52,26 +57,49 @@ struct Curve {
                                                  Statistic statistic = Statistic::value) const;
 };
 
+/// The names of the laws that gave the states of \p curve: "boundary_elements and hybrid".
+[[nodiscard]] std::string laws_of(const Curve& curve);
 /// "fractal, theta = 0.7854, r = 0.5".
 [[nodiscard]] std::string title(const Curve& curve);
+
+/// Why K of the answer at one state is what it is.
+struct AnswerReason {
+    parts::Causes<double> causes{};  ///< of the band
+    std::optional<double> p_star;    ///< p/(E g)
+    std::optional<double> contacts;  ///< expected on the area of the contact
+    std::optional<double> loading_stiffness;  ///< [Pa/m] where the peaks flow: of a load that rises for the first time
+};
+
+/// One K for each point, by the law that holds there.
+struct StiffnessAnswer {
+    Curve curve;                        ///< its band is that of the surface
+    std::vector<AnswerReason> reasons;  ///< one a state
+    bool of_map_itself = false;         ///< the contact is the measured map, and no other piece of the surface
+    bool flows = false;                 ///< K is that of unloading
+    bool waves_at_least = false;  ///< waves longer than the measurement have no law: the band holds the least of them
+    std::optional<double> relative_hardness;  ///< H/(E g)
+};
 
 struct Results {
     double modulus = 0;           ///< effective [Pa]
     double tangential_ratio = 0;  ///< of the tangential stiffness to K
     std::optional<double> plasticity_index;
     std::vector<parts::Check<double>> surface_checks;
-    std::vector<Curve> curves;
+    std::optional<StiffnessAnswer> answer;  ///< none: no law answers at any point
+    std::vector<Curve> curves;     ///< of the laws that are named; where none is, the curve of the answer alone
     std::vector<std::string> warnings;    ///< sentences on the checks that do not hold, and on the scene
-    std::vector<std::string> about_band;  ///< which part of the band is the greater; empty: there is one part
-    std::vector<std::string> verdict;  ///< which law to believe, and to about what; the most important sentence first
+    std::vector<std::string> verdict;  ///< three sentences at most: which K it is, who feels it, where it comes from
     std::vector<std::string> short_verdict;  ///< the same for a picture: one or two short sentences
     /// A real area above the nominal one, integrals that did not converge, points that a law does not reach, an rms gradient
     /// that no surface has, or a measured surface with unknown_parameters().
     bool doubtful = false;
 };
 
-/// The measured parameters of \p scene on which no result can rest.
+/// The measured parameters of \p scene on which no result can rest; an answer rests on the rms height alone.
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const Scene& scene);
+
+/// The curve of the answer, then those of the laws that are named.
+[[nodiscard]] std::vector<const Curve*> shown_curves(const Results& results);
 
 /// Whether any curve has a band.
 [[nodiscard]] bool has_band(const Results& results);

@@ -48,6 +48,8 @@ PeakDistribution<double> peak_density(const Peaks& peaks) {
 }
 
 std::string refusal_of(const Law& law, const Scene& scene) {
+    if (scene.at_separations && !parts::has(law.quantities, Quantity::separation))
+        return "gives no separation; must be asked for at contact.pressures";
     if (law.needs_map && !scene.face.map)
         return scene.faces.empty() ? "needs a map: surface.from, or --surface, must name the file of one (the JSON of "
                                      "fstiff measure holds its numbers alone)"
@@ -63,10 +65,20 @@ std::string refusal_of(const Law& law, const Scene& scene) {
     }
     if (law.needs_spectrum)
         if (const std::string why = no_spectrum(scene.face); !why.empty()) return "needs a spectrum: " + why;
+    const std::string name(scene.upper_name ? scene.upper_name->name : "");
+    const std::string section = name.empty() ? "" : "; name = \"" + name + "\" in that section keeps the rest";
     if (law.needs_hardness && !scene.hardness && !scene.yield_strength)
-        return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)";
-    if (law.needs_yield && !scene.yield_strength) return "needs material.upper.yield_strength";
+        return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)" + section;
+    if (law.needs_yield && !scene.yield_strength) return "needs material.upper.yield_strength" + section;
     return "";
+}
+
+std::vector<const Law*> offered_laws(const Scene& scene) {
+    if (!scene.best) return scene.laws;
+    std::vector<const Law*> all;
+    for (const Law& law : laws())
+        if (refusal_of(law, scene).empty()) all.push_back(&law);
+    return all;
 }
 
 }  // namespace fstiff::scene

@@ -7,7 +7,8 @@
 #include "scene/law.hpp"
 #include "surface/measured_surface.hpp"
 
-#include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/conductance.hpp>
+#include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
@@ -83,6 +84,14 @@ struct Waves {
     [[nodiscard]] double angular() const { return parts::angular_frequency(frequency); }
 };
 
+/// What heat and current meet.
+struct Conduction {
+    std::optional<double> thermal, electrical;     ///< k of both bodies in series [W/(m K)], [S/m]; none: not known
+    std::optional<parts::GapFilling<double>> gap;  ///< what lies between the faces
+    double radiation = 0;                          ///< h beside it [W/(m^2 K)]
+    double thermal_film = 0, electrical_film = 0;  ///< on the spots [m^2 K/W], [ohm m^2]
+};
+
 /// What is asked of the contact of one or of two rough faces.
 struct Scene {
     std::string name;
@@ -97,12 +106,16 @@ struct Scene {
     LawOptions law_options;
     int samples = 400;       ///< of the band; 0: no band
     std::uint64_t seed = 2014;
-    std::shared_ptr<const parts::SimilarHybrids<double>> similar;  ///< of a scene that a surface was drawn for
+    std::shared_ptr<const QuickHybrid> similar;  ///< of a scene with a surface for a band
     std::vector<std::string> warnings;
     bool has_lay = false;      ///< some face was measured by a profile that repeats itself
     bool implausible = false;  ///< some face has an rms gradient that no surface has: a unit of length is likely wrong
 
+    /// Phrases on what was assumed, such as "both bodies steel, 210 GPa"; printed with the answer.
+    std::vector<std::string> assumptions;
+
     Material<double> upper, lower;
+    const parts::NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
     std::optional<double> yield_strength;  ///< the smaller of the two that are given [Pa]
     std::optional<double> hardness;        ///< the smaller of the two that are given [Pa]
     double softer_poisson = 0;             ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
@@ -110,8 +123,13 @@ struct Scene {
     std::optional<double> nominal_area;  ///< [m^2]
     bool at_separations = false;         ///< points are separations [m], not pressures [Pa]
     std::vector<double> points;
+    std::vector<double> forces;  ///< that the points are the pressures of [N]; empty: contact.force is not there
+    bool is_joint = false;       ///< a force or a washer is given: K [N/m] and the approach are asked for
+    double seating = 1e3;        ///< the approach is 0 at this pressure [Pa]
     std::string points_where;  ///< file, line and key for messages
     std::vector<const Law*> laws;
+    bool best = false;  ///< no law is named: `laws` is the one of the answer
+    bool solves_map = true;  ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
     std::vector<Peaks> peaks;
     bool default_peaks = false;  ///< contact.peaks was not there, and those of the surface are not known
     InteractionReading reading = InteractionReading::none;
@@ -119,14 +137,19 @@ struct Scene {
     double given_length = 0;  ///< [m], for InteractionLength::given
 
     std::optional<Waves> ultrasound;
+    Conduction conduction;
 
     /// output.quantities
     bool stiffness = false, separation = false, real_area = false, contacts = false, loading_stiffness = false;
     bool tangential_stiffness = false, reflection = false, shear_reflection = false;
+    bool force = false, joint_stiffness = false, approach = false;  ///< force: where contact.force is there
+    bool thermal_conductance = false, electrical_conductance = false;
+    bool thermal_conductance_gap = false;  ///< where [gap] is there
 
     /// Whether K is computed, though it may not be shown.
     [[nodiscard]] bool needs_stiffness() const {
-        return stiffness || tangential_stiffness || reflection || shear_reflection;
+        return stiffness || joint_stiffness || tangential_stiffness || reflection || shear_reflection ||
+               thermal_conductance || electrical_conductance;
     }
 
     std::vector<std::string> files;  ///< that the scene names: surfaces and masks
@@ -152,6 +175,8 @@ struct Assumed {
 
 /// Why \p law cannot be computed of \p scene; empty where it can.
 [[nodiscard]] std::string refusal_of(const Law& law, const Scene& scene);
+/// The laws that may be asked of \p scene by name: those that it names; where it names none, all that can be computed.
+[[nodiscard]] std::vector<const Law*> offered_laws(const Scene& scene);
 
 /// Where a scene comes from.
 struct SceneSource {
@@ -168,7 +193,7 @@ struct SceneSource {
 /// \throws domain_error "<name>:<line>: <key> = <value>: must be ...".
 [[nodiscard]] Scene read_scene(const std::string& text, const SceneSource& from);
 
-/// The scene that is computed where none is given: data/sand_blasted_fine.toml.
+/// The scene that is computed where none is given: data/built_in.toml.
 extern const char* const builtin_scene;
 
 }  // namespace fstiff::scene

@@ -96,6 +96,18 @@ std::string_view si_unit(Dimension dimension) {
             return "kg/m^3";
         case Dimension::impedance:
             return "kg/(m^2 s)";
+        case Dimension::force:
+            return "N";
+        case Dimension::thermal_conductivity:
+            return "W/(m K)";
+        case Dimension::electrical_conductivity:
+            return "S/m";
+        case Dimension::thermal_film:
+            return "m^2 K/W";
+        case Dimension::electrical_film:
+            return "ohm m^2";
+        case Dimension::temperature:
+            return "K";
         default:
             return "";
     }
@@ -117,6 +129,18 @@ std::string_view example(Dimension dimension) {
             return "7850 kg/m^3";
         case Dimension::impedance:
             return "46 MRayl";
+        case Dimension::force:
+            return "20 kN";
+        case Dimension::thermal_conductivity:
+            return "40 W/(m K)";
+        case Dimension::electrical_conductivity:
+            return "7 MS/m";
+        case Dimension::thermal_film:
+            return "1 mm^2 K/W";
+        case Dimension::electrical_film:
+            return "1 ohm um^2";
+        case Dimension::temperature:
+            return "293 K";
         default:
             return "0.8 um";
     }

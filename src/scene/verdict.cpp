@@ -1,223 +1,159 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/verdict.hpp"
 
-#include "document/file.hpp"
 #include "document/shown_unit.hpp"
+#include "scene/answer.hpp"
 
-#include <fstiff/validity/law_findings.hpp>
+#include <fstiff/measured/widened_band.hpp>
 
 #include <algorithm>
-#include <optional>
-#include <utility>
+#include <array>
+#include <cmath>
+#include <numeric>
 
 namespace fstiff::scene {
 namespace {
 
-using Question = parts::LawQuestion<double>;
-using Found = LawFinding<double>;
-
-bool has_law(const Scene& scene, LawName name) {
-    return std::find(scene.laws.begin(), scene.laws.end(), &find_law(name)) != scene.laws.end();
+/// \p cause for people.
+std::string_view words_of(parts::Cause cause) {
+    switch (cause) {
+        case parts::Cause::measurement: return "measurement";
+        case parts::Cause::cut_offs: return "cut-offs";
+        case parts::Cause::shape: return "shape of heights";
+        case parts::Cause::prior: return "assumptions";
+        case parts::Cause::lay: return "lay";
+        case parts::Cause::law: return "law";
+        case parts::Cause::contacts: return "few contacts";
+        case parts::Cause::long_waves: return "longer waves";
+    }
+    return "";
 }
 
-/// What \p results and their scene tell of the contact.
-Question question_of(const Scene& scene, const Results& results) {
-    Question question;
-    for (const Law& law : laws())
-        if (has_law(scene, law.which) || refusal_of(law, scene).empty()) question.available.push_back(law.which);
-    const MapOfSurface* map = scene.face.map.get();
-    const double area = scene.nominal_area ? *scene.nominal_area : map ? map->maps.front()->area() : 0;
-    for (const Curve& curve : results.curves)
-        question.add_states(curve.states, results.modulus, curve.rms_gradient, area);
-    if (scene.face.heights && scene.face.heights->kurtosis.value != 0) {  // 0: a document without it
-        question.skewness = scene.face.heights->skewness;
-        question.kurtosis = scene.face.heights->kurtosis;
-    }
-    const parts::SurfaceParameters<double>& surface = scene.face.parameters;
-    question.highest_point = surface.max_peak_height.value / surface.rms_height.value;
-    if (map) question.summits = map->summits.front().summits.size();
-    if (scene.face.bearing && !(map && scene.face.spectrum_of_map))
-        question.heights = scene.face.measured ? parts::HeightsKnown::measured_shape : parts::HeightsKnown::given_shape;
-    question.has_lay = scene.has_lay;
-    question.plasticity_index = results.plasticity_index;
-    return question;
+/// Which of the stiffnesses K is, and who feels it.
+std::vector<std::string> nature(const Results& results) {
+    const StiffnessAnswer& answer = *results.answer;
+    const std::optional<double>& ratio = answer.relative_hardness;
+    const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, 2) : "",
+                      limit = rounded(parts::flowing_hardness);
+    const std::string flow = "The peaks flow at the first load " + number + " is below " + limit + ")";
+    if (answer.flows)
+        return {flow + ": K is the stiffness of unloading.",
+                "A vibration and a wave feel K; a static load that rises for the first time feels the loading K/A0."};
+    if (ratio && *ratio < parts::flowing_hardness)
+        return {flow + ", but K is that of an elastic contact: a vibration or a wave feels a higher one."};
+    if (ratio)
+        return {"The contact is elastic " + number + " is above " + limit +
+                "): a load, a vibration and a wave feel the same K."};
+    if (const auto& g = answer.curve.rms_gradient)
+        return {"No hardness is given, so K is elastic: below H = " +
+                with_unit(parts::flowing_hardness * results.modulus * *g, "Pa", 2) +
+                " the peaks flow and waves feel a higher K."};
+    return {};
 }
 
-/// The sentences on findings.
-class Words {
-public:
-    Words(const Scene& scene, const Question& question) : scene_(scene), question_(question) {}
-
-    /// A sentence, or the part of one that is_part() of the sentence before.
-    [[nodiscard]] std::string operator()(const Found& found) const {
-        switch (found.finding) {
-            case Finding::profile_with_lay:
-                return "a profile repeats itself, so that its face has a lay: it cannot tell K, which may be up to " +
-                       rounded(found.value) +
-                       " times higher, as the bands say; believe hybrid or boundary_elements of a map";
-            case Finding::far_from_gaussian:
-                return "the heights are far from Gaussian (" + heights() +
-                       "): no law over a distribution of peaks is near the truth here, and K may be wrong by " +
-                       rounded(found.ratio.high) + " times; " + without_distribution();
-            case Finding::sums_too_stiff:
-                return not_gaussian("is too large, 1.05 to 1.9 times at skewnesses of 0.35 to 0.9");
-            case Finding::sums_too_compliant:
-                return not_gaussian("is too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
-            case Finding::sums_off:
-                return not_gaussian(
-                    "is off, and the skewness, zero within two standard errors, leaves open to which side");
-            case Finding::peaks_flow: return flow(found);
-            case Finding::hybrid_holds:
-                return "of elastic contacts believe " + advised(LawName::hybrid) +
-                       accuracy(found, "a quarter above p* = 0.001 and a factor of two below");
-            case Finding::hybrid_missing:
-                return "hybrid " + refusal(LawName::hybrid) + "; hertz is good to a fifth at p* of " +
-                       rounded(parts::hertz_from) + " to " + rounded(parts::hertz_to);
-            case Finding::crowded_peaks:
-                return "hertz and the other sums over peaks give too little K above p* = " + rounded(found.limit) +
-                       ", half at 0.1";
-            case Finding::beyond_comparison:
-                return "above p* = " + rounded(found.limit) + " hybrid and persson alone were compared, within " +
-                       std::to_string(parts::hybrid_accuracy_percent) + " % up to " +
-                       rounded(parts::max_compared_pressure) + ", where the contact is closed";
-            case Finding::few_contacts: return few_contacts(found);
-            case Finding::no_contact:
-                return "fewer than one contact is expected on the " + area() + " (" + rounded(found.value, 2) +
-                       "): a law over peaks is a mean over many surfaces there and says nothing of a single one";
-        }
-        return "";
-    }
-
-    /// The same for a picture; empty where a picture has no room for it.
-    [[nodiscard]] std::string shortly(const Found& found, bool goes_beyond) const {
-        const std::string limit = rounded(parts::max_validated_pressure);
-        switch (found.finding) {
-            case Finding::profile_with_lay:
-                return "A profile of a face with a lay cannot tell K: measure a map.";
-            case Finding::far_from_gaussian:
-                return "Heights far from Gaussian: use boundary_elements" + std::string(scene_.face.map ? "" : " of a map") +
-                       "; other laws may be wrong by " + rounded(found.ratio.high) + " times.";
-            case Finding::sums_too_stiff:
-            case Finding::sums_too_compliant:
-            case Finding::sums_off:
-                return "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times.";
-            case Finding::peaks_flow:
-                return "The peaks flow (plasticity index " + rounded(found.value, 3) +
-                       "): a wave sees K of plastic or jackson_green.";
-            case Finding::hybrid_holds:
-                return std::string("Recommended elastic law: hybrid") +
-                       (has_law(scene_, LawName::hybrid) ? "" : " (not in contact.laws)") +
-                       accuracy(found, "a factor of two") +
-                       (goes_beyond ? "; the only one compared above p* = " + limit + "." : ".");
-            case Finding::hybrid_missing:
-                return "No elastic law is recommended: hybrid cannot be computed for this surface.";
-            case Finding::beyond_comparison:
-                return "Above p* = " + limit + " hybrid and persson alone were compared.";
-            default: return "";
-        }
-    }
-
-    /// Whether \p found is about the pressures, which have one sentence.
-    [[nodiscard]] static bool is_part(const Found& found) {
-        return found.finding >= Finding::hybrid_holds && found.finding <= Finding::beyond_comparison;
-    }
-    [[nodiscard]] std::string pressures() const {
-        return "p* = p/(E g) is " + rounded(question_.least_pressure, 2) + " to " +
-               rounded(question_.greatest_pressure, 2) + ": ";
-    }
-
-private:
-    [[nodiscard]] std::string refusal(LawName law) const { return refusal_of(find_law(law), scene_); }
-    /// "x (add "x" to contact.laws)", without the advice where it is there; empty where the scene cannot have the law.
-    [[nodiscard]] std::string advised(LawName law) const {
-        const std::string name(name_of(law));
-        if (!question_.can(law)) return "";
-        return has_law(scene_, law) ? name : name + " (add \"" + name + "\" to contact.laws)";
-    }
-    [[nodiscard]] std::string heights() const {
-        const auto with_error = [](const Measurement<double>& one) {
-            return rounded(one.value, 2) + " ± " + rounded(one.error, 2);
-        };
-        std::string numbers =
-            "skewness " + with_error(*question_.skewness) + ", kurtosis " + with_error(*question_.kurtosis);
-        if (question_.summits > 0 && question_.highest_point > 0)
-            numbers += ", highest point " + rounded(question_.highest_point, 2) + " sigma, where " +
-                       shown_count(static_cast<double>(question_.summits), 3) + " Gaussian summits reach " +
-                       rounded(parts::highest_gaussian_summit<double>(question_.summits), 2);
-        return numbers;
-    }
-    [[nodiscard]] std::string not_gaussian(const std::string& side) const {
-        return "the heights are not Gaussian (" + heights() + "): K of laws over Gaussian peaks " + side +
-               (scene_.face.bearing && !scene_.face.map ? "; hybrid takes both as far as they are known" : "");
-    }
-    /// What can be computed in place of laws over a distribution of peaks.
-    [[nodiscard]] std::string without_distribution() const {
-        if (!scene_.face.map)
-            return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
-                   (scene_.face.bearing
-                        ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
-                        : "");
-        const std::string elements = advised(LawName::boundary_elements),
-                          hybrid = advised(LawName::hybrid);
-        const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";
-        if (!elements.empty()) return "believe " + elements + (own.empty() ? "" : ", then " + own);
-        return (own.empty() ? "" : "believe " + own + "; ") + "boundary_elements " +
-               refusal(LawName::boundary_elements);
-    }
-    [[nodiscard]] std::string flow(const Found& found) const {
-        if (!found.law) return "";
-        return "the peaks flow (plasticity index " + rounded(found.value, 3) +
-               "): what a wave sees is the unloading stiffness of " + advised(*found.law) +
-               " or jackson_green, several times K of an elastic law" +
-               (found.law == LawName::plastic ? "; plastic is good to a fifth from p = 0.003 H to 0.1 H" : "");
-    }
-    /// How far hybrid may be believed, with \p at_light_loads for within_factor_of_two.
-    [[nodiscard]] static std::string accuracy(const Found& found, const std::string& at_light_loads) {
-        const double high = found.ratio.high;
-        if (high == parts::within_half.high) return ", to a factor of 1.5";
-        return ", to about " + (high == parts::within_hybrid_accuracy.high
-                                    ? std::to_string(parts::hybrid_accuracy_percent) + " %"
-                                : high == parts::within_quarter.high ? "a quarter"
-                                                                     : at_light_loads);
-    }
-    [[nodiscard]] std::string few_contacts(const Found& found) const {
-        const double scatter = found.ratio.high - 1;
-        return (found.value < 1.5 ? "as few as one contact is expected on the "
-                                  : "as few as " + shown_count(found.value) + " contacts are expected on the ") +
-               area() + ": one surface departs from a law by about " + rounded(100 * scatter, 2) + " %" +
-               (scatter > parts::contact_scatter[2].share + 0.01 ? " or more" : "") +
-               " there (rms); its own summits or boundary elements do not";
-    }
-    [[nodiscard]] std::string area() const { return scene_.nominal_area ? "nominal area" : "map"; }
-
-    const Scene& scene_;
-    const Question& question_;
-};
+/// What the names of the laws do not say of where K comes from, and where it ends; empty where there is nothing.
+std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
+    const Curve& curve = answer.curve;
+    const auto solved = [](const Law* law) { return law->which == LawName::boundary_elements; };
+    const auto count = static_cast<std::size_t>(std::count_if(curve.by.begin(), curve.by.end(), solved));
+    const auto& map = scene.face.map;
+    const std::string missing = map ? missing_points(*map) : "", least = rounded(parts::min_points_in_contact);
+    std::string text;
+    if (!missing.empty())
+        text = "K is computed from the numbers of the map: " + missing;
+    else if (count > 0)
+        text = "Boundary elements solve the map itself" +
+               (count == curve.by.size() ? "" : " where " + least + " points touch; elsewhere K is that of its peaks");
+    else if (map && scene.face.spectrum_of_map)
+        text = "K is computed from the map's summits and bearing curve";
+    else if (scene.has_lay)
+        text = "The profile repeats itself, as one across a lay does: K may be up to " + rounded(parts::lay_factor) +
+               " times higher, and only a map shows it";
+    if (const auto greatest = closed_above(scene, curve))
+        text += (text.empty() ? "Above " : "; above ") + with_unit(*greatest, "Pa", 3) +
+                " the contact is closed, and the bulk carries";
+    return text.empty() ? text : text + ".";
+}
 
 }  // namespace
 
+std::optional<double> closed_above(const Scene& scene, const Curve& curve) {
+    double greatest = 0;
+    for (const auto& state : curve.states) greatest = std::max(greatest, state.pressure.value);
+    if (scene.at_separations || curve.missed.empty() || scene.points[curve.missed.front().place] <= greatest) return {};
+    return greatest;
+}
+
+std::string shown_causes(const AnswerReason& reason, std::size_t most) {
+    const auto shares = parts::shares_of(reason.causes);
+    std::array<std::size_t, parts::cause_count> order{};
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });
+    std::string text;
+    for (std::size_t k = 0; k < most; ++k)
+        if (const std::size_t i = order[k]; shares[i] >= 0.1)
+            text += (text.empty() ? "" : ", ") + std::string(words_of(static_cast<parts::Cause>(i))) + " " +
+                    shown_percent(shares[i]);
+    return text;
+}
+
+std::string outside_band(const Scene& scene, const Results& results) {
+    std::string text = "Not in the band: wear, dirt, films, misaligned faces";
+    if (const bool whole = results.answer && results.answer->of_map_itself; whole || !scene.nominal_area)
+        text += std::string(whole                           ? ", other pieces"
+                            : measured_faces(scene).empty() ? ", few contacts"
+                                                            : ", long waves") +
+                " (give contact.nominal_area)";
+    for (const auto& [name, face] : rough_faces(scene))
+        if (!face->measured && face->process == parts::Process::unknown && face->is_open(parts::Unknown::skewness))
+            return text + "; of a worn or honed face K may be several times higher (give process, or skewness and "
+                          "kurtosis).";
+    return text + ".";
+}
+
+std::string measure_next(const Scene& scene, const Results& results) {
+    if (!results.answer) return "";
+    const Curve& curve = results.answer->curve;
+    const std::vector<std::size_t> points = points_of_answer(scene);
+    const auto at = curve.state_at(points[points.size() / 2]);
+    if (!at || *at >= curve.band_parts.size()) return "";
+    parts::Causes<double> others = results.answer->reasons[*at].causes;
+    for (const auto one : {parts::Cause::shape, parts::Cause::prior}) others[static_cast<std::size_t>(one)] = {};
+    const auto [low, high] = parts::band_of(others);
+    const auto greatest = parts::greatest_unknown<double>(
+        {.errors_low = low, .errors_high = high, .of_unknown = curve.band_parts[*at].of_unknown});
+    if (!greatest || greatest->share < 0.1) return "";
+    constexpr std::array<std::string_view, 4> names{"Rq or Sq", "Rdq or Sdq", "alpha", "D or H"};
+    const auto what = !parts::is_of_shape(greatest->which) ? names[static_cast<std::size_t>(greatest->which)]
+                      : measured_faces(scene).empty()      ? "skewness and kurtosis"
+                                                           : "a longer profile or map";
+    const double wide = std::log(curve.band[*at].high / curve.band[*at].low);
+    return "measure " + std::string(what) + ": the band at " + with_unit(curve.states[*at].pressure.value, "Pa", 3) +
+           " narrows from a factor of " + rounded(std::exp(wide), 2) + " to " +
+           rounded(std::exp(greatest->narrower * wide), 2);
+}
+
+std::string origin_of_band(const Scene& scene) {
+    if (scene.best) return "the 90 % band of the answer";
+    std::string text;
+    if (scene.face.has_measured_errors())
+        text = "; " + rounded(scene.samples) + " surfaces drawn by the errors, seed " + std::to_string(scene.seed);
+    if (!scene.face.neighbours.empty()) text += "; the choice of lambda_s";
+    if (!scene.face.priors.empty()) text += "; what is not known of the surface";
+    return text.substr(std::min<std::size_t>(2, text.size()));
+}
+
 Verdict verdict(const Scene& scene, const Results& results) {
-    const Question question = question_of(scene, results);
-    const Words words(scene, question);
-    const std::vector<Found> findings = parts::law_findings(question);
-    const bool goes_beyond = std::any_of(findings.begin(), findings.end(), [](const Found& found) {
-        return found.finding == Finding::beyond_comparison;
-    });
-    Verdict all;
-    bool goes_on = false;
-    for (const Found& found : findings) {
-        const bool part = Words::is_part(found);
-        if (const std::string sentence = words(found); part && goes_on)
-            all.sentences.back() += "; " + sentence;
-        else if (!sentence.empty())
-            all.sentences.push_back((part ? words.pressures() : "") + sentence);
-        const std::string shorter = goes_on && part ? "" : words.shortly(found, goes_beyond);
-        if (!shorter.empty() && all.shorter.size() < (question.has_lay ? 1 : 2)) all.shorter.push_back(shorter);
-        goes_on = part;
-    }
-    if (all.shorter.empty())
-        all.shorter.emplace_back("No law is recommended: the rms gradient of the surface is not known.");
-    all.sentences.insert(all.sentences.end(), results.about_band.begin(), results.about_band.end());
+    if (!results.answer) return {};
+    const StiffnessAnswer& answer = *results.answer;
+    Verdict all{nature(results), {}};
+    if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
+    const std::optional<double>& hardness = answer.relative_hardness;
+    all.shorter = {answer.flows                           ? "The peaks flow: K is that of unloading."
+                   : !hardness                            ? "Taken as elastic: no hardness is given."
+                   : *hardness < parts::flowing_hardness ? "The peaks flow, and K is that of an elastic contact."
+                                                          : "The contact is elastic."};
+    if (scene.has_lay) all.shorter = {"A profile across a lay does not tell K."};
     return all;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which law to believe of a scene, and to about what: the findings of validity/law_findings.hpp as sentences for
-// people, the most important one first.
+// The answer in words: which stiffness it is, which law gave it, and what makes its band.
 
 #include "scene/results.hpp"
 
@@ -11,9 +10,20 @@
 namespace fstiff::scene {
 
 struct Verdict {
-    std::vector<std::string> sentences;  ///< empty where nothing is known that decides
-    std::vector<std::string> shorter;    ///< for a picture: one or two, and one where nothing decides
+    std::vector<std::string> sentences;  ///< three at most; none where nothing answers
+    std::vector<std::string> shorter;    ///< for a picture: two at most
 };
 [[nodiscard]] Verdict verdict(const Scene& scene, const Results& results);
+
+/// The greatest pressure of \p curve, where those of \p scene that it misses are above it.
+[[nodiscard]] std::optional<double> closed_above(const Scene& scene, const Curve& curve);
+/// The \p most greatest causes of the band of \p reason that are a tenth of it or more: "law 62 %, cut-offs 30 %".
+[[nodiscard]] std::string shown_causes(const AnswerReason& reason, std::size_t most = 2);
+/// What the band of \p results does not hold, in one line.
+[[nodiscard]] std::string outside_band(const Scene& scene, const Results& results);
+/// The measurement that narrows the band of the middle point most, and how much; empty where none does by a twentieth.
+[[nodiscard]] std::string measure_next(const Scene& scene, const Results& results);
+/// What the ends of the bands of \p scene are of.
+[[nodiscard]] std::string origin_of_band(const Scene& scene);
 
 }  // namespace fstiff::scene

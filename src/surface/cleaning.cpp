@@ -168,10 +168,8 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     }
     if (found > 0)
         hints.push_back((found == 1 ? "1 point stands" : std::to_string(found) + " points stand") +
-                        " more than 30 standard deviations from the neighbours, as "
-                        "spikes do; " +
-                        options.name("spikes") + (options.prefix.empty() ? " = 20" : " 20") +
-                        " takes such points out");
+                        " out by 30 sigma, as spikes do; " + options.name("spikes") +
+                        (options.prefix.empty() ? " = 20" : " 20") + " takes " + (found == 1 ? "it out" : "them out"));
     return hints;
 }
 

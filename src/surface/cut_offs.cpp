@@ -56,7 +56,7 @@ std::string why_lambda_c(const parts::CutOffs<double>& cut_offs) {
         case parts::CutOffReason::too_coarse:
             return "those of the table that the length of " + length + " holds are too short for the step";
         case parts::CutOffReason::form_alone:
-            return "an S-F surface of ISO 25178-2: the form alone bounds the long waves";
+            return "the form alone bounds the long waves";
     }
     return "";
 }

@@ -3,6 +3,8 @@
 
 #include "surface/surface_option_table.hpp"
 
+#include <fstiff/measured/pooled_surface.hpp>
+
 #include <cmath>
 
 namespace fstiff::scene {
@@ -10,6 +12,7 @@ namespace {
 
 Json json_of(const RoughnessTable& table) {
     Json object = {{"standard", table.standard}};
+    put_cut_offs(object, table.cut_offs);
     Json reasons = Json::object();
     for (const RoughnessLine& line : table.lines) {
         const std::string key = line.symbol + (line.unit.empty() ? "" : "_" + line.unit);
@@ -101,6 +104,13 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
     }
     if (found.fractal_dimension) document["fractal_dimension_window_error"] = found.dimension_window_error;
     if (std::isfinite(found.widest_band)) document["widest_band"] = found.widest_band;
+    if (const auto& end = found.long_end; end.side > 0)
+        document["long_end"] = {{"side_m", end.side},
+                                {"hurst", end.hurst},
+                                {"open", end.open},
+                                {"log_error", end.error},
+                                {"law", end.law},
+                                {"form_share", end.form_share}};
     if (!found.heights) return;
     const SpectralMoments<double>& moments = found.heights->moments;
     document["moments"] = {
@@ -114,7 +124,8 @@ Json measured_document(const MeasuredSurface& surface) {
     const Surface<double>& found = surface.found;
     Json document = json_document("measure");
     document["source"] = {
-        {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions}};
+        {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions},
+        {"warnings", surface.of_file}};
     put_found(document, surface, found);
     for (const Surface<double>& neighbour : found.neighbours) {
         Json of;
@@ -142,15 +153,20 @@ Json measured_document(const MeasuredSurface& surface) {
     return document;
 }
 
-RoughnessTable roughness_of(const MeasuredSurface& surface) {
+RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c) {
     if (surface.parts.empty())
         return about_file(surface.file, [&] {
             const Surface<double>& found = surface.found;
-            return found.profile ? roughness_table(*found.profile) : roughness_table(*found.map);
+            return found.profile ? roughness_table(*found.profile, lambda_c) : roughness_table(*found.map);
         });
-    std::vector<RoughnessTable> tables;
-    for (const MeasuredSurface& part : surface.parts) tables.push_back(roughness_of(part));
-    return mean_of(tables);
+    const auto tables = [&](const CutOff<double>& of) {
+        std::vector<RoughnessTable> all;
+        for (const MeasuredSurface& part : surface.parts) all.push_back(roughness_of(part, of));
+        return all;
+    };
+    const std::vector<RoughnessTable> by_table = tables(lambda_c);
+    const CutOff<double> shared = parts::shared_cut_off(lambda_c, by_table, &parts::CutOffs<double>::lambda_c);
+    return mean_of(shared.automatic() ? by_table : tables(shared));
 }
 
 Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface) {

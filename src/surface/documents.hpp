@@ -25,8 +25,9 @@ void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing,
 /// What was measured of a surface, for a JSON document that read_measured_document takes.
 [[nodiscard]] Json measured_document(const MeasuredSurface& surface);
 
-/// The roughness parameters of \p surface; of several files the means of theirs. \throws as roughness_table().
-[[nodiscard]] RoughnessTable roughness_of(const MeasuredSurface& surface);
+/// The roughness parameters of \p surface; of several files the means of theirs with one lambda_c, the longest that the
+/// table chooses. \throws as roughness_table().
+[[nodiscard]] RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c = {});
 /// The whole document of fstiff measure, \p surface being measured as \p options say.
 [[nodiscard]] Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface);
 

@@ -2,6 +2,8 @@
 // The JSON of fstiff measure, read back.
 #include "surface/measured_surface.hpp"
 
+#include "document/file.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace fstiff::scene {
@@ -32,6 +34,24 @@ std::vector<std::string> texts_of(const Parsed& object, const char* key) {
         for (const Parsed& item : *found)
             if (item.is_string()) texts.push_back(item.get<std::string>());
     return texts;
+}
+
+/// The long end of the spectrum; none in documents of an older fstiff.
+parts::LongEnd<double> long_end_of(const Parsed& document, const std::string& name) {
+    const auto end = document.find("long_end");
+    if (end == document.end() || !end->is_object()) return {};
+    const auto number = [&](const char* key, double most) {
+        const double value = number_of(*end, key, name + ": long_end");
+        if (!(value >= 0 && value <= most))
+            throw domain_error(name + ": long_end." + key + ": must be from 0 to " + rounded(most));
+        return value;
+    };
+    return {number("side_m", 1e6),
+            number("hurst", 1),
+            number("open", 1),
+            number("log_error", 1e3),
+            end->contains("law") && end->at("law") == true,
+            number("form_share", 1e3)};
 }
 
 /// Parameters, moments and cut-offs of \p document, or of one of its neighbours.
@@ -68,6 +88,7 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
         surface.dimension_window_error = number_of(document, "fractal_dimension_window_error", name);
     if (const auto widest = document.find("widest_band"); widest != document.end() && !widest->is_null())
         surface.widest_band = number_of(document, "widest_band", name);
+    surface.long_end = long_end_of(document, name);
     if (const auto share = document.find("shape_share"); share != document.end()) {
         surface.shape_share = number_of(document, "shape_share", name);
         if (!(surface.shape_share >= 0 && surface.shape_share <= 1))
@@ -108,6 +129,7 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
         surface.sha256 = text_of(*source, "sha256");
         surface.kind = text_of(*source, "kind");
         surface.decisions = texts_of(*source, "decisions");
+        surface.of_file = texts_of(source->contains("warnings") ? *source : document, "warnings");
     }
     surface.warnings = texts_of(document, "warnings");
     for (const std::string& word :

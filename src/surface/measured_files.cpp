@@ -97,10 +97,10 @@ void gather_warnings(MeasuredSurface& whole) {
     for (const MeasuredSurface& part : whole.parts)
         for (const std::string& sentence : part.warnings) {
             const bool of_all = count(sentence) == std::ssize(whole.parts);
-            if (!of_all)
-                whole.warnings.push_back(part.file + ": " + sentence);
-            else if (&part == &whole.parts.front())
-                whole.warnings.push_back(sentence);
+            if (of_all && &part != &whole.parts.front()) continue;
+            whole.warnings.push_back((of_all ? "" : part.file + ": ") + sentence);
+            if (std::count(part.of_file.begin(), part.of_file.end(), sentence) > 0)
+                whole.of_file.push_back(whole.warnings.back());
         }
 }
 

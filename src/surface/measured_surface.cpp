@@ -66,15 +66,11 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
         warned.push_back(shown_percent(found.long_wave_share) +
                          " of the mean square height are waves longer than an eighth of the " + surface.kind +
                          ": sigma is that of this length, and a longer one may have more; K goes about as 1/sigma");
-    for (std::string& line : peak_warnings(found.concerns, found.peaks_counted, found))
-        warned.push_back(std::move(line));
-    if (has(found.concerns, MeasuredConcern::implausible_gradient))
-        warned.push_back(gradient_warning(gradient_of(prepared), "measured"));
-    if (parts::is_mostly_waviness(prepared))
-        warned.push_back("lambda_c " + shown_length(*found.cut_offs.lambda_c) + ", chosen by the table, leaves " +
-                         shown_percent(prepared.rms / prepared.rms_levelled) + " of the rms height of " +
-                         shown_length(prepared.rms_levelled) +
-                         ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
+    std::vector<std::string> of_peaks = peak_warnings(found.concerns, found.peaks_counted, found);
+    if (!profile && has(found.concerns, MeasuredConcern::few_peaks)) surface.of_file.push_back(of_peaks.front());
+    warned.insert(warned.end(), of_peaks.begin(), of_peaks.end());
+    if (!has(found.concerns, MeasuredConcern::implausible_gradient)) return;
+    for (auto* list : {&warned, &surface.of_file}) list->push_back(gradient_warning(gradient_of(prepared), "measured"));
 }
 
 }  // namespace
@@ -169,7 +165,7 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     surface.how = std::make_shared<const MeasureOptions>(options);
     surface.kind = input.surface.is_profile() ? "profile" : "map";
     surface.decisions = input.surface.record.sentences();
-    surface.warnings = reading_warnings(input, "what needs them is left out");
+    surface.warnings = surface.of_file = reading_warnings(input, "what needs them is left out");
     return surface;
 }
 

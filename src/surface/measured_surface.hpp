@@ -28,6 +28,7 @@ struct MeasureOptions {
 struct MeasuredSurface {
     std::string file, sha256, kind;  ///< of the measured file; kind: profile or map
     std::vector<std::string> decisions, warnings;
+    std::vector<std::string> of_file;  ///< those of the warnings that no band holds: of the file, of too few summits
     /// Without profile and map where the numbers come from the JSON of fstiff measure, without heights where that is
     /// of an older fstiff. R_p of 0 is not known.
     Surface<double> found;

@@ -34,12 +34,14 @@ void add_material_ratio(RoughnessTable& table, const std::string& letter, std::s
 
 }  // namespace
 
-RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled) {
-    const Profile<double>& profile = levelled.profile;
-    const auto found = roughness_parameters(profile, levelled.cut_offs.lambda_c);
+RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled, const CutOff<double>& lambda_c) {
+    const parts::PreparedProfile<double> filtered = parts::with_drawing_cut_off(levelled, lambda_c);
+    const Profile<double>& profile = filtered.profile;
+    const auto found = roughness_parameters(profile, filtered.cut_offs.lambda_c);
     const auto length = parts::autocorrelation_length(autocorrelation(profile));
     RoughnessTable table{
-        .standard = "ISO 21920-2:2021", .lines = {}, .sections = {}, .section_length = found.section_length};
+        .standard = "ISO 21920-2:2021", .lines = {}, .sections = {}, .section_length = found.section_length,
+        .cut_offs = filtered.cut_offs};
     table.sections =
         found.by_cutoff ? "five of lambda_c, in the middle of the profile" : "five of a fifth of the profile each";
     if (found.sections < 5) table.sections += ", " + std::to_string(found.sections) + " of which have a point";
@@ -64,7 +66,8 @@ RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled) {
 RoughnessTable roughness_table(const parts::PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
     const auto found = areal_parameters(map, levelled.areal);
-    RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}};
+    RoughnessTable table{
+        .standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
     table.lines = {{"Sa", "m", found.mean_deviation, "mean of the distances from the mean height"},
                    {"Sq", "m", found.rms_height, "root of their mean square"},
                    {"Sp", "m", found.max_peak_height, "highest peak"},

@@ -53,12 +53,12 @@ constexpr SurfaceOptionRow rows[] = {
     {"height", file_of_map, &Of::height, always,
      "height of a matrix or .npy (number of rows times dy), instead of --dy"},
     {"detrend", form, &Of::detrend, always,
-     "form that is removed before anything is computed; of a profile none, mean, line (default), parabola or "
-     "gaussian; of a map none, mean, plane (default), quadratic or cubic",
-     {.help_of_profile = "form that is removed before anything is computed; of a profile none, mean, line (default), "
-                         "parabola or gaussian",
-      .help_of_map = "form that is removed before anything is computed; of a map none, mean, plane (default), "
-                     "quadratic or cubic",
+     "form in the sense of the maker's drawing, removed before anything is computed; of a profile none, mean, line "
+     "(default), parabola or gaussian; of a map none, mean, plane (default), quadratic or cubic",
+     {.help_of_profile = "form in the sense of the maker's drawing, removed before anything is computed; of a profile "
+                         "none, mean, line (default), parabola or gaussian",
+      .help_of_map = "form in the sense of the maker's drawing, removed before anything is computed; of a map none, "
+                     "mean, plane (default), quadratic or cubic",
       .words = words_of_form}},
     {"cutoff", form_of_profile, &Of::cutoff, always,
      "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\""},
@@ -82,8 +82,8 @@ constexpr SurfaceOptionRow rows[] = {
      "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
      "them once the form is removed; auto (default) takes the standards' index of five steps; none keeps all"},
     {"lambda_c", filter, &Of::lambda_c, if_not_default,
-     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) takes that of the "
-     "standards' table for a profile of five of them, and none for a map; none keeps all"},
+     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) keeps all, and takes that of the "
+     "standards' table for Ra, Rq and the like of a profile; none keeps all for these too"},
     {"filter", filter, &Of::filter, if_not_default,
      "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line grooves and "
      "spikes do not draw towards them"},

@@ -55,11 +55,11 @@ void append_optional(std::string& text, const std::optional<double>& value) {
 }
 
 /// {"index":17,"surface.rms_height":5e-07,"law":"hertz","theta":1,"r":0.5
-void append_law(std::string& text, const std::string& begin, const Curve& curve) {
+void append_law(std::string& text, const std::string& begin, const Curve& curve, std::string_view law) {
     text += begin;
     append_key(text, "law");
     text += '"';
-    text += curve.law->name;
+    text += law;
     text += '"';
     append_key(text, "theta");
     append_optional(text, curve.theta);
@@ -70,7 +70,7 @@ void append_law(std::string& text, const std::string& begin, const Curve& curve)
 /// The line of a point that the law of \p curve does not reach: that point, null for all else, and why.
 void append_missed(std::string& text, const std::string& begin, const Curve& curve, const scene::Scene& scene,
                    const scene::MissedPoint& missed) {
-    append_law(text, begin, curve);
+    append_law(text, begin, curve, curve.law->name);
     const auto known = scene.at_separations ? scene::CurveQuantity::separation : scene::CurveQuantity::pressure;
     for (const scene::Column& column : curve.columns) {
         append_key(text, column.key());
@@ -82,7 +82,7 @@ void append_missed(std::string& text, const std::string& begin, const Curve& cur
 
 /// The line of the state \p i of \p curve behind \p begin.
 void append_row(std::string& text, const std::string& begin, const Curve& curve, std::size_t i) {
-    append_law(text, begin, curve);
+    append_law(text, begin, curve, curve.law_at(i).name);
     for (const scene::Column& column : curve.columns) {
         append_key(text, column.key());
         if (column.values.empty())
@@ -90,6 +90,7 @@ void append_row(std::string& text, const std::string& begin, const Curve& curve,
         else
             append_exact(text, column.values[i]);
     }
+    if (!curve.by.empty()) text += ",\"answer\":1";
     text += "}\n";
 }
 

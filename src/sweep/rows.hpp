@@ -14,7 +14,7 @@ namespace fstiff::sweep {
 /// What pictures and sensitivities take of one line.
 struct Row {
     std::uint64_t index = 0;
-    std::string_view law;
+    std::string_view law;  ///< "answer" of an answer, whose law may be another at each point
     std::optional<double> theta{}, r{};
     std::size_t point = 0;              ///< its place among those of one scene, law, theta and r
     double pressure = 0;                ///< [Pa]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/scene_maker.hpp"
 
+#include "scene/answer.hpp"
 #include "scene/source.hpp"
 #include "sweep/template.hpp"
 
@@ -165,10 +166,11 @@ void SceneMaker::find_table_range(const Scene& first) {
     const auto refuse = [&](const char* why) { throw domain_error(grid_.file + ": sweep.tabulate = true: " + why); };
     if (!folds_ || grid_.axes[point_axis_].drawn || grid_.axes[point_axis_].count() < 2)
         refuse("must stand in a grid whose pressure or separation is swept as a range or a list");
-    if (first.real_area || first.contacts || first.loading_stiffness)
+    if (first.best) refuse("must be in a grid whose contact.laws names a law: no table has the band of an answer");
+    if (first.real_area || first.contacts || first.loading_stiffness || first.approach)
         refuse(
-            "must stand beside output.quantities without real_area, contacts and loading_stiffness, which no table "
-            "has");
+            "must stand beside output.quantities without real_area, contacts, loading_stiffness and approach, which no "
+            "table has");
     if (first.reading != InteractionReading::none) refuse("must stand in a grid without contact.interaction");
     const Axis& axis = grid_.axes[point_axis_];
     table_range_ = axis.range ? std::array{axis.range->from, axis.range->to}
@@ -212,8 +214,11 @@ RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>
 }
 
 std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& values, const Scene* surface) const {
+    const toml::table root = table_of(grid_, values);
+    const bool names_laws = root["contact"]["laws"].is_array();  // the band of an answer holds the cut-offs too
     auto made = std::make_shared<Scene>(
-        scene::read_table(table_of(grid_, values), {.name = grid_.file, .has_band = false, .surface_of = surface}));
+        scene::read_table(root, {.name = grid_.file, .has_band = !names_laws, .surface_of = surface}));
+    made->solves_map = false;
     made->inputs.clear();
     made->warnings.clear();
     return made;
@@ -246,6 +251,7 @@ void SceneMaker::make(const std::vector<Value>& values, Work& work) {
     put(values, work);
     if (!same) {
         work.contacts.clear();  // before what they were made of
+        if (work.scene.best) set_law_of_answer(work.scene);  // peaks may flow where those of the scene that was read do not
         work.contacts = scene::contacts_of(work.scene);
         if (grid_.tabulate) tabulate(work.contacts, work.scene, table_range_);
     }

@@ -20,6 +20,9 @@ program fortran_test
     real(c_double) :: p, k, slope, batch_p(1), batch_k(1)
     character(1024) :: numbers, law_file
     character(:), allocatable :: text
+    character(*), parameter :: scene = "surface = { rms_height = '1 um', rms_gradient = 0.1, alpha = 5 }"//achar(10)// &
+        "material.upper = { youngs_modulus = '205 GPa', poisson_ratio = 0.3 }"//achar(10)// &
+        "contact.pressures = ['10 MPa', '20 MPa']"
     integer :: failures, i
 
     failures = 0
@@ -87,6 +90,12 @@ program fortran_test
     call check(fstiff_spectrum(c_loc(array), "of = acf"//c_null_char, document) == FSTIFF_OK, "spectrum")
     call check(fstiff_document_numbers(document, "acf.acf.0"//c_null_char, batch_p, 1_c_size_t, count) == FSTIFF_OK .and. &
         bits(batch_p(1)) == bits(1d0), "autocorrelation at lag 0")
+    call fstiff_document_free(document)
+    call check(fstiff_run(scene, len(scene, kind=c_size_t), "steel"//c_null_char, c_null_char, document) == FSTIFF_OK, "run")
+    call check(fstiff_document_numbers(document, "answer.*.pressure_Pa"//c_null_char, separation, 7_c_size_t, count) &
+        == FSTIFF_OK .and. count == 2 .and. bits(separation(2)) == bits(2d7), "pressures of an answer")
+    call check(len(fstiff_word_of_document(document, "answer.1.law")) > 4, "law of an answer")
+    call check(fstiff_word_of_document(document, "answer.2.law") == "", "no third row")
     call fstiff_document_free(document)
 
     fine%rms_height = -1

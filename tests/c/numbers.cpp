@@ -76,8 +76,11 @@ int main(int, char** argv) {
               {p, d, law.stiffness(p), law.stiffness_slope(p), at.pressure, at.stiffness, law.slope_at_separation(d)});
     }
 
-    const scene::Results scene = scene::compute(scene::read_scene(scene::builtin_scene, {.name = "builtin"}));
-    std::ofstream(std::string(argv[2]) + ".scene", std::ios::binary) << scene::builtin_scene;
+    const std::string text = std::string(scene::builtin_scene) +  // which ends with [contact]
+                             "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n"
+                             "peaks = [{ theta = \"pi/4\", r = \"exponential\" }, { theta = \"pi/3\", r = \"exponential\" }]\n";
+    const scene::Results scene = scene::compute(scene::read_scene(text, {.name = "builtin"}));
+    std::ofstream(std::string(argv[2]) + ".scene", std::ios::binary) << text;
     for (std::size_t i = 0; i < 5; ++i) {
         std::vector<double> at_pressures, stiffness;
         for (const auto& state : scene.curves[i].states)

@@ -15,9 +15,10 @@ function(same file)
 endfunction()
 
 execute_process(COMMAND ${PREFIX}/bin/fstiff help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX REPLACE "^.*Subcommands:\n(.*)\nUnits.*$" "\\1" listed "${help}")
-string(REGEX MATCHALL "(^|\n)  [a-z]+" commands "${listed}")
+string(REGEX REPLACE "^.*\nCompute:\n(.*)\nUnits.*$" "\n\\1" listed "${help}")
+string(REGEX MATCHALL "\n  [a-z]+" commands "${listed}")
 list(TRANSFORM commands STRIP)
+list(APPEND commands fit islands peaks spectrum merge)  # older names, not listed
 list(LENGTH commands count)
 if(count LESS 16)
     message(FATAL_ERROR "commands found: ${commands}")

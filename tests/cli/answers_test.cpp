@@ -116,6 +116,35 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
           test::run_fstiff("export '" + file + "' --to abaqus --tolerance 5% --until '50 MPa'").out);
 }
 
+TEST_CASE("The C interface answers a scene as the command does") {
+    const std::string scene = test::read(FSTIFF_SCENES "/built_in.toml");
+    for (const bool with_name : {false, true}) {
+        const test::Folder folder;
+        const std::string file = folder.write("scene.toml", scene);
+        const auto made = made_by([&](auto to) {
+            return with_name ? fstiff_run(scene.c_str(), scene.size(), file.c_str(), nullptr, to)
+                             : fstiff_run(nullptr, 0, nullptr, nullptr, to);
+        });
+        const auto printed = test::run_fstiff("run " + (with_name ? "'" + file + "'" : std::string()) + " --format json");
+        if (!with_name) CHECK(text_of(made) == printed.out);
+        const auto answer = nlohmann::json::parse(printed.out)["answer"];
+        CHECK(answer.size() > 2);
+        for (const char* key : {"pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m",
+                                "stiffness_N_per_m"}) {
+            std::vector<double> wanted;
+            for (const auto& row : answer) wanted.push_back(row[key]);
+            CHECK(numbers_at(made, "answer.*." + std::string(key)) == wanted);
+        }
+        char law[32];
+        std::size_t length = 0;
+        REQUIRE(fstiff_document_word(made.get(), "answer.1.law", law, sizeof law, &length) == FSTIFF_OK);
+        CHECK(law == answer[1]["law"].get<std::string>());
+        CHECK(fstiff_document_word(made.get(), "answer.1.pressure_Pa", law, sizeof law, &length) == FSTIFF_BAD_ARGUMENT);
+        std::size_t count = 0;
+        CHECK(fstiff_document_numbers(made.get(), "answer.*.none", nullptr, 0, &count) == FSTIFF_BAD_ARGUMENT);
+    }
+}
+
 TEST_CASE("The C interface refuses requests in one sentence") {
     fstiff_document* none = nullptr;
     const auto refused = [&](int status, int wanted, const std::string& words) {
@@ -135,6 +164,7 @@ TEST_CASE("The C interface refuses requests in one sentence") {
     refused(fstiff_peaks(nullptr, "theta = 1\nexponential = perhaps", &none), FSTIFF_REFUSED, "true or false");
     refused(fstiff_ultrasound(nullptr, "stiffness = 1e15\nfrequency = 7e6", &none), FSTIFF_REFUSED, "impedance");
     refused(fstiff_identify(nullptr, 0, nullptr, nullptr, "fit = sigmas", &none), FSTIFF_REFUSED, "sigmas");
+    refused(fstiff_run(nullptr, 0, nullptr, "surface = nowhere.csv", &none), FSTIFF_REFUSED, "no such file");
     refused(fstiff_export(nullptr, 0, nullptr, "law = persson", &none), FSTIFF_REFUSED, "persson");
     refused(fstiff_spectrum(nullptr, nullptr, nullptr), FSTIFF_BAD_ARGUMENT, "made");
     const fstiff_curve empty{sizeof empty, nullptr, nullptr, nullptr, 0, 1};

@@ -33,6 +33,12 @@ inline Outcome run_fstiff(const std::string& arguments, const std::string& input
     return shell("fstiff " + arguments, input);
 }
 
+/// \p text with its lines as one, as sentences are that a table wraps.
+inline std::string as_one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
 /// Checks that \p outcome of \p arguments is a refusal: the exit code, one sentence with every one of \p parts on standard
 /// error, no document.
 inline void check_refusal(const Outcome& outcome, const std::string& arguments, int status,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/command.hpp"
+#include "support/skip.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -76,6 +77,72 @@ TEST_CASE("help prints what --help prints") {
     CHECK(test::contains(test::run_fstiff("--help").out, "kg/(m^2 s), Rayl, MRayl"));
 }
 
+TEST_CASE("--help lists the commands under what they are for, and the older names in a line") {
+    const std::string help = test::run_fstiff("--help").out;
+    std::size_t last = 0;
+    for (const char* part : {"\nCompute:\n  run ", "\n  report ", "\n  ultrasound ", "\nSurfaces:\n  measure ",
+                             "\n  generate ", "\nMeasured K:\n  identify ", "\nChecks:\n  truth ", "\nHelp:\n  help ",
+                             "\nOlder names: fit, islands"}) {
+        INFO(part << "\n" << help);
+        const auto at = help.find(part, last);
+        REQUIRE(at != std::string::npos);
+        last = at;
+    }
+    for (const char* name : {"\n  fit ", "\n  islands ", "\n  peaks ", "\n  spectrum ", "\n  merge "})
+        CHECK_FALSE(test::contains(help, name));
+    CHECK(test::contains(test::run_fstiff("measure --show islands --help").out, "--neighbours"));
+    test::check_refused("measure x --show all", 2, {"--show", "fit,islands,peaks,spectrum"});
+    test::check_refused("measure x --show fit --nieghbours 8", 2, {"--nieghbours", "fstiff fit --help"});
+    test::check_refused("measure x --show", 2, {"--show"});
+}
+
+TEST_CASE("measure --show and sweep --merge are the commands of older names") {
+    const test::Folder folder;
+    const std::string map = folder.write(
+        "map.txt", test::run_fstiff("generate map --points 64 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest "
+                                    "'6 um' --longest '20 um'").out);
+    const std::string trace = folder.write(
+        "trace.txt", test::run_fstiff("generate profile --points 1024 --spacing '1 um' --hurst 0.5 --rms '1 um'").out);
+    const auto same = [&](const std::string& now, const std::string& before, int status = 0) {
+        INFO(now);
+        const auto a = test::run_fstiff(now), b = test::run_fstiff(before);
+        CHECK(a.status == status);
+        CHECK(a.out == b.out);
+        CHECK(a.err == b.err);
+        CHECK(a.out.size() > 200);
+    };
+    same("measure '" + trace + "' --show fit --format json --seed 3", "fit '" + trace + "' --format json --seed 3");
+    same("measure --show=spectrum '" + map + "' --of acf", "spectrum '" + map + "' --of acf");
+    same("measure --show islands '" + map + "' --border drop --levels 30", "islands '" + map + "' --border drop --levels 30");
+    same("measure '" + trace + "' --heights=-4,4,9 --show peaks", "peaks --profile '" + trace + "' --heights=-4,4,9");
+    const std::string sweep = "cd '" + (folder / "") + "' && fstiff sweep --example > grid.toml && for i in 1 2; do fstiff "
+                              "sweep grid.toml --shard $i/2 -o p$i.jsonl || exit 1; done >/dev/null 2>&1 && fstiff ";
+    const auto merged = test::shell(sweep + "sweep -o a.jsonl --merge p1.jsonl p2.jsonl");
+    INFO(merged.err);
+    CHECK(merged.status == 0);
+    CHECK(test::contains(merged.out, "of 2 shards in a.jsonl"));
+    CHECK(test::shell("cd '" + (folder / "") + "' && fstiff merge p1.jsonl p2.jsonl -o b.jsonl && cmp a.jsonl b.jsonl").status == 0);
+}
+
+TEST_CASE("measure prints a table on a terminal, JSON into a pipe and a file, and what --format says") {
+    if (test::shell("script -qec true /dev/null").status != 0) SKIP_CASE("`script` makes no terminal here");
+    const test::Folder folder;
+    const std::string trace = folder.write(
+        "trace.txt", test::run_fstiff("generate profile --points 1024 --spacing '1 um' --hurst 0.5 --rms '1 um'").out);
+    const auto on_terminal = [&](const std::string& options) {
+        const std::string shown =
+            test::shell("script -qec \"'" FSTIFF_COMMAND "' measure '" + trace + "' " + options + "\" /dev/null").out;
+        return test::contains(shown, "\x1b[K") ? shown.substr(shown.rfind("\x1b[K") + 3) : shown;  // after the bar
+    };
+    const std::string piped = test::run_fstiff("measure '" + trace + "'").out;
+    CHECK(piped.starts_with("{"));
+    CHECK(test::contains(on_terminal(""), ": surface of "));
+    CHECK(test::contains(on_terminal("--format json"), "\"command\""));
+    CHECK(test::contains(on_terminal("--format csv"), "parameter,value,error"));
+    (void)on_terminal("-o '" + folder / "out.json" + "'");
+    CHECK(test::read(folder / "out.json") == piped);
+}
+
 TEST_CASE("No help points at a file that is not installed") {
     for (const std::string command :
          {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
@@ -92,7 +159,7 @@ TEST_CASE("run --example prints a scene that runs, also with all that is comment
     const auto run = test::run_fstiff("run - --format csv", example.out);
     INFO(run.err);
     CHECK(run.status == 0);
-    CHECK(test::lines(run.out).size() == 1 + 2 * 13);
+    CHECK(test::lines(run.out).size() == 1 + 13);
 
     // "#: key = value" goes to the section above it, "#: [section]" begins one
     std::string all;
@@ -102,7 +169,7 @@ TEST_CASE("run --example prints a scene that runs, also with all that is comment
             all += line.substr(3) + "\n", ++taken;
         else
             all += line + "\n";
-    CHECK(taken == 11);
+    CHECK(taken == 12);
     const auto full =
         test::run_fstiff("run - --format csv", test::replaced(all, "\"contacts\"]", "\"contacts\", \"reflection\"]"));
     INFO(full.err);

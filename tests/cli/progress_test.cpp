@@ -10,7 +10,7 @@ namespace {
 const std::string long_scene =
     "[surface]\nrms_height = \"1 um\"\npeak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = 1.5\n"
     "errors = { rms_height = \"0.1 um\" }\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
-    "[contact]\npressures = { from = \"1 MPa\", to = \"10 MPa\", count = 10 }\n[uncertainty]\nsamples = 300\n";
+    "[contact]\npressures = { from = \"1 MPa\", to = \"10 MPa\", count = 10 }\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 300\n";
 
 }  // namespace
 

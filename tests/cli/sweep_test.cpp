@@ -76,7 +76,9 @@ void check_as_run(const std::string& results, const Of& of, std::size_t every = 
         const Outcome run = run_fstiff("run - --format csv", of(rows.front()));
         INFO("scene " << index << ": " << run.err);
         REQUIRE((run.status == 0 || run.status == 4));
-        const auto csv = lines(run.out);
+        auto csv = lines(run.out);
+        if (!contains(lines(results).front(), "\"answer\":1"))  // the laws that are named, without the answer above them
+            std::erase_if(csv, [](const std::string& line) { return line.ends_with(",1"); });
         REQUIRE(csv.size() == rows.size() + 1);
         for (std::size_t row = 0; row < rows.size(); ++row) {
             std::istringstream header(csv[0]), cells(csv[row + 1] + ",");
@@ -84,7 +86,8 @@ void check_as_run(const std::string& results, const Of& of, std::size_t every = 
             for (std::string key, cell; std::getline(header, key, ',') && std::getline(cells, cell, ','); ++columns) {
                 const std::string text = key == "law" ? "\"" + cell + "\"" : cell.empty() ? "null" : cell;
                 INFO(key);
-                CHECK(value(rows[row], key) == text);
+                const bool of_answer = key == "answer" || contains(key, "_p05") || contains(key, "_p95");
+                if (!of_answer || (!cell.empty() && cell != "0")) CHECK(value(rows[row], key) == text);
             }
             CHECK(columns >= 5);
         }
@@ -122,6 +125,24 @@ TEST_CASE("Each line of a sweep has the digits of fstiff run of that scene, for 
             return scene_with(name, si.empty() ? number : "\"" + number + si + "\"");
         });
     }
+}
+
+TEST_CASE("A grid that names no law carries the answer, whose law is chosen anew where a swept value lets peaks flow") {
+    const auto scene = [](const std::string& strength) {
+        return "[surface]\nrms_height = \"0.5 um\"\nrms_gradient = 0.1\nalpha = 5\n"
+               "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nyield_strength = " + strength +
+               "\n[contact]\npressures = [\"3 MPa\", \"30 MPa\"]\n";
+    };
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", scene("[\"100 MPa\", \"9 GPa\"]"));
+    const Outcome outcome = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --threads 1");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const std::string results = read(folder / "out");
+    CHECK(contains(lines(results).front(), "\"law\":\"plastic\""));
+    CHECK(contains(lines(results).back(), "\"law\":\"hybrid\""));
+    CHECK(contains(results, "\"stiffness_p05_Pa_per_m\":"));
+    check_as_run(results, [&](const Line& line) { return scene("\"" + line.at(1).second + " Pa\""); });
 }
 
 TEST_CASE("Words and tables may be swept, and stand in the lines as texts") {
@@ -168,7 +189,7 @@ TEST_CASE("Measured files may be swept") {
         const std::string by_hand =
             replaced(replaced(text, "{ values = [\"trace1.csv\", [\"trace1.csv\", \"trace2.csv\"]] }", from),
                      "{ values = [\"1 MPa\", \"10 MPa\"] }", pressure);
-        return lines(run_fstiff("run '" + folder.write("hand.toml", by_hand) + "' --format csv").out).at(1);
+        return lines(run_fstiff("run '" + folder.write("hand.toml", by_hand) + "' --format csv").out).back();
     };
     CHECK(contains(scene("\"trace1.csv\"", "\"10 MPa\""), value(fields(all[1]), "stiffness_Pa_per_m")));
     CHECK(
@@ -216,7 +237,7 @@ TEST_CASE("K by the table of a law is within the error that it tells, for any nu
         CHECK(outcome.status == 3);
         CHECK(contains(outcome.err, sentence));
     };
-    refused(grid, "without real_area, contacts and loading_stiffness");
+    refused(grid, "without real_area, contacts, loading_stiffness and approach");
     refused(replaced(grid, "{ from = \"0.1 MPa\", to = \"100 MPa\", count = 11 }", "\"1 MPa\"") + output,
             "whose pressure or separation is swept");
 }

@@ -120,9 +120,10 @@ TEST_CASE("What the data do not see stands alone, and is fatal") {
     CHECK(parts::is_fatal(FitConcern::singular));
     CHECK((parts::is_fatal(FitConcern::not_converged) && parts::is_fatal(FitConcern::at_bound)));
     for (const FitConcern concern :
-         {FitConcern::misfit, FitConcern::scattered, FitConcern::outlier, FitConcern::far_from_start})
+         {FitConcern::misfit, FitConcern::scattered, FitConcern::outlier, FitConcern::far_from_start,
+          FitConcern::unresolved})
         CHECK((parts::is_doubtful(concern) && !parts::is_fatal(concern)));
-    for (const FitConcern concern : {FitConcern::no_errors, FitConcern::unresolved, FitConcern::correlated})
+    for (const FitConcern concern : {FitConcern::no_errors, FitConcern::correlated})
         CHECK((!parts::is_doubtful(concern) && !parts::is_fatal(concern)));
     CHECK(name_of(FitConcern::correlated) == "correlated");
 }

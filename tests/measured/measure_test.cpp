@@ -49,11 +49,10 @@ void require_equal(const parts::SurfaceParameters<double>& a, const parts::Surfa
 TEST_CASE("A measured profile has the parameters of its steps taken by hand") {
     const auto profile = trace();
     const Surface<double> surface = measure(profile);
-    parts::LevelledProfile<double> flat = parts::level(profile, Form::line, {}, 0, 2.5e-6);
-    flat = parts::without_waviness(flat, 0.25e-3);  // the length of 2 mm holds five of no longer one
+    const parts::LevelledProfile<double> flat = parts::level(profile, Form::line, {}, 0, 2.5e-6);
     CHECK(surface.cut_offs.lambda_s == 2.5e-6);
-    CHECK(surface.cut_offs.lambda_c == 0.25e-3);
-    CHECK(surface.cut_offs.why_c == parts::CutOffReason::length);
+    CHECK_FALSE(surface.cut_offs.lambda_c);  // a contact feels all waves but the form
+    CHECK(surface.cut_offs.why_c == parts::CutOffReason::form_alone);
     parts::SurfaceParameterOptions<double> how;
     how.fit.lambda_s = 2.5e-6;
     const auto by_hand = parts::surface_parameters(flat, how);
@@ -65,7 +64,7 @@ TEST_CASE("A measured profile has the parameters of its steps taken by hand") {
     CHECK(surface.heights->skewness.value == heights.skewness.value);
     CHECK(surface.concerns == concerns_of(by_hand, surface.profile->rms_gradient));
     CHECK(relative_error(surface.size, 4096 * 0.5e-6) < 1e-14);
-    CHECK(relative_error(surface.widest_band, 100.0) < 1e-14);  // 0.25 mm over 2.5 um
+    CHECK(relative_error(surface.widest_band, 819.2) < 1e-14);  // 2.048 mm over 2.5 um
     CHECK(surface.profile->rms == rms_height(flat.profile));
     CHECK_FALSE(surface.map);
 }
@@ -93,9 +92,9 @@ TEST_CASE("A measured map has the parameters of its steps taken by hand") {
     require_equal(measure(std::move(given), {.neighbours = false}), measure(map, {.neighbours = false}), true);
 }
 
-TEST_CASE("The neighbours are the surface with a shorter and a longer lambda_s, and the lambda_c that was chosen") {
+TEST_CASE("The neighbours are the surface with a shorter and a longer lambda_s, and the lambda_c that was given") {
     const auto profile = trace();
-    const Surface<double> surface = measure(profile);
+    const Surface<double> surface = measure(profile, {.lambda_c = 0.25e-3});
     REQUIRE(surface.neighbours.size() == 2);
     const double root = std::sqrt(2.0);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -109,7 +108,7 @@ TEST_CASE("The neighbours are the surface with a shorter and a longer lambda_s, 
     }
     CHECK(surface.neighbours[0].peak_radius.value < surface.peak_radius.value);
     CHECK(surface.neighbours[1].peak_radius.value > surface.peak_radius.value);
-    const auto none = measure(profile, {.lambda_s = no_cut_off, .lambda_c = no_cut_off});
+    const auto none = measure(profile, {.lambda_s = no_cut_off});
     REQUIRE(none.neighbours.size() == 1);
     CHECK(none.neighbours[0].cut_offs.lambda_s == 2e-6);
     CHECK_FALSE(none.neighbours[0].cut_offs.lambda_c);
@@ -148,21 +147,6 @@ TEST_CASE("What is left out leaves all else as it is") {
     CHECK(measure(map, {.texture = false, .neighbours = false}).texture_aspect_ratio == 1);
 }
 
-TEST_CASE("A neighbour keeps lambda_c where its own Ra would choose another") {
-    auto profile = trace(0.3e-6, 9000);  // 4.5 mm hold five of 0.8 mm
-    const double shorter = 2.5e-6 / std::sqrt(2.0);
-    const auto ra = [&](double lambda_s) {
-        return parts::mean_deviation(parts::prepare(profile, {.lambda_s = lambda_s, .lambda_c = 0.25e-3}).profile);
-    };
-    const double scale = 0.1e-6 / std::sqrt(ra(2.5e-6) * ra(shorter));  // the limit of Ra for 0.25 mm lies between both
-    for (double& z : profile.heights) z *= scale;
-    CHECK(parts::prepare(profile, {.lambda_s = shorter}).cut_offs.lambda_c == 0.8e-3);
-    const Surface<double> surface = measure(profile);
-    CHECK(surface.cut_offs.lambda_c == 0.25e-3);
-    REQUIRE(surface.neighbours.size() == 2);
-    CHECK(surface.neighbours[0].cut_offs.lambda_c == 0.25e-3);
-}
-
 TEST_CASE("Concerns are told, and each by what it is about") {
     CHECK_FALSE(has(measure(trace(), {.neighbours = false}), MeasuredConcern::implausible_gradient));
     CHECK(has(measure(trace(30e-6), {.neighbours = false}), MeasuredConcern::implausible_gradient));
@@ -173,12 +157,8 @@ TEST_CASE("Concerns are told, and each by what it is about") {
     auto waves = trace();
     for (std::size_t i = 0; i < waves.size(); ++i)
         waves.heights[i] += 5e-6 * std::sin(2 * numbers::pi_v<double> * static_cast<double>(i) / 4096);
-    CHECK(has(measure(waves, {.lambda_c = no_cut_off, .neighbours = false}), MeasuredConcern::long_waves));
-    CHECK_FALSE(has(measure(waves, {.neighbours = false}), MeasuredConcern::long_waves));
-    CHECK(parts::is_mostly_waviness(*measure(waves, {.neighbours = false}).profile));
-    CHECK_FALSE(
-        parts::is_mostly_waviness(*measure(waves, {.lambda_c = 0.25e-3, .neighbours = false}).profile));  // given
-    CHECK_FALSE(parts::is_mostly_waviness(*measure(trace(), {.neighbours = false}).profile));
+    CHECK(has(measure(waves, {.neighbours = false}), MeasuredConcern::long_waves));
+    CHECK_FALSE(has(measure(waves, {.lambda_c = 0.25e-3, .neighbours = false}), MeasuredConcern::long_waves));
 }
 
 TEST_CASE("A surface is cleaned before it is measured, and options reach their step") {
@@ -231,7 +211,7 @@ TEST_CASE("Single precision measures what double does", "[measure]") {
     Profile<float> single{{profile.heights.begin(), profile.heights.end()}, 0.5e-6F};
     const auto a = measure(single, {.neighbours = false});
     const auto b = measure(profile, {.neighbours = false});
-    CHECK(a.cut_offs.lambda_c.value() == 0.25e-3F);
+    CHECK(a.cut_offs.lambda_s.value() == 2.5e-6F);
     CHECK(relative_error(static_cast<double>(a.rms_height.value), b.rms_height.value) < 1e-4);
     CHECK(relative_error(static_cast<double>(a.peak_radius.value), b.peak_radius.value) < 1e-3);
 }

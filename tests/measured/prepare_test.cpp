@@ -39,9 +39,10 @@ std::size_t missing(const Profile<double>& profile) { return profile.size() - pr
 
 }  // namespace
 
-TEST_CASE("A profile loses its form, then lambda_s, then the lambda_c of what is left") {
+TEST_CASE("A profile loses its form, then lambda_s, and for Ra the lambda_c of what is left") {
     const auto profile = trace();
-    const auto prepared = parts::prepare(profile);
+    const auto of_contact = parts::prepare(profile);
+    const auto prepared = parts::with_drawing_cut_off(of_contact);
     const auto flat = detail::detrend(profile, Form::line);
     const auto smooth = parts::gaussian_low_pass(flat, 2.5e-6);  // five steps of 0.5 um
     const auto ra = [](const Profile<double>& of, double cut_off) {
@@ -54,6 +55,10 @@ TEST_CASE("A profile loses its form, then lambda_s, then the lambda_c of what is
     CHECK(ra(smooth, 0.08e-3) > 0.02e-6);
     CHECK(ra(smooth, 0.25e-3) > 0.1e-6);
     CHECK(ra(smooth, 0.8e-3) < 2e-6);
+    CHECK_FALSE(of_contact.cut_offs.lambda_c);
+    CHECK(of_contact.cut_offs.why_c == parts::CutOffReason::form_alone);
+    CHECK(same(of_contact.profile, smooth));
+    CHECK(of_contact.rms == rms_height(smooth));
     CHECK(prepared.cut_offs.lambda_s == 2.5e-6);
     CHECK(prepared.cut_offs.lambda_c == 0.8e-3);
     CHECK(prepared.cut_offs.why_c == parts::CutOffReason::roughness);
@@ -79,8 +84,15 @@ TEST_CASE("The Ra that chooses lambda_c is that without the waves below lambda_s
     for (std::size_t i = 0; i < profile.size(); ++i)
         profile.heights[i] = (i % 2 == 0 ? 0.4e-6 : -0.4e-6) + 20e-9 * std::sin(static_cast<double>(i) / 4) +
                              1e-9 * static_cast<double>(i);
-    CHECK(parts::prepare(profile).cut_offs.lambda_c == 0.08e-3);
-    CHECK(parts::prepare(profile, {.lambda_s = no_cut_off}).cut_offs.lambda_c == 0.8e-3);
+    const auto chosen = [&](const MeasureOptions<double>& how) {
+        return parts::with_drawing_cut_off(parts::prepare(profile, how)).cut_offs.lambda_c;
+    };
+    CHECK(chosen({}) == 0.08e-3);
+    CHECK(chosen({.lambda_s = no_cut_off}) == 0.8e-3);
+    CHECK(chosen({.lambda_c = 0.4e-3}) == 0.4e-3);
+    CHECK_FALSE(chosen({.lambda_c = no_cut_off}));
+    const auto shared = parts::with_drawing_cut_off(parts::prepare(profile), CutOff<double>(0.25e-3));
+    CHECK(same(shared.profile, parts::prepare(profile, {.lambda_c = 0.25e-3}).profile));
 }
 
 TEST_CASE("The form with its own cut-off, the robust filter, and none") {

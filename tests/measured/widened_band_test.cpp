@@ -7,6 +7,11 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
 namespace widened_band_test {
 
 using namespace fstiff;
@@ -33,6 +38,37 @@ double stiffness_of(const parts::SurfaceParameters<double>& surface, double pres
 }
 
 }  // namespace
+
+TEST_CASE("Unknowns widen a band by squares, those of one kind by squares too, and the greatest is told") {
+    const double k = 2e14;
+    const auto curves = [](parts::Unknown which, double low, double high) {
+        return parts::UnknownCurves<double>{which, {std::exp(low)}, {std::exp(high)}};
+    };
+    const std::vector<parts::UnknownCurves<double>> unknowns{
+        curves(parts::Unknown::gradient, -0.3, 0.4), curves(parts::Unknown::gradient, 0.3, -0.4),  // of the other face
+        curves(parts::Unknown::alpha, 0.1, std::numeric_limits<double>::quiet_NaN()),
+        curves(parts::Unknown::skewness, 0.05, -0.2), curves(parts::Unknown::kurtosis, -0.1, 0)};
+    const auto wide = parts::widened<double>(k, {k * std::exp(-0.2), k, k * std::exp(0.1), 0}, {}, {}, 0, false, 1, unknowns);
+    const auto& parts = wide.parts;
+    CHECK(relative_error(-parts.prior_low, std::hypot(0.3, 0.4)) < 1e-14);
+    CHECK(relative_error(parts.prior_high, std::hypot(0.4, 0.3, 0.1)) < 1e-14);
+    CHECK(relative_error(-parts.shape_low, std::hypot(0.2, 0.1)) < 1e-14);
+    CHECK(relative_error(parts.shape_high, 0.05) < 1e-14);
+    CHECK(relative_error(std::log(wide.band.low / k), -std::hypot(0.2, 0.5, std::hypot(0.2, 0.1))) < 1e-13);
+    CHECK(relative_error(std::log(wide.band.high / k), std::hypot(0.1, std::sqrt(0.26), 0.05)) < 1e-13);
+    const auto greatest = parts::greatest_unknown(parts);
+    REQUIRE(greatest);
+    CHECK(greatest->which == parts::Unknown::gradient);
+    const double without = std::hypot(0.2, std::hypot(0.2, 0.1)) + std::hypot(0.1, 0.1, 0.05),
+                 with = std::log(wide.band.high / wide.band.low);
+    CHECK(relative_error(greatest->narrower, without / with) < 1e-13);
+    CHECK_FALSE(parts::greatest_unknown(parts::BandParts<double>{.errors_low = -1, .errors_high = 1}));
+    // no unknown leaves the band as it is, to the last bit
+    const auto same = parts::widened<double>(k, {k / 2, k, k * 2, 0}, {{k * 0.9}}, {}, 0, false, 1, {});
+    parts::SampledBand<double> direct{k / 2, k, k * 2, 0};
+    (void)parts::widen(direct, k, std::span<const double>(std::vector<double>{k * 0.9}));
+    CHECK((same.band.low == direct.low && same.band.high == direct.high));
+}
 
 TEST_CASE("A band is widened by squares, and its parts are logarithms over K") {
     const double k = 2e14;

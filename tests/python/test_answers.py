@@ -105,6 +105,9 @@ def test_identification_is_that_of_the_command(command, root):
     of_arrays = fstiff.identify(fstiff.Scene(scene), columns, ["sigma", "rms_height"][:1] + ["peak_density"], law="hertz")
     assert plain(of_arrays["fits"][0]["parameters"]) == document["fits"][0]["parameters"]
     assert "sigma" in repr(found)
+    one_radius = fstiff.identify(scene, file, ["sigma"], law="greenwood_williamson")  # has no joint peaks
+    assert_same(one_radius, command.json("identify", scene, "--measured", file, "--law", "greenwood_williamson", "--fit", "sigma"))
+    assert one_radius.to_dataframe()["r"].isna().all()
     with pytest.raises(ValueError, match='"theta2" is no parameter'):
         fstiff.identify(scene, file, ["theta2"])
     with pytest.raises(ValueError, match="must have the columns"):

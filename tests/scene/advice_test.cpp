@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every sentence that advises something is tested by doing what it says, over the scenes of data/ and docs/ and the
 // files of tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
+#include "scene/verdict.hpp"
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
@@ -44,6 +45,14 @@ std::string with_line(const std::string& text, const std::string& section, const
         std::regex_replace("\n" + text.substr(begin, end - begin), std::regex("\n" + key + " *=[^\n]*"), "");
     return text.substr(0, begin) + line + body + text.substr(end);
 }
+/// \p line in the section of the upper body, which begins from its name where it was nothing else.
+std::string with_strength(const std::string& text, const std::string& line) {
+    std::smatch name;
+    if (!std::regex_search(text, name, std::regex("\n(material\\.)?upper *= *(\"[^\"]*\")")))
+        return with_line(text, "[material.upper]", line);
+    return std::string(name.prefix()) + "\n" + name.str(1) + "upper = { name = " + name.str(2) + ", " + line + " }" +
+           std::string(name.suffix());
+}
 std::string with_law(const std::string& text, const std::string& law) {
     if (text.find('"' + law + '"') != std::string::npos) return text;
     const std::regex laws("(\nlaws *= *\\[)");
@@ -66,22 +75,10 @@ struct Advice {
     std::function<std::string(const std::string& text, const std::smatch& said)> follow;
 };
 
-const std::string law_of_wave = "jackson_green";
-
 const std::vector<Advice>& table() {
     static const std::vector<Advice> rows{
-        {R"re(\(add "([a-z_]+)" to contact\.laws\))re",
-         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
-        {R"(of plastic[a-z_]* or jackson_green|stiffness of .* or jackson_green)",
-         [](const std::string& text, const std::smatch&) { return with_law(text, law_of_wave); }},
-        {R"(believe (hybrid|boundary_elements|persson)\b(?! of a map| or boundary_elements of a map| \(add))",
-         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
-        {R"(Recommended elastic law: ([a-z]+))",
-         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
-        {R"((boundary_elements) of a map|measure a map|needs a map: surface\.from, or --surface, must name the file of one)",
+        {R"(measure a map|only a map shows it|needs a map: surface\.from, or --surface, must name the file of one)",
          [](const std::string& text, const std::smatch&) { return with_law(of_map(text), "boundary_elements"); }},
-        {R"(Heights far from Gaussian: use (boundary_elements);)",
-         [](const std::string& text, const std::smatch& said) { return with_law(text, said[1]); }},
         {R"(must be told surface\.rms_gradient and surface\.alpha)",
          [](const std::string& text, const std::smatch&) {
              return with_law(with_line(with_line(text, "[surface]", "rms_gradient = 0.1"), "[surface]", "alpha = 8"),
@@ -93,20 +90,24 @@ const std::vector<Advice>& table() {
          }},
         {R"(needs material\.upper\.hardness or material\.upper\.yield_strength)",
          [](const std::string& text, const std::smatch&) {
-             return with_line(text, "[material.upper]", "hardness = \"3 GPa\"");
+             return with_strength(text, "hardness = \"3 GPa\"");
          }},
         {R"(needs material\.upper\.yield_strength)",
          [](const std::string& text, const std::smatch&) {
-             return with_line(text, "[material.upper]", "yield_strength = \"1 GPa\"");
+             return with_strength(text, "yield_strength = \"1 GPa\"");
+         }},
+        {R"(give process, or skewness and kurtosis)",
+         [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[surface]", "process = \"honed\"");
+         }},
+        {R"(give contact\.nominal_area)",
+         [](const std::string& text, const std::smatch&) {
+             return with_line(text, "[contact]", "nominal_area = \"1 mm^2\"");
          }},
         {R"(fill = true next to surface\.from)",
          [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "fill = true"); }},
-        {R"((?:--)?spikes (= )?20 takes such points out)",
+        {R"((?:--)?spikes (= )?20 takes (it|them) out)",
          [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "spikes = 20"); }},
-        {R"(lambda_c none keeps the long ones)",
-         [](const std::string& text, const std::smatch&) {
-             return with_line(text, "[surface]", "lambda_c = \"none\"");
-         }},
         {R"(surface\.fractal_dimension: is missing)", [](const std::string& text, const std::smatch&) {
              return with_line(text, "[surface]", "fractal_dimension = 1.5");
          }}};
@@ -115,7 +116,7 @@ const std::vector<Advice>& table() {
 
 /// Words that advise: who reads them has something to do.
 const std::regex advises(
-    R"re(\b(add "|use |must be told|measure a|fills them|takes such points out|keeps the|believe |Recommended|set |state ))re"
+    R"re(\b(use |must be told|measure a|only a map|fills them|takes (?:it|them) out|keeps the|set |state ))re"
     R"re(|[;(] ?give |needs a map|needs material)re");
 
 /// All scenes of data/, docs/ and of the pages, at one pressure and without a band, and one of them with a map in
@@ -182,12 +183,19 @@ int follow(const Text& of, const std::string& sentence) {
     return followed;
 }
 
+/// What is said of \p results. The verdict has at most three sentences, and nothing asks for a law that was not computed.
 std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Results& results) {
     std::vector<std::string> all = results.verdict;
+    CHECK(all.size() <= 3);
+    for (const std::string& sentence : all) CHECK(sentence.find(". ") == std::string::npos);
+    all.push_back(outside_band(read, results));
     for (const auto* more : {&results.short_verdict, &results.warnings})
         all.insert(all.end(), more->begin(), more->end());
     if (test::face(read).measured)
         all.insert(all.end(), test::face(read).measured->warnings.begin(), test::face(read).measured->warnings.end());
+    for (const std::string& sentence : all)
+        for (const char* words : {"believe", "add \"", "contact.laws", "ecommended"})
+            CHECK_FALSE(test::contains(sentence, words));
     return all;
 }
 
@@ -202,7 +210,7 @@ TEST_CASE("What the verdict and the warnings of a scene advise can be done, in e
         const scene::Scene read = test::scene_of(of.text, of.file);
         for (const std::string& sentence : sentences_of(read, compute(read))) followed += follow(of, sentence);
     }
-    CHECK(followed >= 20);
+    CHECK(followed >= 5);  // the area of most of them is not known
 }
 
 TEST_CASE("Every law is computed in every scene of data and docs, or its refusal says how, and that is enough") {
@@ -217,7 +225,7 @@ TEST_CASE("Every law is computed in every scene of data and docs, or its refusal
     CHECK(refused >= 20);
 }
 
-TEST_CASE("What is advised about heights that are not Gaussian, holes, spikes, a lay and waviness can be done") {
+TEST_CASE("What is advised about holes, spikes, a lay and waviness can be done") {
     const std::string rest =
         "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
         "pressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 0\n[boundary_elements]\npoints = 32\n";
@@ -246,11 +254,6 @@ TEST_CASE("What is advised about heights that are not Gaussian, holes, spikes, a
         turned.heights[i] += x * x / 1600 * 1e-6;
     }
     all.push_back(surface(write("turned.csv", turned), ""));
-    fstiff::Profile<double> wavy =
-        fstiff::self_affine_profile<double>({.hurst = 0.8, .rms = 2e-9, .longest_wavelength = 40e-6}, 16384, 0.25e-6);
-    for (std::size_t i = 0; i < wavy.size(); ++i)
-        wavy.heights[i] += 0.02e-6 * std::sin(2 * 3.14159265 * double(i) / 9000);
-    all.push_back(surface(write("wavy.csv", wavy), "lambda_s = \"1.25 um\"\n"));
     std::string said;
     for (const Text& of : all) {
         const scene::Scene read = test::scene_of(of.text, of.file);
@@ -265,8 +268,7 @@ TEST_CASE("What is advised about heights that are not Gaussian, holes, spikes, a
                               of.file},
                              why);
     }
-    for (const char* words : {"fill = true next to", "takes such points out", "measure a map", "far from Gaussian",
-                              "lambda_c none keeps the long ones"}) {
+    for (const char* words : {"fill = true next to", "takes it out", "only a map shows it"}) {
         INFO(said << "\nmissing: " << words);
         CHECK(test::contains(said, words));
     }

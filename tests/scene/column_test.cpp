@@ -21,19 +21,31 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
         std::string key, band_key, unit, heading;
     };
     const std::vector<Expected> all{
+        {force, "force_N", "force_p05_N", "N", "F [kN]"},
         {pressure, "pressure_Pa", "pressure_p05_Pa", "Pa", "p [MPa]"},
         {eta, "eta", "eta_p05", "", "eta"},
         {separation, "separation_m", "separation_p05_m", "m", "separation [µm]"},
+        {approach, "approach_m", "approach_p05_m", "m", "approach [µm]"},
         {stiffness, "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "Pa/m", "K/A0 [GPa/µm]"},
+        {joint_stiffness, "stiffness_N_per_m", "stiffness_p05_N_per_m", "N/m", "K [kN/µm]"},
         {loading_stiffness, "loading_stiffness_Pa_per_m", "loading_stiffness_p05_Pa_per_m", "Pa/m", "-dp/dd [GPa/µm]"},
         {tangential_stiffness, "tangential_stiffness_Pa_per_m", "tangential_stiffness_p05_Pa_per_m", "Pa/m",
          "Kt/A0 [GPa/µm]"},
         {reflection, "reflection", "reflection_p05", "", "|R|"},
         {shear_reflection, "shear_reflection", "shear_reflection_p05", "", "shear |R|"},
+        {thermal_conductance, "thermal_conductance_W_per_m2K", "thermal_conductance_p05_W_per_m2K", "W/(m^2 K)", "h [W/(m² K)]"},
+        {thermal_conductance_gap, "thermal_conductance_gap_W_per_m2K", "thermal_conductance_gap_p05_W_per_m2K", "W/(m^2 K)",
+         "h of the gap [W/(m² K)]"},
+        {electrical_conductance, "electrical_conductance_S_per_m2", "electrical_conductance_p05_S_per_m2", "S/m^2",
+         "electrical h [S/m²]"},
         {real_area, "real_area_fraction", "real_area_fraction_p05", "", "real area"},
         {contacts, "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
     REQUIRE(curve_quantities().size() == all.size());
-    const Units units{unit_of_pressure(3e6), unit_of_length(1e-6), unit_of_density(5e8)};
+    const Units units{.pressure = unit_of_pressure(3e6),
+                      .height = unit_of_length(1e-6),
+                      .density = unit_of_density(5e8),
+                      .force = shown_unit(2e4, "N"),
+                      .joint_stiffness = shown_unit(5e10, "N/m")};
     for (const Expected& one : all) {
         INFO(one.key);
         const Column value{one.quantity}, low{one.quantity, Statistic::p05};
@@ -54,7 +66,8 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
 
 TEST_CASE("The columns of a curve are its states, and the band of a reflection is that of K turned round") {
     Scene scene;
-    scene.stiffness = scene.reflection = scene.tangential_stiffness = true;
+    scene.stiffness = scene.reflection = scene.tangential_stiffness = scene.joint_stiffness = scene.approach = true;
+    scene.nominal_area = 2e-4;
     scene.ultrasound = Waves{.frequency = 5e6, .longitudinal = {46e6, 46e6}, .shear = {}};
     Curve curve{.law = find_law("hertz")};
     fstiff::ContactState<double> state;
@@ -62,6 +75,9 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     state.stiffness = {2e14, 1e5, 0};
     curve.states = {state};
     curve.places = {3};
+    state.separation.value = 2e-6;
+    curve.states = {state};
+    curve.seated = {5e-6};
     curve.band = {{.low = 1e14, .high = 4e14}};
     curve.columns = columns_of(scene, curve, 0.8, true);
     const auto at = [&](CurveQuantity quantity, Statistic statistic = Statistic::value) {
@@ -70,6 +86,12 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     using enum CurveQuantity;
     CHECK(at(pressure) == 1e6);
     CHECK(at(stiffness, Statistic::p05) == 1e14);
+    CHECK(at(joint_stiffness) == 2e14 * 2e-4);
+    CHECK(at(joint_stiffness, Statistic::p95) == 4e14 * 2e-4);
+    CHECK(at(joint_stiffness, Statistic::error) == 1e5 * 2e-4);
+    CHECK(at(approach) == 5e-6 - 2e-6);
+    CHECK(!curve.value_at(3, approach, Statistic::p05));
+    CHECK(!curve.value_at(3, force));
     CHECK(at(tangential_stiffness, Statistic::p95) == 0.8 * 4e14);
     CHECK(at(tangential_stiffness, Statistic::error) == 0.8 * 1e5);
     const auto reflected = [](double k) { return 1 / std::hypot(1, 2 * k / (2 * std::acos(-1.0) * 5e6 * 46e6)); };
@@ -78,7 +100,9 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     CHECK(test::relative_error(at(reflection, Statistic::p95), reflected(1e14)) < 1e-14);
     CHECK(!curve.value_at(2, pressure));
     CHECK(!curve.value_at(3, separation));
-    CHECK(columns_of(scene, curve, 0.8, false).size() == curve.columns.size() - 6);
+    CHECK(columns_of(scene, curve, 0.8, false).size() == curve.columns.size() - 8);
+    curve.seated.clear();  // out of the law's reach: the column is there, without values
+    CHECK(columns_of(scene, curve, 0.8, true).size() == curve.columns.size());
     curve.band.clear();  // of a law that does not vary: the same columns, without values
     CHECK(columns_of(scene, curve, 0.8, true).size() == curve.columns.size());
 }

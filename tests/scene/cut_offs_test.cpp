@@ -113,7 +113,7 @@ TEST_CASE("Without the options the table chooses lambda_s by the step, and the o
     CHECK(plain["lambda_c_m"].is_null());
     CHECK(test::decided(plain,
                         "lambda_s 5 µm (by the table, the index of five steps of 1 µm; Gaussian, after the form was "
-                        "removed), lambda_c none (an S-F surface of ISO 25178-2"));
+                        "removed), lambda_c none (the form alone bounds the long waves)"));
     CHECK(test::measured("--lambda-s auto --lambda-c auto", text)["surface"] == plain["surface"]);
     const auto blurred = test::measured("--resolution '7 um'", text);
     CHECK(blurred["lambda_s_m"] == 8e-6);
@@ -122,20 +122,26 @@ TEST_CASE("Without the options the table chooses lambda_s by the step, and the o
     CHECK(test::islands_of("", text)["lambda_s_m"] == 5e-6);
 }
 
-TEST_CASE("The table chooses lambda_c of a profile by its Ra, and its D is that of the profile before lambda_c") {
+TEST_CASE("The table chooses lambda_c of Ra alone, and sigma and D are those of all waves") {
     const std::string made =
         test::profile_text(16384, 0.5e-6, {.hurst = 0.5, .rms = 0.1e-6, .longest_wavelength = 0.2e-3});
-    const auto measured = test::measured("", made);
+    const auto measured = test::measured("", made), whole = test::measured("--lambda-c none", made);
     CHECK(measured["lambda_s_m"] == 2.5e-6);
-    CHECK(measured["lambda_c_m"] == 0.25e-3);  // Ra is between 20 nm and 0.1 um
-    CHECK(test::decided(measured, "lambda_c 250 µm (by the table, of Ra "));
-    const auto whole = test::measured("--lambda-c none", made);
-    CHECK(whole["lambda_c_m"].is_null());
-    CHECK(measured["surface"]["rms_height"]["value"] < whole["surface"]["rms_height"]["value"]);
-    const auto fit = test::fitted("", made), open = test::fitted("--lambda-c none", made);
-    CHECK(fit["structure_function"]["value_m2"] == open["structure_function"]["value_m2"]);
+    CHECK(measured["lambda_c_m"].is_null());
+    CHECK(test::decided(measured, "lambda_c none (the form alone bounds the long waves)"));
+    CHECK(measured["roughness"]["lambda_c_m"] == 0.25e-3);  // Ra is between 20 nm and 0.1 um
+    CHECK(whole["roughness"]["lambda_c_m"].is_null());
+    CHECK(measured["surface"] == whole["surface"]);
+    CHECK(same(whole["roughness"]["Rq_m"], whole["surface"]["rms_height"]["value"]));
+    const auto cut = test::measured("--lambda-c '0.25 mm'", made);
+    CHECK(cut["lambda_c_m"] == 0.25e-3);
+    CHECK(cut["surface"]["rms_height"]["value"] < whole["surface"]["rms_height"]["value"]);
+    CHECK(same(cut["surface"]["rms_height"]["value"], measured["roughness"]["Rq_m"]));
+    CHECK(same(cut["roughness"]["Ra_m"], measured["roughness"]["Ra_m"]));
+    const auto fit = test::fitted("", made), of_cut = test::fitted("--lambda-c '0.25 mm'", made);
+    CHECK(fit["structure_function"]["value_m2"] == of_cut["structure_function"]["value_m2"]);
     CHECK(fit["window_m"][0] >= 2.5e-6 * (1 - 1e-12));
-    CHECK(fit["window_m"][1] <= 0.25e-3 * (1 + 1e-9));
+    CHECK(of_cut["window_m"][1] <= 0.25e-3 * (1 + 1e-9));
     CHECK(measured["surface"]["fractal_dimension"]["value"] == fit["fractal_dimension"]);
     const auto tip = test::measured("--tip-radius '5 um'", made);
     CHECK(tip["lambda_s_m"] == 8e-6);
@@ -152,12 +158,17 @@ TEST_CASE("A file that is too short or too coarse for a default has none, and th
         "lambda_s none (as measured; 10 of 5 µm, the index of five steps of 1 µm, do not fit the length of 40 µm)"));
     const auto short_one = test::measured("", test::profile_text(700, 0.5e-6, {.hurst = 0.5, .rms = 1e-6}));
     CHECK(short_one["lambda_s_m"] == 2.5e-6);
-    CHECK(short_one["lambda_c_m"].is_null());
-    CHECK(test::decided(short_one, "does not hold five of 80 µm"));
+    CHECK(short_one["roughness"]["lambda_c_m"].is_null());
+    const auto why = [](const std::string& bytes) {
+        const auto measured = fstiff::scene::measure_surface({}, bytes);
+        return fstiff::scene::sentence_of(fstiff::scene::roughness_of(measured).cut_offs);
+    };
+    CHECK(test::contains(why(test::profile_text(700, 0.5e-6, {.hurst = 0.5, .rms = 1e-6})),
+                         "does not hold five of 80 µm"));
     const auto coarse = test::measured("", test::profile_text(200, 10e-6, {.hurst = 0.5, .rms = 10e-9}));
     CHECK(coarse["lambda_s_m"] == 50e-6);
-    CHECK(coarse["lambda_c_m"].is_null());
-    CHECK(test::decided(coarse, "too short for the step"));
+    CHECK(coarse["roughness"]["lambda_c_m"].is_null());
+    CHECK(test::contains(why(test::profile_text(200, 10e-6, {.hurst = 0.5, .rms = 10e-9})), "too short for the step"));
     CHECK(test::measured("--lambda-c '5 um'", map_text())["lambda_s_m"].is_null());  // 5 um is not below 5 um
 }
 
@@ -205,6 +216,36 @@ TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
                          {"--cutoff", "another cut-off"});
     CHECK_THROWS_AS(test::fitted(gaussian + " --lambda-c '40 um'", profile), fstiff::scene::option_error);
     CHECK(test::measured(gaussian, profile)["lambda_c_m"] == 80e-6);
+}
+
+TEST_CASE("A face knows the waves of a contact larger than its trace, measured now or read back") {
+    const test::Folder folder;
+    const std::string trace =
+        folder.write("trace.csv", test::profile_text(2000, 1.5e-6, {.hurst = 0.6, .rms = 0.4e-6}));
+    auto document = test::measured("", test::read(trace));
+    CHECK(same(document["long_end"]["side_m"], 3e-3 / std::sqrt(2.0)));
+    const auto unmeasured = [&](const std::string& from, const std::string& keys = "") {
+        const auto scene = test::scene_of("[surface]\nfrom = \"" + from + "\"\n" + keys +
+                                              "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+                                              "[contact]\npressures = [\"10 MPa\"]\n",
+                                          folder / "scene.toml");
+        return test::face(scene).unmeasured(30e-3);
+    };
+    const auto direct = unmeasured("trace.csv");
+    CHECK(direct.growth > 0.1);
+    CHECK(unmeasured("trace.csv", "lambda_c = \"0.25 mm\"\n").growth == 0);  // longer waves are not asked for
+    CHECK(unmeasured("trace.csv", "rms_height = \"0.4 um\"\n").growth == 0);  // nor are they known of a given sigma
+    folder.write("trace.json", document.dump());
+    CHECK(same(unmeasured("trace.json").growth, direct.growth));
+    CHECK(unmeasured("trace.json").at_least == direct.at_least);
+    auto wrong = document;
+    wrong["long_end"]["open"] = 2;
+    test::check_sentence(
+        test::refusal([&] { (void)fstiff::scene::read_measured_document(wrong.dump(), "m.json"); }),
+        {"m.json: long_end.open: must be from 0 to 1"});
+    document.erase("long_end");  // of an older fstiff
+    folder.write("older.json", document.dump());
+    CHECK(unmeasured("older.json").growth == 0);
 }
 
 TEST_CASE("The robust filter of lambda_c is that of the library, and says what it left out") {

@@ -284,18 +284,7 @@ TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradien
     }
 }
 
-TEST_CASE("hybrid is the first law of a measured surface") {
-    const MapFile file;
-    std::string text = scene_of(file.surface(), "");
-    text.erase(text.find("laws = []\n"), 10);
-    const auto results = computed(text);
-    CHECK(results.curves.front().law->name == "hybrid");
-}
-
 TEST_CASE("scenes that a law cannot be computed of are refused with what is missing") {
-    const std::string islands = "rms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"";
-    CHECK(refused(scene_of(islands, "\"persson\"")).find("surface.rms_gradient") != std::string::npos);
-    CHECK(refused(scene_of(islands, "\"hybrid\"")).find("more than 1.5") != std::string::npos);
     CHECK(refused(scene_of(moments, "\"summits\"")).find("needs a map") != std::string::npos);
     CHECK(refused(scene_of(moments, "\"boundary_elements\"")).find("needs a map") != std::string::npos);
     CHECK(refused(scene_of(moments, "\"hybrid\"", "[persson]\ngamma = 0\n")).find("persson.gamma = 0: must be") !=

@@ -18,7 +18,7 @@ namespace {
 const std::string material = "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n";
 const std::string contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n";
 const std::string rest = material + contact;
-/// Of numbers alone: hybrid, the first law of a measured surface, takes the summits of a map where there is one.
+/// Laws that take numbers alone, whatever they were measured from.
 const std::string laws = "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n";
 const std::string numbers =
     "[surface]\nrms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = "
@@ -150,6 +150,7 @@ TEST_CASE("A key next to surface.from replaces what was measured") {
 }
 
 TEST_CASE("Errors of nothing make a band of no width, and none make none") {
+    const std::string rest = measure_test::rest + laws;
     CHECK_FALSE(contains(test::csv_of(test::results_of(numbers + rest)), "stiffness_p05"));
     // an error of 1e-9 of sigma moves K by some 1e-9 of itself
     for (const Row& row : rows_of(numbers + "errors = { rms_height = \"1e-9 um\" }\n" + rest)) {
@@ -246,7 +247,7 @@ TEST_CASE("The same seed gives the same band, another seed another, and samples 
     folder.write("map.txt", map_text());
     const auto csv = [&](const std::string& uncertainty) {
         return test::csv_of(
-            test::results_of("[surface]\nfrom = \"map.txt\"\n" + rest + uncertainty, folder / "scene.toml"));
+            test::results_of("[surface]\nfrom = \"map.txt\"\n" + rest + laws + uncertainty, folder / "scene.toml"));
     };
     const std::string first = csv("");
     CHECK(first == csv("[uncertainty]\nsamples = 400\nseed = 2014\n"));
@@ -418,7 +419,9 @@ TEST_CASE("Numbers of a measured surface beyond all reason are refused in one se
             std::string said;
             const std::string sentence = test::refusal([&] {
                 said = test::joined(
-                    test::results_of("[surface]\nfrom = \"m.json\"\n" + rest, folder / "scene.toml").warnings);
+                    test::results_of("[surface]\nfrom = \"m.json\"\n" + rest + "laws = [\"hybrid\"]\n",
+                                      folder / "scene.toml")
+                        .warnings);
             });
             CHECK(contains(sentence.empty() ? said : sentence,
                            sentence.empty() ? "beyond the range of double" : "must be "));

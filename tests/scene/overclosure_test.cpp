@@ -19,7 +19,7 @@ using Row = scene::PressureTable::Row;
 
 namespace {
 
-scene::Scene builtin() { return scene::read_scene(scene::builtin_scene, {.name = "built-in scene"}); }
+scene::Scene fine() { return scene::read_scene(test::read(FSTIFF_SCENES "/sand_blasted_fine.toml"), {.name = "fine"}); }
 
 /// The largest relative error of the chord of exp(x) over a length \p length of x.
 double error_of_chord(double length) {
@@ -73,7 +73,7 @@ TEST_CASE("Between the rows the pressure is off by the tolerance and no more, un
     const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
     for (const double tolerance : {0.1, 0.01, 1e-4}) {
         const auto check = [&](const char* law, const auto& contact) {
-            const auto table = pressure_table(builtin(), {.law = law, .peaks = 2, .tolerance = tolerance});
+            const auto table = pressure_table(fine(), {.law = law, .peaks = 2, .tolerance = tolerance});
             const double error = largest_error(table, contact);
             INFO(table.title << ", tolerance " << tolerance << ", error " << error);
             CHECK(error <= tolerance);
@@ -95,11 +95,11 @@ TEST_CASE("Between the rows the pressure is off by the tolerance and no more, un
 }
 
 TEST_CASE("A shorter range, and what a table cannot be made of") {
-    const auto table = pressure_table(builtin(), {.law = "hertz", .from = 1e6, .to = 2e6});
+    const auto table = pressure_table(fine(), {.law = "hertz", .from = 1e6, .to = 2e6});
     CHECK(test::relative_error(table.from, 1e6) < 1e-12);
     CHECK(test::relative_error(table.rows.back().pressure, 2e6) < 1e-12);
     const auto refusal = [](const scene::PressureTableOptions& options) {
-        return test::refusal([&] { (void)pressure_table(builtin(), options); });
+        return test::refusal([&] { (void)pressure_table(fine(), options); });
     };
     CHECK(refusal({.law = "plastic"}) ==
           "law = \"plastic\": is no law of the scene that gives a separation; must be one of \"fractal\", \"hertz\", "

@@ -114,7 +114,7 @@ TEST_CASE("A document of a measurement without its parts, or with impossible one
                          {"m.json: is the JSON of fstiff measure, measured already"});
 }
 
-TEST_CASE("Files of one surface have one lambda_c, and a ragged mask is refused") {
+TEST_CASE("Ra of files of one surface has one lambda_c, and a ragged mask is refused") {
     const test::Folder folder;
     const auto trace = [&](const char* name, double rms) {
         return folder.write(name,
@@ -123,7 +123,9 @@ TEST_CASE("Files of one surface have one lambda_c, and a ragged mask is refused"
     const std::vector<std::string> files{trace("fine", 0.1e-6), trace("coarse", 2e-6)};
     // alone the table gives them 0.25 mm and 0.8 mm; together they have one
     const auto lambda_c = [&](const std::vector<std::string>& of) {
-        return test::measured_files("", of)["lambda_c_m"];
+        const auto document = test::measured_files("", of);
+        CHECK(document["lambda_c_m"].is_null());
+        return document["roughness"]["lambda_c_m"];
     };
     CHECK(lambda_c({files[0]}) != lambda_c({files[1]}));
     CHECK(lambda_c(files) == std::max(lambda_c({files[0]}), lambda_c({files[1]})));

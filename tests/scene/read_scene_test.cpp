@@ -286,15 +286,11 @@ TEST_CASE("A cell of CSV with a comma, a quotation mark or a line end is quoted,
     CHECK(test::csv_cells("\"b,c.csv\",x") == std::vector<std::string>{"b,c.csv", "x"});
 }
 
-TEST_CASE("Percents and counts are shown without an exponent") {
+TEST_CASE("Percents are shown without an exponent") {
     CHECK(scene::shown_percent(0.998) == "100 %");
     CHECK(scene::shown_percent(1.81) == "181 %");
     CHECK(scene::shown_percent(0.085) == "8.5 %");
     CHECK(scene::shown_percent(0.0012) == "0.12 %");
-    CHECK(scene::shown_count(106.4) == "110");
-    CHECK(scene::shown_count(1672, 3) == "1670");
-    CHECK(scene::shown_count(1.1) == "1");
-    CHECK(scene::shown_count(34.2) == "34");
 }
 
 TEST_CASE("What is not known to a factor of two is said once") {

@@ -76,7 +76,7 @@ TEST_CASE("Only the columns that were asked for are printed") {
 }
 
 TEST_CASE("Greenwood-Williamson leaves theta and r empty and is computed once") {
-    const test::Csv rows = test::rows_of_scene(fstiff::scene::builtin_scene);
+    const test::Csv rows = test::rows_of_scene(test::scene_with("sand_blasted_fine", {}));
     REQUIRE(rows.size() == 5 * 31);
     std::map<std::string, int> count;
     for (std::size_t i = 0; i < rows.size(); ++i) {

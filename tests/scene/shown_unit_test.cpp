@@ -77,7 +77,7 @@ TEST_CASE("measure and run show a fine map in the same units") {
             .out);
     const auto measured = test::run_fstiff("measure '" + map + "' -o '" + folder / "fine.json" + "'");
     const auto table = test::run_fstiff("measure '" + map + "' --format table");
-    const auto run = test::run_fstiff("run --surface '" + folder / "fine.json" + "'");
+    const auto run = test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --surface '" + folder / "fine.json" + "'");
     const auto parameters = nlohmann::json::parse(test::read(folder / "fine.json"))["surface"];
     const double sigma = parameters["rms_height"]["value"], density = parameters["peak_density"]["value"];
     CHECK(scene::unit_of_length(sigma).name == "nm");

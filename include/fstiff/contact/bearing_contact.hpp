@@ -89,10 +89,16 @@ public:
         : gaussian_(std::move(gaussian)), rms_height_(rms_height) {
         require_positive("rms_height", rms_height);
         const T furthest = (std::min)(curve.highest(), T(6)) + 1;  // at 7 sigma p is 1e-12 E g
-        // all in contact: P = 1, d = 0
-        last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;
-        bearing_ = std::make_shared<const Bearing>(
-            Bearing{std::move(curve), parts::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height});
+        set_curve(std::move(curve), parts::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height);
+    }
+
+    /// The contact of another surface with the same Gaussian one, whose curve \p curve ends as high, for a tenth of the time.
+    /// Of a contact that was not scaled. \throws domain_error unless this one has a bearing curve.
+    [[nodiscard]] BearingContact with_curve(BearingSlope<T> curve) const {
+        require(has_bearing_curve(), "bearing curve", has_bearing_curve(), "there");
+        BearingContact other = *this;
+        other.set_curve(std::move(curve), bearing_->separation, bearing_->rms_height);
+        return other;
     }
 
     /// The contact of a surface \p factor times as high: K under p is that of this one under p/factor.
@@ -217,6 +223,11 @@ private:
         parts::PerssonSeparation<T> separation;
         T rms_height;  ///< of the curve [m]
     };
+
+    void set_curve(BearingSlope<T> curve, parts::PerssonSeparation<T> separation, T rms_height) {
+        last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;  // all in contact: P = 1, d = 0
+        bearing_ = std::make_shared<const Bearing>(Bearing{std::move(curve), std::move(separation), rms_height});
+    }
 
     PerssonContact<T> gaussian_;
     T rms_height_, factor_ = 1;               ///< [m]; heights over those of the curve

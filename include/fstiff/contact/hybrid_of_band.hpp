@@ -134,4 +134,17 @@ template <Real T>
     return {std::move(gaussian), std::move(crowded)};
 }
 
+namespace parts {
+
+/// \p known, of hybrid_of_band with a bearing curve, with another curve.
+template <Real T>
+[[nodiscard]] ScaledContact<T, HybridContact<T, detail::BandHills<T>>> with_bearing(
+    const ScaledContact<T, HybridContact<T, detail::BandHills<T>>>& known, const BearingSlope<T>& curve) {
+    constexpr T end = detail::highest_score<T>;
+    return {known.gaussian(),
+            known.bearing().with_curve(curve.between(-end, end).scaled(known.bearing().rms_height()))};
+}
+
+}  // namespace parts
+
 }  // namespace fstiff

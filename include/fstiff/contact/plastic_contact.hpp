@@ -21,7 +21,6 @@
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/math/normal_distribution.hpp>
-#include <fstiff/math/root.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/topography/height_map.hpp>
 
@@ -39,6 +38,14 @@ concept CutSurface = requires(const C& cut, T x) {
     { cut.stiffness(x) } -> std::convertible_to<T>;
     { cut.share_above(x) } -> std::convertible_to<std::pair<T, T>>;
 };
+
+/// K [Pa/m] of the cut and of the elastic contact together: (a^1.9 + b^1.9)^(1/1.9), without overflow.
+template <Real T>
+[[nodiscard]] T plastic_stiffness(T cut, T elastic) {
+    constexpr T n = T(1.9);
+    const T most = (std::max)(cut, elastic);
+    return most * std::exp(std::log1p(std::pow((std::min)(cut, elastic) / most, n)) / n);
+}
 
 /// Cut of a Gaussian surface.
 template <Real T = double>
@@ -170,7 +177,7 @@ public:
         state.pressure = {pressure, 0, 0};
         if (parts::has(wanted, Quantity::stiffness)) {
             const Estimate<T> elastic = elastic_.at_pressure(pressure, Quantity::stiffness).stiffness;
-            const T K = joined(cut_.stiffness(pressure / hardness_), elastic.value, exponent);
+            const T K = parts::plastic_stiffness(cut_.stiffness(pressure / hardness_), elastic.value);
             state.stiffness = {K, (elastic.error / elastic.value + error_of_cut) * K, elastic.evaluations};
         }
         if (parts::has(wanted, Quantity::real_area_fraction)) {
@@ -222,7 +229,7 @@ public:
     [[nodiscard]] const Cut& cut() const { return cut_; }
 
 private:
-    static constexpr T exponent = T(1.9), loading_exponent = T(1.3), error_of_cut = T(1e-9);
+    static constexpr T loading_exponent = T(1.3), error_of_cut = T(1e-9);
 
     /// E g [Pa]; where the elastic contact has a bearing curve, of the surface at its local scale.
     [[nodiscard]] T elastic_scale(T pressure) const {
@@ -234,43 +241,36 @@ private:
         return modulus_times_gradient_;
     }
 
-    /// (a^n + b^n)^(1/n), without overflow.
-    static T joined(T a, T b, T n) {
-        const T most = (std::max)(a, b);
-        return most * std::exp(std::log1p(std::pow((std::min)(a, b) / most, n)) / n);
-    }
-
     struct Loading {
         T separation, stiffness;  ///< stiffness: -dp/dd
     };
-    /// p(d) where the elastic contact has the pressure q: its logarithm, the slope of it against log q, and d.
+    /// p(d) where the elastic contact has the pressure q: its logarithm, the slope of it against log q, d, -dd/d log q.
     struct AtElastic {
-        T log_p, slope, separation, stiffness;
+        T log_p, slope, separation, stiffness, fall;
     };
     [[nodiscard]] AtElastic at_elastic(T log_q) const {
         const T q = std::exp(log_q), d = elastic_.separation(q).value, K = elastic_.stiffness(q);
         const auto [share, change] = cut_.share_above(d);
-        if (!(share > 0)) return {-std::numeric_limits<T>::max_exponent, T(1), d, T(0)};
+        if (!(share > 0)) return {-std::numeric_limits<T>::max_exponent, T(1), d, T(0), q / K};
         const T cut = std::log(share * hardness_), apart = loading_exponent * (log_q - cut);
         const T of_elastic = 1 / (1 + std::exp(apart)), per_height = of_elastic * K / q - (1 - of_elastic) * change / share;
         const T log_p = (std::min)(log_q, cut) - std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
-        return {log_p, per_height * q / K, d, per_height * std::exp(log_p)};
+        return {log_p, per_height * q / K, d, per_height * std::exp(log_p), q / K};
     }
-    /// The root of p(d) = p, searched over the elastic pressure there; 0 where that at 0 is less.
+    /// The root of p(d) = p by Newton's steps of the elastic pressure there, which is more than p: flow brings the
+    /// planes together. 0 where p at 0 is less.
     [[nodiscard]] Loading loading(T pressure) const {
-        const T target = std::log(pressure);  // flow brings the planes together: of the elastic contact it is more
-        T high = target;
-        for (T step = T(0.1);; step *= 2) {
-            const AtElastic at = at_elastic(high += step);
-            if (at.log_p > target) break;
-            if (!(at.separation > T(1e-6) * rms_height())) return {0, 0};
-        }
-        const auto residual = [&](T log_q) {
+        const T target = std::log(pressure);
+        T low = target, high = std::numeric_limits<T>::infinity(), log_q = target;
+        for (int i = 0; i < 100; ++i) {
             const AtElastic at = at_elastic(log_q);
-            return std::pair(at.log_p - target, at.slope);
-        };
-        const AtElastic at = at_elastic(math::newton_bracketed(residual, target, high, target, T(1e-11)).root);
-        return {at.separation, at.stiffness};
+            const T step = (target - at.log_p) / at.slope, next = log_q + (std::min)(step, T(1));
+            if (step > 0 && !(at.separation > T(1e-6) * rms_height())) break;
+            if (std::abs(step) < T(1e-7)) return {at.separation - step * at.fall, at.stiffness};
+            (step > 0 ? low : high) = log_q;
+            log_q = i < 50 && next > low && next < high ? next : std::midpoint(low, (std::min)(high, low + 1));
+        }
+        return {0, 0};
     }
 
     Elastic elastic_;

@@ -56,11 +56,12 @@ namespace parts {
     return concern == FitConcern::singular || concern == FitConcern::not_converged || concern == FitConcern::at_bound;
 }
 
-/// Whether the model does not describe the data, or only some of them, or with values that nobody expected: the fit is
-/// not to be used before somebody has looked at it. What is neither this nor fatal is about the errors of the values.
+/// Whether the model does not describe the data, or only some of them, or with values that nobody expected or that are
+/// known to a factor of 100 at best: the fit is not to be used before somebody has looked at it. What is neither this
+/// nor fatal is about the errors of the values.
 [[nodiscard]] constexpr bool is_doubtful(FitConcern concern) {
     return concern == FitConcern::misfit || concern == FitConcern::scattered || concern == FitConcern::outlier ||
-           concern == FitConcern::far_from_start;
+           concern == FitConcern::far_from_start || concern == FitConcern::unresolved;
 }
 
 }  // namespace parts

@@ -27,7 +27,10 @@ struct ContactParameters {
     T effective_modulus{};  ///< E [Pa]
     T r{};
     T theta{};   ///< [rad]
-    T offset{};  ///< p_0 [Pa]: what is added to the measured pressures
+    T offset{};        ///< p_0 [Pa]: what is added to the measured pressures
+    T rms_gradient{};  ///< g of the surface; as alpha and hardness not used by peaks of an asperity law
+    T alpha{};         ///< Nayak's
+    T hardness{};      ///< [Pa]
 
     [[nodiscard]] T& operator[](Parameter parameter) noexcept { return at(*this, parameter); }
     [[nodiscard]] T operator[](Parameter parameter) const noexcept { return at(*this, parameter); }
@@ -38,7 +41,8 @@ private:
         constexpr std::array members{
             &ContactParameters::rms_height,        &ContactParameters::peak_radius, &ContactParameters::peak_density,
             &ContactParameters::fractal_dimension, &ContactParameters::r,           &ContactParameters::theta,
-            &ContactParameters::effective_modulus, &ContactParameters::offset};  // in the order of Parameter
+            &ContactParameters::effective_modulus, &ContactParameters::offset,      &ContactParameters::rms_gradient,
+            &ContactParameters::alpha,             &ContactParameters::hardness};  // in the order of Parameter
         static_assert(members.size() == parts::parameter_table.size());
         return self.*members[parts::index_of(parameter)];
     }
@@ -62,13 +66,13 @@ struct Wave {
 
 namespace detail {
 
-/// dK/dx of \p parameter; an offset adds to the pressure.
+/// dK/dx of \p parameter; an offset adds to the pressure. 0 for what peaks of an asperity law do not have.
 template <Real T>
 T slope_of(const Sensitivity<T>& s, Parameter parameter) {
     const std::array slopes{s.rms_height, s.peak_radius, s.peak_density,      s.fractal_dimension,
                             s.r,          s.theta,       s.effective_modulus, s.pressure};  // in the order of Parameter
-    static_assert(slopes.size() == parts::parameter_table.size());
-    return slopes[parts::index_of(parameter)];
+    const std::size_t index = parts::index_of(parameter);
+    return index < slopes.size() ? slopes[index] : T(0);
 }
 
 /// \throws domain_error naming the first point that no model has.
@@ -102,30 +106,25 @@ void require_start(const std::vector<Parameter>& wanted, const ContactParameters
     }
 }
 
-/// The residuals of a curve and their slopes, as functions of the fitted variables.
-template <Real T, class MakeLaw>
-class CurveModel {
+/// What is fitted to which points, and what becomes of K and its slopes there.
+template <Real T>
+class CurveProblem {
 public:
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
     /// What the arguments refer to must live as long.
-    CurveModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
-               const ContactParameters<T>& start, const MakeLaw& law, const std::optional<Wave<T>>& wave,
-               const RoughContactOptions<T>& contact, bool errors_known)
+    CurveProblem(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+                 const ContactParameters<T>& start, const std::optional<Wave<T>>& wave)
         : data_(data),
           wanted_(wanted),
           start_(start),
-          law_(law),
           wave_(wave),
-          contact_(contact),
-          errors_known_(errors_known),
+          // an error that is NaN or negative is no way to say that it is not known
+          errors_known_(std::any_of(data.begin(), data.end(), [](const auto& o) { return o.error != 0; })),
           values_(data.size()) {
-        using Law = decltype(law(start.fractal_dimension));
-        if constexpr (!parts::DimensionalLaw<Law, T>)
-            require(std::count(wanted.begin(), wanted.end(), Parameter::fractal_dimension) == 0,
-                    name_of(Parameter::fractal_dimension), start.fractal_dimension,
-                    "fixed: this law has no members log_load_slope() and log_stiffness_slope()");
+        require_observations(data, wave.has_value(), errors_known_);
+        require_start(wanted, start);
     }
 
     [[nodiscard]] ContactParameters<T> parameters_at(const Vector& u) const {
@@ -142,32 +141,23 @@ public:
     }
     /// Model at the last point within its reach.
     [[nodiscard]] const std::vector<T>& values() const { return values_; }
+    [[nodiscard]] const std::vector<Observation<T>>& data() const { return data_; }
+    [[nodiscard]] const std::vector<Parameter>& wanted() const { return wanted_; }
+    [[nodiscard]] bool errors_known() const { return errors_known_; }
 
-    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within reach
-    [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
-        const ContactParameters<T> x = parameters_at(u);
+protected:
+    /// Whether a model can have the parameters \p x at all.
+    [[nodiscard]] bool can_have(const ContactParameters<T>& x) const {
         for (const Parameter each : wanted_)
             if (!parts::ParameterScale<T>(each).inside(x[each])) return false;
-        for (const auto& one : data_)
-            if (!(one.pressure + x.offset > 0)) return false;
-        try {
-            const RoughContact contact(Roughness<T>{x.rms_height, x.peak_radius, x.peak_density, T(0)},
-                                       PeakDistribution<T>(x.r, x.theta), law_(x.fractal_dimension),
-                                       x.effective_modulus, contact_);
-            for (std::size_t i = 0; i < data_.size(); ++i)
-                point(i, sensitivity(contact, data_[i].pressure + x.offset), x, residuals, jacobian);
-        } catch (const domain_error&) {
-            return false;  // beyond the reach of the model
-        }
-        return true;
+        return std::all_of(data_.begin(), data_.end(), [&](const auto& one) { return one.pressure + x.offset > 0; });
     }
-
-private:
-    void point(std::size_t i, const Sensitivity<T>& s, const ContactParameters<T>& x, Vector& residuals,
-               Matrix& jacobian) {
-        T value = s.stiffness, chain = 1;
+    /// Row \p i of the residuals and their slopes, of K and \p slope(k), dK by the fitted variable k.
+    template <class Slope>
+    void put(std::size_t i, T stiffness, const Slope& slope, Vector& residuals, Matrix& jacobian) {
+        T value = stiffness, chain = 1;
         if (wave_) {
-            const T k = wave_->stiffness_ratio * s.stiffness;
+            const T k = wave_->stiffness_ratio * stiffness;
             value = reflection(k, wave_->media, wave_->angular_frequency);
             chain = wave_->stiffness_ratio * parts::reflection_slope(k, wave_->media, wave_->angular_frequency);
         }
@@ -175,21 +165,62 @@ private:
         const auto row = static_cast<Eigen::Index>(i);
         values_[i] = value;
         residuals(row) = (value - data_[i].value) / error;
-        for (std::size_t k = 0; k < wanted_.size(); ++k) {
-            const Parameter each = wanted_[k];
-            jacobian(row, static_cast<Eigen::Index>(k)) =
-                slope_of(s, each) * chain * parts::ParameterScale<T>(each).slope(x[each]) / error;
-        }
+        for (std::size_t k = 0; k < wanted_.size(); ++k)
+            jacobian(row, static_cast<Eigen::Index>(k)) = slope(k) * chain / error;
     }
 
+private:
     const std::vector<Observation<T>>& data_;
     const std::vector<Parameter>& wanted_;
     const ContactParameters<T>& start_;
-    const MakeLaw& law_;
     const std::optional<Wave<T>>& wave_;
-    const RoughContactOptions<T>& contact_;
     bool errors_known_;
     std::vector<T> values_;
+};
+
+/// The residuals of a curve and their slopes, as functions of the fitted variables.
+template <Real T, class MakeLaw>
+class CurveModel : public CurveProblem<T> {
+public:
+    using typename CurveProblem<T>::Vector, typename CurveProblem<T>::Matrix;
+
+    /// What the arguments refer to must live as long.
+    CurveModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+               const ContactParameters<T>& start, const MakeLaw& law, const std::optional<Wave<T>>& wave,
+               const RoughContactOptions<T>& contact)
+        : CurveProblem<T>(data, wanted, start, wave), law_(law), contact_(contact) {
+        using Law = decltype(law(start.fractal_dimension));
+        if constexpr (!parts::DimensionalLaw<Law, T>)
+            require(std::count(wanted.begin(), wanted.end(), Parameter::fractal_dimension) == 0,
+                    name_of(Parameter::fractal_dimension), start.fractal_dimension,
+                    "fixed: this law has no members log_load_slope() and log_stiffness_slope()");
+    }
+
+    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within reach
+    [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
+        const ContactParameters<T> x = this->parameters_at(u);
+        if (!this->can_have(x)) return false;
+        try {
+            const RoughContact contact(Roughness<T>{x.rms_height, x.peak_radius, x.peak_density, T(0)},
+                                       PeakDistribution<T>(x.r, x.theta), law_(x.fractal_dimension),
+                                       x.effective_modulus, contact_);
+            for (std::size_t i = 0; i < this->data().size(); ++i) {
+                const Sensitivity<T> s = sensitivity(contact, this->data()[i].pressure + x.offset);
+                const auto slope = [&](std::size_t k) {
+                    const Parameter each = this->wanted()[k];
+                    return slope_of(s, each) * parts::ParameterScale<T>(each).slope(x[each]);
+                };
+                this->put(i, s.stiffness, slope, residuals, jacobian);
+            }
+        } catch (const domain_error&) {
+            return false;  // beyond the reach of the model
+        }
+        return true;
+    }
+
+private:
+    const MakeLaw& law_;
+    const RoughContactOptions<T>& contact_;
 };
 
 }  // namespace detail

@@ -206,6 +206,30 @@ private:
     std::vector<bool> at_bound_;
 };
 
+/// Searches from where \p model begins.
+template <Real T, class Model>
+[[nodiscard]] Identification<T> fit_of(Model& model, const ContactParameters<T>& start,
+                                       const math::LeastSquaresOptions<T>& search) {
+    const auto points = static_cast<Eigen::Index>(model.data().size());
+    // as a std::function the search is compiled once for all laws
+    using Fit = math::LeastSquaresFit<T>;
+    const std::function<bool(const typename Fit::Vector&, typename Fit::Vector&, typename Fit::Matrix&)> evaluate =
+        [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); };
+    Fit fit = math::least_squares<T>(model.start(), points, evaluate, search);
+
+    Identification<T> out;
+    out.errors_known = model.errors_known();
+    out.evaluations = fit.evaluations;
+    out.start = start;
+    out.all = model.parameters_at(fit.parameters);
+    typename FitSummary<T>::Vector residuals(points);
+    typename FitSummary<T>::Matrix jacobian(points, fit.parameters.size());
+    static_cast<void>(model(fit.parameters, residuals, jacobian));  // at the end, not at the last trial
+    out.model = model.values();
+    FitSummary<T>(model.wanted(), fit, out).fill(residuals, jacobian);
+    return out;
+}
+
 }  // namespace parts
 
 /// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as [](T dimension) { return
@@ -215,29 +239,8 @@ template <Real T, class MakeLaw>
 [[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                                          const ContactParameters<T>& start, const MakeLaw& law,
                                          const IdentifyOptions<T>& options = {}) {
-    // an error that is NaN or negative is no way to say that it is not known
-    const bool known = std::any_of(data.begin(), data.end(), [](const auto& o) { return o.error != 0; });
-    detail::require_observations(data, options.wave.has_value(), known);
-    detail::require_start(wanted, start);
-    detail::CurveModel<T, MakeLaw> model(data, wanted, start, law, options.wave, options.contact, known);
-    const auto points = static_cast<Eigen::Index>(data.size());
-    // as a std::function the search is compiled once for all laws
-    using Fit = math::LeastSquaresFit<T>;
-    const std::function<bool(const typename Fit::Vector&, typename Fit::Vector&, typename Fit::Matrix&)> evaluate =
-        [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); };
-    Fit fit = math::least_squares<T>(model.start(), points, evaluate, options.search);
-
-    Identification<T> out;
-    out.errors_known = known;
-    out.evaluations = fit.evaluations;
-    out.start = start;
-    out.all = model.parameters_at(fit.parameters);
-    typename parts::FitSummary<T>::Vector residuals(points);
-    typename parts::FitSummary<T>::Matrix jacobian(points, static_cast<Eigen::Index>(wanted.size()));
-    static_cast<void>(model(fit.parameters, residuals, jacobian));  // at the end, not at the last trial
-    out.model = model.values();
-    parts::FitSummary<T>(wanted, fit, out).fill(residuals, jacobian);
-    return out;
+    detail::CurveModel<T, MakeLaw> model(data, wanted, start, law, options.wave, options.contact);
+    return parts::fit_of(model, start, options.search);
 }
 
 }  // namespace fstiff

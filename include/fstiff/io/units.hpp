@@ -9,8 +9,8 @@
 /// "^2", "2" or as superscripts; blanks around a unit may be those of Unicode; products with a blank, "*" or a middle
 /// dot. Case matters ("MPa" is not "mPa"), except in spelt-out words ("Micrometer").
 ///
-/// Units       SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m
-/// Accuracy    powers of ten are correctly rounded; in, psi, deg within 1 ulp (tests/io/quantity_test.cpp)
+/// Units       SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m, N, W/(m K), S/m, m^2 K/W, ohm m^2, K
+/// Accuracy    powers of ten are correctly rounded; in, psi, lbf, deg within 1 ulp (tests/io/quantity_test.cpp)
 
 #include <fstiff/core/names.hpp>
 
@@ -30,7 +30,13 @@ enum class Dimension {
     velocity,
     density,
     impedance,
-    stiffness_per_area
+    stiffness_per_area,
+    force,
+    thermal_conductivity,
+    electrical_conductivity,
+    thermal_film,
+    electrical_film,
+    temperature
 };
 
 }  // namespace fstiff::io
@@ -50,6 +56,12 @@ inline constexpr auto names<io::Dimension> = name_list<io::Dimension>({
     {io::Dimension::density, "density"},
     {io::Dimension::impedance, "impedance"},
     {io::Dimension::stiffness_per_area, "stiffness per area"},
+    {io::Dimension::force, "force"},
+    {io::Dimension::thermal_conductivity, "thermal conductivity"},
+    {io::Dimension::electrical_conductivity, "electrical conductivity"},
+    {io::Dimension::thermal_film, "thermal resistance"},
+    {io::Dimension::electrical_film, "electrical resistance"},
+    {io::Dimension::temperature, "temperature"},
 });
 
 }  // namespace fstiff

@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The parts of a band of K: errors of the measurement, choice of lambda_s, choice of the window of D.
+/// The parts of a band of K: errors of the measurement, choice of lambda_s, choice of the window of D, and what is not
+/// known of the surface.
 ///
-///     low = K exp(-hypot(e_low, s_low)),  high = K exp(hypot(e_high, s_high))
+///     low = K exp(-hypot(e_low, s_low, u_low)),  high = K exp(hypot(e_high, s_high, u_high)),  u^2 = sum of u_i^2
 ///
 /// e_low and e_high are the ends of the band over the errors, as ln(end/K); s_low and s_high the least and the greatest
-/// ln(K of a neighbour/K), 0 where no neighbour lies on that side.
+/// ln(K of a neighbour/K), 0 where no neighbour lies on that side; u_i the same of the surfaces that have one unknown at its
+/// 5 and at its 95 %. To the first order u is the width over surfaces drawn at random with all unknowns at once.
 ///
-/// Reference   the sum by squares is that of independent errors (JCGM 100:2008, 5.1.2), in logarithms
+/// Reference   the sum by squares is that of independent errors (JCGM 100:2008, 5.1.2), in logarithms; unknowns:
+///             surface/process_prior.hpp
 /// Units       K [Pa/m], widths in ln K
 /// Valid       K and the ends of the band greater than 0; what is no stiffness among the neighbours is left out
 /// Accuracy    rounding (tests/measured/widened_band_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/sampled_band.hpp>
+#include <fstiff/surface/process_prior.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 namespace fstiff::parts {
 
@@ -29,12 +35,28 @@ namespace fstiff::parts {
 /// it: boundary elements of three turned faces gave 10 to 18 at p* of 1e-4 to 1e-2.
 inline constexpr double lay_factor = 20;
 
+/// One part of a band, as ln(K/value): low at most 0, high at least 0.
+template <Real T = double>
+struct BandPart {
+    T low{}, high{};
+};
+
 /// The parts of a band, as ln(K/value): low ones at most 0, high ones at least 0.
 template <Real T = double>
 struct BandParts {
     T errors_low{}, errors_high{};  ///< of the errors of the measurement
     T scale_low{}, scale_high{};    ///< of the neighbours with another lambda_s
     T window_low{}, window_high{};  ///< of the choice of the window of D: a share of the errors
+    T prior_low{}, prior_high{};    ///< of what is not known, but for the shape
+    T shape_low{}, shape_high{};    ///< of the shape of the heights: skewness and kurtosis
+    std::array<BandPart<T>, unknown_count> of_unknown{};  ///< what these two are made of, in the order of Unknown
+};
+
+/// K of the surfaces that have one unknown at its 5 and at its 95 %, over K, at every point.
+template <Real T = double>
+struct UnknownCurves {
+    Unknown which{};
+    std::vector<T> low, high;
 };
 
 /// The least and the greatest ln(other/value) of \p others into \p low and \p high; what is no stiffness is left out.
@@ -60,6 +82,58 @@ BandParts<T> widen(SampledBand<T>& band, std::type_identity_t<T> value, std::spa
     band.high *= std::exp(std::hypot(parts.errors_high, parts.scale_high) - parts.errors_high);
     band.high = (std::min)(band.high, (std::numeric_limits<T>::max)() / 2);  // as in_range() of a state
     return parts;
+}
+
+/// Widens \p band by what is not known, with \p curves at the place \p point, and notes it in \p parts. Of two faces an
+/// unknown may be there twice.
+template <Real T>
+void widen(SampledBand<T>& band, BandParts<T>& parts, std::span<const UnknownCurves<T>> curves, std::size_t point) {
+    for (const UnknownCurves<T>& one : curves) {
+        const std::array<T, 2> ratios{one.low[point], one.high[point]};
+        BandPart<T> part;
+        spread_of(T(1), std::span<const T>(ratios), part.low, part.high);
+        BandPart<T>& all = parts.of_unknown[static_cast<std::size_t>(one.which)];
+        all = {-std::hypot(all.low, part.low), std::hypot(all.high, part.high)};
+    }
+    for (std::size_t i = 0; i < unknown_count; ++i) {
+        const bool shape = is_of_shape(static_cast<Unknown>(i));
+        T &low = shape ? parts.shape_low : parts.prior_low, &high = shape ? parts.shape_high : parts.prior_high;
+        low = -std::hypot(low, parts.of_unknown[i].low), high = std::hypot(high, parts.of_unknown[i].high);
+    }
+    const T known_low = std::hypot(parts.errors_low, parts.scale_low),
+            known_high = std::hypot(parts.errors_high, parts.scale_high);
+    band.low *= std::exp(known_low - std::hypot(known_low, parts.prior_low, parts.shape_low));
+    band.high *= std::exp(std::hypot(known_high, parts.prior_high, parts.shape_high) - known_high);
+    band.high = (std::min)(band.high, (std::numeric_limits<T>::max)() / 2);
+}
+
+/// The unknown that makes the greatest part of a band; skewness and kurtosis, of one measurement, count as one.
+template <Real T = double>
+struct GreatestUnknown {
+    Unknown which{};
+    T share{};     ///< of the square of the width
+    T narrower{};  ///< the width of the band without it over that with it, both in ln K
+};
+
+/// None where nothing is unknown, or the width is 0.
+template <Real T>
+[[nodiscard]] std::optional<GreatestUnknown<T>> greatest_unknown(const BandParts<T>& parts) {
+    const auto of_shape = [](std::size_t i) { return i < unknown_count && is_of_shape(static_cast<Unknown>(i)); };
+    const auto width = [&](std::size_t without) {
+        T low = std::hypot(parts.errors_low, parts.scale_low), high = std::hypot(parts.errors_high, parts.scale_high);
+        for (std::size_t i = 0; i < unknown_count; ++i)
+            if (i != without && !(of_shape(i) && of_shape(without)))
+                low = std::hypot(low, parts.of_unknown[i].low), high = std::hypot(high, parts.of_unknown[i].high);
+        return low + high;
+    };
+    const T whole = width(unknown_count);
+    std::optional<GreatestUnknown<T>> greatest;
+    for (std::size_t i = 0; i < unknown_count; ++i) {
+        const T narrower = width(i) / whole;
+        if (narrower < (greatest ? greatest->narrower : T(1)))
+            greatest = {static_cast<Unknown>(i), 1 - narrower * narrower, narrower};
+    }
+    return greatest;
 }
 
 /// Widens \p band for a profile with a lay.

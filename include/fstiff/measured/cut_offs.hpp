@@ -2,14 +2,15 @@
 #pragma once
 /// \file
 /// The cut-offs of a measurement: given, chosen by the tables of the standards, or none, with the reason.
+/// A contact feels every wave up to its own size: lambda_c is none unless it is given.
 ///
 ///     lambda_s    least nesting index >= 5 steps and >= resolution; that of the tip where it is longer;
 ///                 none where 10 of it do not fit the surface, or where it is not below a given lambda_c
-///     lambda_c    of a profile by its Ra (profile/roughness_cut_off); of a map none
+///     lambda_c    none; for Ra, Rq and the other parameters of ISO 21920 that of with_drawing_cut_off()
 ///     neighbours  lambda_s/sqrt(2) and sqrt(2) lambda_s; 2 lambda_s alone where the first is below 2 steps;
 ///                 without lambda_s 4 steps
 ///
-/// Reference   ISO 21920-3:2021, ISO 25178-3:2012 through surface/nesting_indices.hpp; that a map has no lambda_c is
+/// Reference   ISO 21920-3:2021, ISO 25178-3:2012 through surface/nesting_indices.hpp; a surface without lambda_c is
 ///             the S-F surface of ISO 25178-2:2012. The limits of 10, 2 and 5 and the neighbours are this project's.
 /// Units       lengths [m]
 /// Valid       a given lambda_s has 2 steps at least, a given lambda_c 5; neither exceeds the length of the surface,
@@ -130,7 +131,7 @@ void choose_lambda_s(CutOffs<T>& found, T resolution) {
     }
 }
 
-/// What was given, and lambda_s by the tables where it was not; lambda_c by them needs heights.
+/// What was given, and lambda_s by the tables where it was not.
 template <Real T>
 [[nodiscard]] CutOffs<T> given_cut_offs(const MeasureOptions<T>& options, T step, T length) {
     require_cut_offs(options, step, length);
@@ -140,39 +141,26 @@ template <Real T>
     CutOffs<T> found;
     found.lambda_s = given(options.lambda_s);
     found.lambda_c = options.form_cut_off ? options.form_cut_off : given(options.lambda_c);
+    if (options.lambda_c.automatic() && !options.form_cut_off) found.why_c = CutOffReason::form_alone;
     found.filter = options.filter;
     found.step = step, found.length = length, found.tip_radius = options.tip_radius;
     if (options.lambda_s.automatic()) choose_lambda_s(found, options.resolution);
     return found;
 }
 
-/// Cut-offs for \p profile, which may still have its form: all but the lambda_c of the tables, which choose_lambda_c()
-/// finds once the form and the waves below lambda_s are gone. \throws domain_error for a given one that the profile
-/// cannot hold.
+/// Cut-offs for \p profile. \throws domain_error for a given one that the profile cannot hold.
 template <Real T>
 [[nodiscard]] CutOffs<T> choose_cut_offs(const Profile<T>& profile, const MeasureOptions<T>& options = {}) {
     return given_cut_offs(options, profile.spacing, profile.length());
 }
 
-/// Cut-offs for \p map, of which the tables choose lambda_s alone. \throws domain_error as above.
+/// Cut-offs for \p map. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] CutOffs<T> choose_cut_offs(const HeightMap<T>& map, const MeasureOptions<T>& options = {}) {
     if (options.form_cut_off)
         refuse("form_cut_off", *options.form_cut_off, "left out for a map: it belongs to the form of a profile");
-    CutOffs<T> found = given_cut_offs(
-        options, (std::max)(map.dx, map.dy),
-        (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy));
-    if (options.lambda_c.automatic()) found.why_c = CutOffReason::form_alone;
-    return found;
-}
-
-/// lambda_c of the tables into \p cut_offs, for \p profile without its form and the waves below lambda_s.
-template <Real T>
-void choose_lambda_c(CutOffs<T>& cut_offs, const Profile<T>& profile) {
-    const RoughnessCutOff<T> choice = roughness_cut_off(profile, cut_offs.lambda_s.value_or(T(0)));
-    cut_offs.lambda_c = choice.lambda_c;
-    cut_offs.why_c = choice.reason;
-    cut_offs.mean_deviation = choice.mean_deviation;
+    return given_cut_offs(options, (std::max)(map.dx, map.dy),
+                          (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy));
 }
 
 /// The lambda_s [m] of the neighbours of a surface of \p step [m] (the coarser one) that was measured with \p lambda_s:

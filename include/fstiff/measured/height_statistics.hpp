@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the heights of a measured surface are distributed, and how steep it is: what decides which law of contact to believe.
+/// How the heights of a measured surface are distributed, and how steep it is: what decides which law of contact holds.
 ///
 ///     skewness = <(z - <z>)^3>/sigma^3       kurtosis = <(z - <z>)^4>/sigma^4      0 and 3 of Gaussian heights
 ///     m0 = sigma^2,  m2 = <slope^2>,  m4 = <curvature^2>                            along a line, by neighbours

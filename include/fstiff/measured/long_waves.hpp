@@ -43,6 +43,7 @@ template <Real T = double>
 struct LongWaveShare {
     T share{};  ///< of the mean square height that waves of fewer than 16 half periods have
     T error{};  ///< of ln sigma that comes from them, one standard deviation
+    Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic> squares{};  ///< w_k over sigma^2, by rows of ky; one row for a profile
 };
 
 inline constexpr int long_half_periods = 16;
@@ -103,6 +104,7 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
         }
     LongWaveShare<T> found;
     found.share = (std::min)(heights, T(1));
+    found.squares = amplitude.topRows(parts.rows() > 1 ? most : 1).array().square() / mean_square;
     const T e = 2 * squares / 3, of_waves = e < T(0.5) ? e / (1 - e) : T(1);
     const bool map = parts.rows() > 1;
     const T of_share = (std::min)(variance_of_power_law(found.share, map), 4 * of_waves);

@@ -7,7 +7,7 @@
 ///     surface.rms_height.value, surface.rms_height.error       [m]
 ///     surface.cut_offs.lambda_s, surface.concerns, surface.neighbours
 ///
-/// In this order: clean() (by default nothing), prepare() (form, lambda_s, lambda_c), surface_parameters(),
+/// In this order: clean() (by default nothing), prepare() (form, lambda_s, lambda_c where it is given), surface_parameters(),
 /// height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface measured with a shorter and a longer
 /// lambda_s (measured/cut_offs), without errors: what they change in K widens the band (measured/stiffness_band). The
 /// command, C and Python measure by this function.
@@ -60,14 +60,6 @@ template <Real T>
 
 namespace parts {
 
-/// Whether the lambda_c of the tables took more than half of the rms height of \p prepared: R, D_p and K are then those
-/// of the short waves alone.
-template <class Prepared>
-[[nodiscard]] bool is_mostly_waviness(const Prepared& prepared) {
-    return prepared.cut_offs.lambda_c && prepared.cut_offs.why_c != CutOffReason::given &&
-           prepared.rms < prepared.rms_levelled / 2;
-}
-
 template <Real T>
 [[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options,
                                                            const CutOffs<T>& cut_offs) {
@@ -85,6 +77,18 @@ template <Real T>
     return how;
 }
 
+/// The same with what the removal of a form of \p terms beside the mean took.
+template <Real T, class Prepared>
+[[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options, const Prepared& prepared,
+                                                           int terms) {
+    SurfaceParameterOptions<T> how = parameter_options(options, prepared.cut_offs);
+    how.form_terms = terms;
+    const T before = prepared.rms_as_read, after = rms_height(prepared.of_structure());
+    if (terms > 0 && !options.form_cut_off && before > after)
+        how.form_share = std::sqrt((before / after - 1) * (before / after + 1));
+    return how;
+}
+
 /// Surface::widest_band of a surface whose longer side has \p length, whose coarser step is \p step.
 template <Real T>
 [[nodiscard]] T widest_band(T length, T step, const CutOffs<T>& cut_offs) {
@@ -99,6 +103,7 @@ template <Real T, class Heights>
                                     T rms_gradient) {
     Surface<T> surface{std::move(found)};
     surface.cut_offs = cut_offs;
+    if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are not asked for
     surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
     surface.rms_gradient.value = rms_gradient;
     try {
@@ -141,7 +146,7 @@ template <Real T>
     const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, options));
     const Profile<T>& flat = prepared->profile;
     SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
-                                                       parameter_options(options, prepared->cut_offs));
+                                                       parameter_options(options, *prepared, int(options.form) - 1));
     Surface<T> surface = surface_of(std::move(found), flat, prepared->cut_offs, prepared->rms_gradient);
     surface.profile = prepared;
     surface.size = static_cast<T>(flat.present()) * flat.spacing;
@@ -164,8 +169,9 @@ template <Real T>
             measured_neighbours(choose_cut_offs(steps, options), options, (std::max)(steps.dx, steps.dy),
                           [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
     const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
+    const int degree = int(options.map_form), terms = degree * (degree + 3) / 2;
     SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
-                                                       parameter_options(options, prepared->cut_offs));
+                                                       parameter_options(options, *prepared, terms));
     prepared->unfiltered.reset();  // D is found
     const HeightMap<T>& flat = prepared->map;
     Surface<T> surface =

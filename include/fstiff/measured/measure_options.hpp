@@ -30,7 +30,7 @@ struct NoCutOff {};
 /// No cut-off: all waves are kept.
 inline constexpr parts::NoCutOff no_cut_off{};
 
-/// A cut-off that is asked for: by default that of the tables, else a length [m] or no_cut_off.
+/// A cut-off that is asked for: by default that of the tables (lambda_c: for Ra alone), else a length [m] or no_cut_off.
 template <Real T = double>
 class CutOff {
 public:
@@ -83,7 +83,7 @@ struct Cleaning {
 template <Real T = double>
 struct MeasureOptions {
     CutOff<T> lambda_s{};                           ///< of the short waves
-    CutOff<T> lambda_c{};                           ///< of the long waves
+    CutOff<T> lambda_c{};                           ///< of the long waves; by default none, and the tables' for Ra
     CutOffFilter filter = CutOffFilter::gaussian;   ///< of lambda_c
     T tip_radius{}, resolution{};                   ///< of the instrument [m]; 0: not known
     Form form = Form::line;                         ///< removed from a profile

@@ -64,8 +64,8 @@ template <Real T>
 
 /// The cut-off \p of that all of \p surfaces share where \p asked leaves it to the tables and these differ: the
 /// longest, or none where one has none. Else \p asked.
-template <Real T>
-[[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Surface<T>>& surfaces,
+template <Real T, class Measured>
+[[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Measured>& surfaces,
                                        std::optional<T> CutOffs<T>::* of);
 
 }  // namespace parts
@@ -316,8 +316,8 @@ Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one) {
                : Unlikeness::none;
 }
 
-template <Real T>
-CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Surface<T>>& surfaces,
+template <Real T, class Measured>
+CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Measured>& surfaces,
                          std::optional<T> CutOffs<T>::* of) {
     if (!asked.automatic() || surfaces.empty()) return asked;
     const auto [low, high] = std::minmax_element(surfaces.begin(), surfaces.end(), [&](const auto& a, const auto& b) {
@@ -344,6 +344,7 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
     std::vector<HeightStatistics<T>> heights;
     std::vector<T> sizes;
     for (const auto& part : parts) {
+        whole.long_end = parts::mean_of_ends(whole.long_end, part.long_end, whole.size / (whole.size + part.size));
         whole.size += part.size, whole.peaks_counted += part.peaks_counted, whole.blocks += part.blocks;
         whole.widest_band = (std::max)(whole.widest_band, part.widest_band);
         if (part.heights) heights.push_back(*part.heights);

@@ -4,9 +4,10 @@
 /// A surface ready to be measured: cleaned, without its form, and without the waves beyond its cut-offs, in this order.
 ///
 ///     clean()      crop, mask, spikes, holes
-///     prepare()    form, with its own cut-off where that is asked for; lambda_s; lambda_c
+///     prepare()    form, with its own cut-off where that is asked for; lambda_s; lambda_c where it is given
 ///
-/// lambda_c of the tables is chosen after the filter of lambda_s, from the Ra of what that leaves (measured/cut_offs).
+/// with_drawing_cut_off() adds the lambda_c of the tables for Ra, Rq and the other parameters that a drawing names. It is chosen
+/// after the filter of lambda_s, from the Ra of what that leaves (profile/roughness_cut_off).
 ///
 /// Reference   ISO 21920-2:2021 and ISO 25178-2:2012 (the order of the operators F, S, L); ISO 16610-21, -31, -61 and
 ///             -71 (the filters)
@@ -91,6 +92,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] PreparedMap<T> prepare(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
 
+/// \p prepared without the waves above \p lambda_c, by default that of the tables, for the parameters of ISO 21920; as it is
+/// where one was given, or none was asked for. \throws domain_error as roughness_cut_off() and the filter.
+template <Real T>
+[[nodiscard]] PreparedProfile<T> with_drawing_cut_off(PreparedProfile<T> prepared, const CutOff<T>& lambda_c = {});
 /// The form alone removed, once for several cut-offs: it is `unfiltered`, which the maps of with_cut_offs() share.
 /// \throws domain_error as level().
 template <Real T>
@@ -271,10 +276,21 @@ PreparedProfile<T> prepare(const Profile<T>& profile, const MeasureOptions<T>& o
     static_cast<LevelledProfile<T>&>(prepared) =
         level(profile, options.form, options.form_cut_off, options.height_step, cut_offs.lambda_s);
     prepared.rms_levelled = rms_height(prepared.profile);
-    if (!options.form_cut_off) {
-        if (options.lambda_c.automatic()) choose_lambda_c(cut_offs, prepared.profile);
-        if (cut_offs.lambda_c) remove_long_waves(prepared);
-    }
+    if (!options.form_cut_off && cut_offs.lambda_c) remove_long_waves(prepared);
+    prepared.rms = rms_height(prepared.profile);
+    prepared.rms_gradient = rms_gradient_of(prepared.profile);
+    return prepared;
+}
+
+template <Real T>
+PreparedProfile<T> with_drawing_cut_off(PreparedProfile<T> prepared, const CutOff<T>& lambda_c) {
+    CutOffs<T>& cut_offs = prepared.cut_offs;
+    if (cut_offs.why_c != CutOffReason::form_alone) return prepared;
+    RoughnessCutOff<T> choice{lambda_c.length(), 0, CutOffReason::given};
+    if (lambda_c.automatic()) choice = roughness_cut_off(prepared.profile, cut_offs.lambda_s.value_or(T(0)));
+    cut_offs.lambda_c = choice.lambda_c, cut_offs.why_c = choice.reason;
+    cut_offs.mean_deviation = choice.mean_deviation;
+    if (cut_offs.lambda_c) remove_long_waves(prepared);
     prepared.rms = rms_height(prepared.profile);
     prepared.rms_gradient = rms_gradient_of(prepared.profile);
     return prepared;

@@ -70,6 +70,8 @@ struct SurfaceParameterOptions {
     FractalFitOptions<T> fit{};
     bool texture = true;      ///< of a map: find Str, which costs two transforms of it
     bool dimension = true;    ///< find D and G
+    T form_share{};           ///< rms height of the form that was removed over that of the rest
+    int form_terms{};         ///< of the form beside its mean
     std::size_t tiles = 4;  ///< of a map, a side
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
@@ -162,6 +164,21 @@ void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit
     result.curved = fit.x->curved || fit.y->curved;
 }
 
+/// The long end of a piece with the \p side that has \p waves: H of its D and these waves.
+template <Real T, class Waves>
+void store_long_end(SurfaceParameters<T>& result, const Waves& waves, T side,
+                    const SurfaceParameterOptions<T>& options) {
+    detail::PriorHurst<T> prior;
+    if (const auto& d = result.fractal_dimension)
+        prior = {2 - d->value, (std::max)(d->error, result.curved ? T(0.3) : T(0.1))};
+    result.long_end = detail::long_end(waves.squares, prior);
+    result.long_end.side = side;
+    result.long_end.error = static_cast<T>(waves.error);
+    result.long_end.law = prior.error > T(0) && !result.curved;
+    result.long_end.form_share =
+        (std::min)(options.form_share, detail::greatest_form_share<T>(waves.squares, options.form_terms));
+}
+
 template <Real T>
 void require_options(const SurfaceParameterOptions<T>& options) {
     require(options.resamples >= 2 && options.resamples <= 100000, "resamples", options.resamples,
@@ -233,6 +250,7 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
             ? fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
             : "D was not asked for";
     if (result.profile_fit) store_fit(result, *result.profile_fit);
+    store_long_end(result, waves, static_cast<T>(size) * profile.spacing / numbers::sqrt2_v<T>, options);
     return result;
 }
 
@@ -321,6 +339,7 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     result.why_no_dimension =
         options.dimension ? fit_or_reason(result.map_fit, [&] { return directions(); }) : "D was not asked for";
     if (result.map_fit) store_mean_of_directions(result, *result.map_fit);
+    store_long_end(result, waves, std::sqrt(map.area()), options);
     return result;
 }
 

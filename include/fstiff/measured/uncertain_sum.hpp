@@ -114,6 +114,7 @@ template <Real T>
         }
     }
     SurfaceParameters<T> out = stated(nominal);
+    out.long_end = mean_of_ends(of_a.long_end, of_b.long_end, moments_a.m0 / (moments_a.m0 + moments_b.m0));
     if (out.fractal_dimension)
         out.dimension_window_error =
             std::hypot(share * of_a.dimension_window_error, (1 - share) * of_b.dimension_window_error);

@@ -22,6 +22,7 @@
 #include <fstiff/math/random.hpp>
 #include <fstiff/measured/lay.hpp>
 #include <fstiff/measured/sections.hpp>
+#include <fstiff/measured/unmeasured_waves.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/topography/island_spread.hpp>
 
@@ -75,6 +76,7 @@ struct SurfaceParameters {
     ParameterCorrelation<T> correlation = uncorrelated<T>();
     LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
     T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
+    LongEnd<T> long_end{};        ///< which waves a larger contact has beyond these
     bool anisotropic{};           ///< of a map
     detail::Repetition<T> repetition{};   ///< of a profile
     T texture_aspect_ratio{1};    ///< Str of a map

@@ -37,12 +37,13 @@ struct WidenedBand {
 };
 
 /// \p band of \p stiffness widened by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows,
-/// those of D, are curves of K over many points, of which \p point counts, each times \p factor.
+/// those of D, are curves of K over many points, of which \p point counts, each times \p factor; \p of_unknowns are over K.
 template <Real T>
 [[nodiscard]] WidenedBand<T> widened(T stiffness, const SampledBand<T>& band,
                                      const std::vector<std::vector<T>>& of_neighbours,
                                      const std::vector<std::vector<T>>& of_windows, std::size_t point,
-                                     bool has_lay = false, T factor = T(1)) {
+                                     bool has_lay = false, T factor = T(1),
+                                     const std::vector<UnknownCurves<T>>& of_unknowns = {}) {
     const auto at_point = [&](const std::vector<std::vector<T>>& curves) {
         std::vector<T> all;
         for (const auto& curve : curves) all.push_back(curve[point] * factor);
@@ -50,7 +51,9 @@ template <Real T>
     };
     WidenedBand<T> one{stiffness, band, {}};
     const std::vector<T> neighbours = at_point(of_neighbours), windows = at_point(of_windows);
-    if (!neighbours.empty()) one.parts = widen(one.band, stiffness, std::span<const T>(neighbours));
+    if (!neighbours.empty() || !of_unknowns.empty())
+        one.parts = widen(one.band, stiffness, std::span<const T>(neighbours));
+    if (!of_unknowns.empty()) widen(one.band, one.parts, std::span<const UnknownCurves<T>>(of_unknowns), point);
     spread_of(stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
     if (has_lay) widen_by_lay(one.band);
     return one;

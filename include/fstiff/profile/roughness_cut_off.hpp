@@ -27,7 +27,7 @@ enum class CutOffReason {
     too_short,  ///< none: five of the shortest do not fit the length
     too_coarse,  ///< none: what fits the length is too short for the step or lambda_s
     given,       ///< asked for, or none was asked for; no outcome of roughness_cut_off()
-    form_alone   ///< none: the form alone bounds the long waves of a map; no outcome of roughness_cut_off()
+    form_alone   ///< none: the form alone bounds the long waves; no outcome of roughness_cut_off()
 };
 
 /// The cut-off of the standards for one profile, and why.

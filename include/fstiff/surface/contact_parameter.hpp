@@ -27,7 +27,19 @@
 namespace fstiff {
 
 /// A parameter of a contact; first those of the surface, which index SurfaceParameters::correlation.
-enum class Parameter { rms_height, peak_radius, peak_density, fractal_dimension, r, theta, effective_modulus, offset };
+enum class Parameter {
+    rms_height,
+    peak_radius,
+    peak_density,
+    fractal_dimension,
+    r,
+    theta,
+    effective_modulus,
+    offset,
+    rms_gradient,
+    alpha,
+    hardness
+};
 
 namespace parts {
 
@@ -74,7 +86,10 @@ inline constexpr std::array parameter_table{
     ParameterRow{Parameter::r,                 "r",                 "r",      "r",      "",      "",      1,    Variation::between, {0, "0"}, {1, "1"}, true},
     ParameterRow{Parameter::theta,             "theta",             "theta",  "theta",  "rad",   "rad",   1,    Variation::between, {0, "0"}, {numbers::pi_v<long double> / 2, "pi/2"}},
     ParameterRow{Parameter::effective_modulus, "effective_modulus", "E",      "E",      "Pa",    "GPa",   1e-9, Variation::log},
-    ParameterRow{Parameter::offset,            "offset",            "offset", "offset", "Pa",    "MPa",   1e-6, Variation::as_it_is}};
+    ParameterRow{Parameter::offset,            "offset",            "offset", "offset", "Pa",    "MPa",   1e-6, Variation::as_it_is},
+    ParameterRow{Parameter::rms_gradient,      "rms_gradient",      "g",      "g",      "",      "",      1,    Variation::log},
+    ParameterRow{Parameter::alpha,             "alpha",             "alpha",  "alpha",  "",      "",      1,    Variation::log},
+    ParameterRow{Parameter::hardness,          "hardness",          "hardness", "hardness", "Pa", "GPa",  1e-9, Variation::log}};
 // clang-format on
 
 /// How many of them are of the surface: they come first.

@@ -17,6 +17,7 @@
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/topography/height_map.hpp>
 
+#include <array>
 #include <memory>
 
 namespace fstiff {
@@ -40,6 +41,7 @@ struct LevelledMap {
     /// The map before lambda_s and lambda_c, where there is one; those behind several cut-offs may share it.
     std::shared_ptr<const HeightMap<T>> unfiltered{};
     T lambda_c{};  ///< of the filter that took the long waves [m]; 0: none
+    std::array<T, 2> tilt{};  ///< of the form along x and y, last point less first [m]; NaN: a corner is missing
 
     /// What the structure functions are taken of.
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
@@ -151,6 +153,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
     LevelledMap<T> flat{remove_form(map, form), form};
+    const auto removed = [&](Eigen::Index j, Eigen::Index i) { return map.heights(j, i) - flat.map.heights(j, i); };
+    flat.tilt = {removed(0, map.columns() - 1) - removed(0, 0), removed(map.rows() - 1, 0) - removed(0, 0)};
     if (form != MapForm::none)
         math::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
                                               static_cast<std::size_t>(map.size()), resolution);

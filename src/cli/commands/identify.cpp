@@ -121,8 +121,8 @@ std::string csv(const Work& work) {
                 return has_errors && std::isfinite(value) ? Cell(value) : Cell();
             };
             std::vector<Cell> cells{law->name,
-                                    theta,
-                                    r,
+                                    theta ? Cell(*theta) : Cell(),
+                                    r ? Cell(*r) : Cell(),
                                     name_of(found.status),
                                     found.chi_squared,
                                     found.degrees_of_freedom,
@@ -171,12 +171,14 @@ Command add_identify(CLI::App& app) {
     command.footer(
         "The measured file begins with its columns and their units: pressure [MPa], stiffness [GPa/um], "
         "stiffness_error [GPa/um].\n"
-        "Every law and peak density of the scene is fitted by itself, but for greenwood_williamson. Exit code 4: the "
-        "data cannot\ntell the parameters apart, no convergence, no law that describes the points, an outlier, or a "
-        "parameter 30 times\nits starting value.\n"
+        "Without --law the laws that contact.laws names are fitted, each by itself; where it names none, plastic if the "
+        "peaks\nflow, else hybrid. g is the rms gradient; where it or alpha is fitted, R and Dp follow. Exit code 4: the "
+        "data cannot\ntell the parameters apart or know one to a factor of 100 at best, no convergence, no law that "
+        "describes the points,\nan outlier, a parameter 30 times its starting value, or an elastic law of peaks that "
+        "flow.\n"
         "Example:\n"
-        "  printf 'pressure [MPa],stiffness [GPa/um],error [GPa/um]\\n1,0.0039,0.0002\\n3,0.0105,0.0005\\n"
-        "10,0.029,0.0015\\n30,0.085,0.004\\n' |\n  fstiff identify --measured - --law hertz --fit sigma,Dp");
+        "  printf 'pressure [MPa],stiffness [GPa/um],error [GPa/um]\\n1,0.015,0.002\\n3,0.042,0.006\\n"
+        "10,0.12,0.02\\n30,0.31,0.05\\n' |\n  fstiff identify --measured - --law jackson_green --fit sigma");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 

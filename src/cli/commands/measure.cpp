@@ -26,6 +26,7 @@ struct Options {
     scene::MeasureOptions measure;
     std::vector<std::string> files;
     bool scales = false;
+    std::string show;  ///< a command of its own, which Program::forward() chooses
     std::string modulus = "112.6 GPa", pressure = "10 MPa", picture;
 };
 
@@ -72,8 +73,9 @@ std::string text_of(const RoughnessTable& table) {
     rows.add({"", "value"}, values);
     rows.add({"", "unit"}, units);
     rows.add({"", "meaning"}, meanings);
-    return "\n  by " + table.standard + ", of the same heights, about their mean, with the cut-offs above" +
-           (table.files > 1 ? ": means of " + std::to_string(table.files) + " files" : "") + "\n" +
+    return "\n  by " + table.standard + ", about the mean" +
+           (table.files > 1 ? ": means of " + std::to_string(table.files) + " files" : "") + "\n  " +
+           sentence_of(table.cut_offs) + "\n" +
            (table.sections.empty()
                 ? ""
                 : "  sections: " + table.sections +
@@ -136,7 +138,7 @@ Report execute_scales(const Options& options) {
                               },
                           .warnings = surface.warnings,
                           .status = is_doubtful(surface) ? doubtful_result : success},
-                         options.output.format);
+                         options.output.chosen());
     say_written(made, files);
     return made;
 }
@@ -152,7 +154,7 @@ Report execute(const Options& options) {
                    .json = [&] { return measure_json(options.measure, surface); },
                    .warnings = surface.warnings,
                    .status = is_doubtful(surface) ? doubtful_result : success},
-                  options.output.format);
+                  options.output.chosen());
 }
 
 }  // namespace
@@ -183,12 +185,17 @@ Command add_measure(CLI::App& app) {
     command
         .option("--modulus", options->modulus, "effective modulus of the K of --scales; the default is steel on steel")
         .show_default();
+    command
+        .option("--show", options->show,
+                "something else of the file, with options of its own, which --show fit --help lists: fit (D and G), "
+                "islands (of a map), peaks (of a profile) or spectrum")
+        .one_of({"fit", "islands", "peaks", "spectrum"});
     add_picture_option(command, options->picture, "draw what --scales computes");
     add_output_options(command, options->output, Format::json);
     command.footer(
-        "Beside them stand the roughness parameters of ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, "
-        "Sq,\n"
-        "Sk ... of a map); the CSV leaves them out.\n"
+        "For a contact all waves count but the form, which is what the maker's drawing calls form: lambda_c is none unless "
+        "it\nis given. The table and the JSON also have the roughness parameters that a drawing names, with the cut-offs "
+        "of their\nstandard: ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, Sq, Sk ... of a map).\n"
         "The JSON is what run --surface and a scene's [surface] from = \"...\" read. Exit code 4: a parameter is not "
         "known\nto a factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"
         "Example:\n"

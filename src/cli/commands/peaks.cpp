@@ -65,7 +65,7 @@ Command add_peaks(CLI::App& app) {
     request.profile = "--profile";
     Arguments command(app, "peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
     add_request_options(command, request);
-    command.option("--profile", request.surface.file,
+    command.option("profile,--profile", request.surface.file,
                    "measured profile, as fstiff formats lists them; - is standard input");
     add_surface_options(command, request.surface, SurfaceKind::profile);
     add_output_options(command, options->output);

@@ -9,8 +9,9 @@
 #include "picture/panels.hpp"
 #include "document/shown_unit.hpp"
 #include "surface/documents.hpp"
+#include "scene/answer.hpp"
 #include "scene/result_rows.hpp"
-#include "scene/results.hpp"
+#include "scene/verdict.hpp"
 
 #include <fstiff/validity/checks.hpp>
 #include <fstiff/core/version.hpp>
@@ -111,20 +112,19 @@ std::string material_sentence(const Scene& scene) {
 Units page_units(const Scene& scene, const Results& results) {
     std::vector<double> values;
     for (const Curve& curve : results.curves)
-        for (const std::size_t i : summary_points(scene))
+        for (const std::size_t i : points_of_answer(scene))
             if (const auto stiffness = curve.value_at(i, CurveQuantity::stiffness)) values.push_back(*stiffness);
     Units units = units_of(scene, results);
     units.stiffness = shown_unit(values, "Pa/m");
     return units;
 }
 
-/// K of every curve at the points of a summary, with its band.
+/// K of every law that is named, at the points of a summary, with its band.
 TextRows stiffness_rows(const Scene& scene, const Results& results, const Units& units) {
-    const std::vector<std::size_t> points = summary_points(scene);
+    const std::vector<std::size_t> points = points_of_answer(scene);
     TextRows rows{{units.stiffness.heading("K/A₀")}};
     for (const std::size_t i : points)
-        rows[0].push_back(scene.at_separations ? "at d = " + with_unit(scene.points[i], "m", 3)
-                                               : "at " + with_unit(scene.points[i], "Pa", 3));
+        rows[0].push_back((scene.at_separations ? "at d = " : "at ") + shown_point(scene, i));
     for (const Curve& curve : results.curves) {
         std::vector<std::string> row{legend_of(curve)};
         for (const std::size_t i : points) {
@@ -141,6 +141,20 @@ TextRows stiffness_rows(const Scene& scene, const Results& results, const Units&
     return rows;
 }
 
+/// The table of the laws that are named, and what their bands are.
+void named_laws(Page& page, const Scene& scene, const Results& results, const Units& units) {
+    TextRows rows = stiffness_rows(scene, results, units);
+    constexpr std::size_t most = 7;
+    const std::size_t curves = rows.size() - 1;
+    if (curves > most) rows.resize(most + 1);
+    page.table(rows);
+    std::string about = "Laws that the scene names. ";
+    about += !has_band(results) ? "Without errors of the surface's parameters their K has no band."
+                                : "In brackets 5 % and 95 %: " + origin_of_band(scene) + ".";
+    if (curves > most) about += " The first " + std::to_string(most) + " of " + std::to_string(curves) + " curves.";
+    page.paragraph(about);
+}
+
 /// The first screen: surface, K, what speaks against it, and the picture.
 void answer_section(Page& page, const Scene& scene, const Results& results, const Units& units) {
     std::string surface;
@@ -154,20 +168,10 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     page.begin("div");
     page.paragraph(surface + ".");
     page.paragraph(material_sentence(scene));
-    TextRows rows = stiffness_rows(scene, results, units);
-    constexpr std::size_t most = 7;
-    const std::size_t curves = rows.size() - 1;
-    if (curves > most) rows.resize(most + 1);
-    page.table(rows);
-    std::string about = !has_band(results)
-                            ? "Without errors of the surface's parameters K has no band."
-                            : "In brackets the band that holds 5 to 95 % of " + std::to_string(scene.samples) +
-                                  " surfaces drawn about this one by its errors.";
-    if (curves > most) about += " The first " + std::to_string(most) + " of " + std::to_string(curves) + " curves.";
-    page.paragraph(about);
+    if (results.answer) page.table(answer_table(scene, results));
     const std::size_t count = results.warnings.size();
     page.begin(count == 0 ? "div class=\"verdict\"" : "div class=\"verdict warned\"");
-    page.paragraph(count == 0         ? "Verdict: no check of validity speaks against these results."
+    page.paragraph(count == 0         ? "Verdict: no warning; what speaks against K is in its band."
                    : results.doubtful ? "Verdict: doubtful. Read the warnings before any of these numbers is used."
                                       : "Verdict: computed, but not all assumptions of the model hold.");
     page.list(results.verdict);
@@ -176,6 +180,12 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     if (static_cast<std::ptrdiff_t>(count) > shown)
         page.paragraph(std::to_string(static_cast<std::ptrdiff_t>(count) - shown) + " more under Validity.");
     page.end("div");
+    if (results.answer) page.paragraph(outside_band(scene, results));
+    std::string assumed;
+    for (const std::string& one : scene.assumptions) assumed += (assumed.empty() ? "Assumed: " : "; ") + one;
+    if (!assumed.empty()) page.paragraph(assumed + ".");
+    if (const std::string next = measure_next(scene, results); !next.empty()) page.paragraph(sentence_case(next) + ".");
+    if (!scene.best) named_laws(page, scene, results, units);
     page.end("div");
     Panel picture = stiffness_panel(scene, results);
     picture.y.unit = units.stiffness;
@@ -207,9 +217,9 @@ void other_figures(Page& page, const Scene& scene, const Results& results) {
 /// Every number, one closed table for each curve.
 void numbers_section(Page& page, const Results& results, const Units& units) {
     page.heading("Numbers");
-    for (const Curve& curve : results.curves) {
-        page.begin_details(legend_of(curve) + ": " + std::to_string(curve.states.size()) + " points");
-        page.table(rows_of(results, curve, units).table());
+    for (const Curve* curve : shown_curves(results)) {
+        page.begin_details(legend_of(*curve) + ": " + std::to_string(curve->states.size()) + " points");
+        page.table(rows_of(results, *curve, units).table());
         page.end("details");
     }
 }
@@ -289,7 +299,7 @@ Report execute(const Options& options) {
     Scene scene = read_scene(options.scene);
     // of a map a report shows the truth beside the laws
     const scene::Law& elements = scene::find_law(LawName::boundary_elements);
-    if (refusal_of(elements, scene).empty() && !scene.at_separations &&
+    if (!scene.best && refusal_of(elements, scene).empty() && !scene.at_separations &&
         std::find(scene.laws.begin(), scene.laws.end(), &elements) == scene.laws.end())
         scene.laws.push_back(&elements);
     // a report shows everything, whatever output.quantities asks of run

@@ -32,6 +32,7 @@ struct Options {
     int threads = 0;      ///< 0: as many as there are cores
     std::string picture;  ///< file; empty: none
     bool sensitivity = false, example = false;
+    bool merge = false;  ///< a command of its own, which Program::forward() chooses
 };
 
 /// {shard} in the name of the results is the number of the shard.
@@ -223,6 +224,7 @@ Command add_sweep(CLI::App& app) {
     add_picture_option(command, options->picture, "draw K against the swept quantities");
     command.flag("--sensitivity", options->sensitivity,
                  "print which share of the variance of K each distributed input has");
+    command.flag("--merge", options->merge, "put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl");
     command.flag("--example", options->example, "print a grid with comments, to begin one of your own");
     command.footer(
         "A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as "

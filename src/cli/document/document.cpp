@@ -7,7 +7,8 @@ Report report(const Document& document, Format format) {
     made.status = document.status;
     if (format == Format::table) {
         made.document = printable(document.table(), "\n");
-        for (const std::string& warning : document.warnings) made.document += "warning: " + printable(warning) + "\n";
+        for (const std::string& warning : document.warnings)
+            for (const auto& line : scene::wrapped("warning: " + printable(warning), 100)) made.document += line + "\n";
         return made;
     }
     if (format == Format::csv) {

@@ -110,6 +110,10 @@ std::vector<std::string> missing_folders(const fs::path& folder) {
 
 }  // namespace
 
+Format OutputOptions::chosen() const {
+    return for_people && target().empty() && isatty(STDOUT_FILENO) != 0 ? Format::table : format;
+}
+
 std::string OutputOptions::target() const { return file == "-" ? std::string() : file; }
 
 void refuse_standard_output(const std::string& output, std::string_view wanted) {

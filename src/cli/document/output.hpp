@@ -41,10 +41,13 @@ namespace fstiff::cli {
 
 struct OutputOptions {
     Format format = Format::table;
+    bool for_people = false;  ///< on a terminal the table, unless a format is given
     std::string file;  ///< as it was given; empty: standard output
 
     /// The file to write; empty for standard output, which "-" is too.
     [[nodiscard]] std::string target() const;
+    /// How the document is written there.
+    [[nodiscard]] Format chosen() const;
 };
 
 /// \throws Usage where \p output is "-" and cannot be: it must be \p wanted.

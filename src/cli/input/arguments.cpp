@@ -60,10 +60,11 @@ std::string suggestion(const std::string& wrong, const std::vector<std::string>&
     return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
 }
 
-std::vector<std::string> command_names(const CLI::App& program) {
+/// Of all commands, or of those that --help lists.
+std::vector<std::string> command_names(const CLI::App& program, bool listed = false) {
     std::vector<std::string> names;
     for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
-        names.push_back(command->get_name());
+        if (!listed || !command->get_group().empty()) names.push_back(command->get_name());
     return names;
 }
 
@@ -77,7 +78,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 /// The sentence about a word that is no subcommand of \p program.
 Usage no_command(const CLI::App& program, const std::string& word) {
     std::string names;
-    for (const std::string& name : command_names(program)) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : command_names(program, true)) names += (names.empty() ? "" : ", ") + name;
     return Usage(word + ": is no subcommand or option; must be one of " + names +
                  suggestion(word, word.starts_with("-") ? option_names(program) : command_names(program)) + "; see " +
                  program.get_name() + " --help");
@@ -214,6 +215,28 @@ Program::Program(const std::string& name, const std::string& version, const std:
 }
 Program::~Program() = default;
 
+void Program::list_under(CLI::App& command, const std::string& group) { command.group(group); }
+
+void Program::forward(const std::string& command, const std::vector<std::string>& ways, const std::string& to) {
+    forwarded_.push_back({command, ways, to});
+}
+
+void Program::redirect(std::vector<std::string>& words) const {
+    for (const auto& [command, ways, to] : forwarded_) {
+        if (words.front() != command) continue;
+        auto at = std::search(words.begin(), words.end(), ways.begin(), ways.end());
+        auto end = at + (at == words.end() ? 0 : std::ssize(ways));
+        if (at == words.end() && ways.size() == 2) {  // --option=value
+            at = std::find(words.begin(), words.end(), ways.front() + "=" + ways.back());
+            end = at + (at == words.end() ? 0 : 1);
+        }
+        if (at == words.end()) continue;
+        words.erase(at, end);
+        words.front() = to;
+        return;
+    }
+}
+
 /// The command help: `help COMMAND` is COMMAND --help.
 struct Program::Help {
     CLI::App* app;
@@ -225,6 +248,7 @@ void Program::add_help() {
     help_ = std::make_unique<Help>();
     Help& help = *help_;
     help.app = app_->add_subcommand("help", "The options of a command, as its --help prints them; manual pages");
+    help.app->group("Help");
     help.app->add_option("command", help.command, "name of a command; without it the commands are listed")
         ->type_name("NAME");
     CLI::Option* const man =
@@ -264,6 +288,7 @@ const CLI::App* Program::parse(int argc, char** argv) {
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     add_help();
     if (words.empty()) words = {"--help"};
+    redirect(words);
     if (words == std::vector<std::string>{"version"}) words = {"--version"};
     if (words.front() == "help" &&
         (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {

@@ -87,6 +87,10 @@ public:
             const std::string& footer);
     ~Program();
     [[nodiscard]] CLI::App& app() { return *app_; }
+    /// Puts \p command under the heading \p group of --help; empty: it is known and not listed.
+    void list_under(CLI::App& command, const std::string& group);
+    /// \p command with the words \p ways, which may be "--option" and its value, is the command \p to: its options and help.
+    void forward(const std::string& command, const std::vector<std::string>& ways, const std::string& to);
     /// The subcommand that was asked for; null after --help, help, no argument at all (the help too), --version, -V and
     /// version, which print.
     /// \throws Usage in one sentence that names the help to look at; for an argument that is empty, too, as one of a
@@ -95,7 +99,14 @@ public:
 
 private:
     struct Help;
+    struct Forwarded {
+        std::string command;
+        std::vector<std::string> ways;
+        std::string to;
+    };
     void add_help();
+    /// The words of the command line with forwarded commands in place of the others.
+    void redirect(std::vector<std::string>& words) const;
     /// \throws Usage where \p word is no command.
     void require_command(const std::string& word) const;
     /// The manual page or the script of completion that was asked for.
@@ -104,6 +115,7 @@ private:
     std::unique_ptr<CLI::App> app_;
     std::unique_ptr<Help> help_;
     std::string version_;
+    std::vector<Forwarded> forwarded_;
 };
 
 }  // namespace fstiff::cli

@@ -3,6 +3,9 @@
 _fstiff() {
     local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=
     [ "$COMP_CWORD" -gt 1 ] && command=${COMP_WORDS[1]}
+    # measure --show fit is fit, sweep --merge is merge
+    [[ "${COMP_WORDS[*]:1:COMP_CWORD-1} " =~ ^(measure\ .*--show\ (=\ )?|sweep\ .*--)(fit|islands|peaks|spectrum|merge)\  ]] &&
+        command=${BASH_REMATCH[3]}
     # bash splits --format=json into three words
     if [ "$current" = '=' ]; then
         current=
@@ -11,7 +14,7 @@ _fstiff() {
     fi
     COMPREPLY=($(compgen -W "$({
         "${COMP_WORDS[0]}" help $command 2>/dev/null
-        [ "$command" != help ] || "${COMP_WORDS[0]}" help | sed -n '/^Subcommands:/,/^$/p'
+        [ "$command" != help ] || "${COMP_WORDS[0]}" help | sed -nE '/^(Compute|Surfaces|Measured K|Checks|Help):/,/^$/p'
     } | awk -v before="$before" -v current="$current" '
         # words of {one,two} in the help of an option or argument
         function words() { return match($0, /:[{][^}]*[}]/) ? substr($0, RSTART + 2, RLENGTH - 3) : "" }
@@ -23,7 +26,7 @@ _fstiff() {
             }
         }
         /^Positionals:/ { arguments = 1 }
-        /^Subcommands:/ { commands = 1 }
+        /^(Compute|Surfaces|Measured K|Checks|Help):/ { commands = 1 }
         /^$/ { arguments = commands = 0 }
         arguments && words() { plain = words() }
         commands && /^  / { plain = plain "," $1 }

@@ -9,15 +9,18 @@
 namespace fstiff::cli {
 namespace {
 
-/// \p text as roff prints it, letter by letter; a line must not begin with what roff takes for a command.
+/// \p text as roff prints it, letter by letter; a line must not begin with what roff takes for a command, and a list
+/// without blanks may be broken behind each comma.
 std::string roff(const std::string& text) {
     static constexpr std::string_view letters = "\\-^~`'", names[] = {"e", "-", "(ha", "(ti", "(ga", "(aq"};
     std::string out = text.starts_with('.') ? "\\&" : "";
-    for (const char c : text)
+    for (const char c : text) {
         if (const auto at = letters.find(c); at != std::string_view::npos)
             out += '\\' + std::string(names[at]);
         else
             out += c;
+        if (c == ',' && text.find('{') != std::string::npos) out += "\\:";
+    }
     return out;
 }
 
@@ -26,8 +29,10 @@ std::string upper(std::string text) {
     return text;
 }
 
-/// "Options:", and what else is one word.
-bool is_heading(const std::string& line) { return line.ends_with(':') && line.find(' ') == std::string::npos; }
+/// "Options:", "Measured K:", and what else is one word or two.
+bool is_heading(const std::string& line) {
+    return line.ends_with(':') && !line.starts_with(' ') && std::count(line.begin(), line.end(), ' ') <= 1;
+}
 
 /// "  --tag VALUE   help", or the rest of the help.
 std::string entry(const std::string& line) {
@@ -72,7 +77,7 @@ std::string manual_page(const std::string& name, const std::string& version, con
     body += ".SH SEE ALSO\n";
     for (const std::string& page : also)
         body += "\\fB" + roff(page) + "\\fR(1)" + (&page == &also.back() ? "\n" : ",\n");
-    return ".TH " + roff(upper(name)) + " 1 \"\" \"" + version + "\" \"Manual of fstiff\"\n.SH NAME\n" + roff(name) +
+    return ".TH " + roff(upper(name)) + " 1 \"\" \"" + version + "\" \"Manual of fstiff\"\n.ad l\n.SH NAME\n" + roff(name) +
            " \\- " + roff(about) + "\n.SH SYNOPSIS\n" + roff(usage.substr(usage.find(' ') + 1)) + "\n" + body;
 }
 

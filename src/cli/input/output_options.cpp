@@ -5,7 +5,16 @@ namespace fstiff::cli {
 
 void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
     options.format = initial;
-    arguments.option("--format", options.format, "table, csv or json; default " + std::string(name_of(initial)))
+    options.for_people = initial != Format::table;
+    const std::function<void(const std::string&)> take = [&options](const std::string& word) {
+        options.format = *parts::find_named<Format>(word);
+        options.for_people = false;
+    };
+    arguments
+        .option("--format", take,
+                "table, csv or json; default " + std::string(name_of(initial)) +
+                    (options.for_people ? ", and table on a terminal" : ""))
+        .one_of(parts::choices<Format>())
         .type_name("FORMAT");
 }
 

@@ -4,7 +4,6 @@
 #include "picture/panels.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/peaks/peak_distribution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -48,22 +47,16 @@ void draw_measured(Panel& panel, const MeasuredCurve& curve, double factor) {
 }
 
 /// The fitted model from the least pressure to the greatest, many points, so that it is smooth.
-PlotLine model_line(const Fits& fits, const Fit& fit, double factor) {
-    const auto& all = fit.found.all;
+PlotLine model_line(const Scene& scene, const Fits& fits, const Fit& fit, double factor) {
     const auto order = rising(fit.points);
     const double least = fit.points[order.front()].pressure, greatest = fit.points[order.back()].pressure;
     std::vector<double> pressures, loads;
     for (int k = 0; k <= 100; ++k) {
         pressures.push_back(least * std::pow(greatest / least, k / 100.0));
-        loads.push_back(std::max(pressures.back() + all.offset, 1e-6 * pressures.back()));
+        loads.push_back(std::max(pressures.back() + fit.found.all.offset, 1e-6 * pressures.back()));
     }
-    const PeakDistribution<double> peaks(all.r, all.theta);
-    const auto contact = fit.law->contact({.surface = {all.rms_height, all.peak_radius, all.peak_density},
-                                           .effective_modulus = all.effective_modulus,
-                                           .peaks = &peaks,
-                                           .fractal_dimension = all.fractal_dimension});
     PlotLine line{.label = legend_of(fit.law->name, fit.theta, fit.r), .x = {}, .y = {}};
-    const auto states = contact->at_pressures(loads, Quantity::stiffness);
+    const auto states = fitted_points(scene, fit, loads);
     for (std::size_t k = 0; k < states.size(); ++k) {
         if (!states[k].ok()) continue;
         const double stiffness = states[k].state.stiffness.value;
@@ -98,7 +91,7 @@ Figure fit_figure(const Scene& scene, const MeasuredCurve& curve, const Fits& fi
     int colour = 0;
     for (const Fit& fit : fits.fits) {
         if (fit.found.status == math::FitStatus::singular) continue;
-        PlotLine model = model_line(fits, fit, factor);
+        PlotLine model = model_line(scene, fits, fit, factor);
         PlotLine residual{.label = model.label, .x = {}, .y = {}};
         residual.colour = model.colour = colour;
         residual.stroke = Stroke::none;

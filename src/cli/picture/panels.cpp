@@ -30,17 +30,17 @@ struct Chosen {
     std::optional<std::size_t> peaks;
 };
 
-/// The laws in the order of the scene, each with those of its curves that have points.
+/// The answer, then the laws in the order of the scene, each with those of its curves that have points.
 std::vector<std::vector<const Curve*>> by_law(const Results& results) {
     std::vector<std::vector<const Curve*>> laws;
-    for (const Curve& curve : results.curves) {
-        if (curve.states.empty()) continue;  // no pressure is within its reach
-        const auto same = [&](const auto& of) { return of.front()->law == curve.law; };
+    for (const Curve* curve : shown_curves(results)) {
+        if (curve->states.empty()) continue;  // no pressure is within its reach
+        const auto same = [&](const auto& of) { return of.front()->law == curve->law && of.front()->by.empty(); };
         const auto at = std::find_if(laws.begin(), laws.end(), same);
         if (at == laws.end())
-            laws.push_back({&curve});
+            laws.push_back({curve});
         else
-            at->push_back(&curve);
+            at->push_back(curve);
     }
     while (laws.size() > most_curves) {  // the last ones go, but for the truth of the map
         const auto last =
@@ -112,6 +112,28 @@ void add_band(PlotLine& line, const Curve& curve, const Ends& ends) {
     line.band = sampled ? shown_band : "± error";
 }
 
+/// Conductances, where they are asked for; films on the spots leave no band, as each end has a real area of its own.
+void add_conductances(Figure& figure, const Scene& scene, const Results& results) {
+    const auto add = [&](CurveQuantity quantity, double film, const char* title, const char* label) {
+        const auto of = [&](const ContactState<double>& state) {
+            return conductance_of_spots(quantity, scene, state).value;
+        };
+        Ends ends;
+        if (film == 0)
+            ends = [&](const parts::SampledBand<double>& band) {
+                return std::pair(of({.stiffness = {band.low}}), of({.stiffness = {band.high}}));
+            };
+        figure.panels.push_back(quantity_panel(results, {.label = label}, of, ends));
+        figure.panels.back().title = title;
+    };
+    if (scene.thermal_conductance)
+        add(CurveQuantity::thermal_conductance, scene.conduction.thermal_film, "Thermal conductance of the spots",
+            "h [W/(m² K)]");
+    if (scene.electrical_conductance)
+        add(CurveQuantity::electrical_conductance, scene.conduction.electrical_film,
+            "Electrical conductance of the spots", "h [S/m²]");
+}
+
 Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
                        double ratio) {
     const auto of = [&](double stiffness) { return reflection(ratio * stiffness, media, scene.ultrasound->angular()); };
@@ -151,7 +173,10 @@ std::string legend_of(std::string_view law, std::optional<double> theta, std::op
     return text;
 }
 
-std::string legend_of(const Curve& curve) { return legend_of(curve.law->name, curve.theta, curve.r); }
+std::string legend_of(const Curve& curve) {
+    if (!curve.by.empty()) return "answer (" + laws_of(curve) + ")";
+    return legend_of(curve.law->name, curve.theta, curve.r);
+}
 
 Panel stiffness_panel(const Scene& scene, const Results& results) {
     Panel panel = quantity_panel(
@@ -196,8 +221,9 @@ Panel quantity_panel(const Results& results, Axis axis, const std::function<doub
 }
 
 std::string left_out(const Results& results) {
-    const auto with_points = std::count_if(results.curves.begin(), results.curves.end(),
-                                           [](const Curve& curve) { return !curve.states.empty(); });
+    const auto all = shown_curves(results);
+    const auto with_points =
+        std::count_if(all.begin(), all.end(), [](const Curve* curve) { return !curve->states.empty(); });
     return some_of(drawn(results).size(), static_cast<std::size_t>(with_points));
 }
 
@@ -208,6 +234,7 @@ Figure results_figure(const Scene& scene, const Results& results) {
                   .verdict = results.short_verdict,
                   .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
+    add_conductances(figure, scene, results);
     figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " +
                   with_unit(scene.face.parameters.rms_height.value, "m", 4);
     if (const std::string some = left_out(results); !some.empty())

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Heat and current across a contact: through its spots, through what fills the gap, and by radiation.
+///
+///     h   = k K/E,   k = 2 k1 k2/(k1 + k2)                            spots, of heat and of current alike
+///     h_f = 1/(1/h + r/A_r)                                           spots under a film of r [m^2 K/W or m^2/S]
+///     h_g = k_g/(d + M)                                               gap of mean width d and temperature jump M
+///     M   = [(2 - a1)/a1 + (2 - a2)/a2] 2 g/(g + 1)/Pr L              gas of mean free path L
+///     h_r = 4 s T^3/(1/e1 + 1/e2 - 1)                                 radiation between grey faces
+///
+/// A circular spot of radius a has K = 2 E a and conducts 2 k a, and so does every set of spots, near or far from one
+/// another, whose K is that of the spots held together: elastic contacts, boundary elements, the unloading of plastic
+/// ones. The spots, the gap and radiation are in parallel.
+///
+/// Reference   Barber, Proc. R. Soc. A 459 (2003) 53; Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182
+///             (gap and M); Holm, Electric Contacts (1967), section 5 (film)
+/// Units       k [W/(m K)] or [S/m], K [Pa/m], E [Pa], h [W/(m^2 K)] or [S/m^2], d, M, L [m], T [K]
+/// Valid       bodies much thicker than the distance of the spots; films much thinner than a spot is wide
+/// Accuracy    5 ulp (tests/asperity/conductance_test.cpp); the gap by its mean width, which the narrow parts exceed
+
+#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/error.hpp>
+
+#include <limits>
+
+namespace fstiff {
+
+/// k of the bodies in series, 2 k1 k2/(k1 + k2); 0 where one does not conduct. \throws domain_error unless both are
+/// finite and not negative.
+template <Real T>
+[[nodiscard]] T joint_conductivity(T upper, T lower) {
+    constexpr T most = (std::numeric_limits<T>::max)();
+    require(upper >= 0 && upper <= most, "upper", upper, "finite and not negative");
+    require(lower >= 0 && lower <= most, "lower", lower, "finite and not negative");
+    const T less = upper < lower ? upper : lower, more = upper < lower ? lower : upper;
+    return more > 0 ? 2 * less / (1 + less / more) : T(0);
+}
+
+/// h of the spots. \throws domain_error unless the modulus is positive.
+template <Real T>
+[[nodiscard]] T spot_conductance(T stiffness, T conductivity, T effective_modulus) {
+    require(effective_modulus > 0, "effective_modulus", effective_modulus, "greater than 0");
+    return stiffness / effective_modulus * conductivity;
+}
+
+namespace parts {
+
+/// h of spots that cover \p area of the nominal one, under a film of the resistance \p film of an area of its own.
+template <Real T>
+[[nodiscard]] T under_film(T spots, T area, T film) {
+    return film > 0 && spots > 0 ? spots / (1 + spots * film / area) : spots;
+}
+
+/// What fills the gap between two faces.
+template <Real T = double>
+struct GapFilling {
+    T conductivity{};      ///< [W/(m K)]
+    T temperature_jump{};  ///< M [m]; 0: a liquid or a grease
+};
+
+/// h of the gap; 0 where the mean planes have passed each other and nothing is left of it.
+template <Real T>
+[[nodiscard]] T gap_conductance(const GapFilling<T>& filling, T separation) {
+    const T width = separation + filling.temperature_jump;
+    return width > 0 ? filling.conductivity / width : T(0);
+}
+
+/// A gas at rest between two faces.
+template <Real T = double>
+struct Gas {
+    T conductivity{};    ///< [W/(m K)]
+    T mean_free_path{};  ///< [m]
+    T heat_capacity_ratio{}, prandtl{};
+};
+/// Air at 20 degrees Celsius and 1 atm (CRC Handbook of Chemistry and Physics; mean free path: Jennings, J. Aerosol
+/// Sci. 19 (1988) 159).
+template <Real T = double>
+inline constexpr Gas<T> air{T(0.0257), T(66.35e-9), T(1.4), T(0.71)};
+
+/// M of \p gas between faces that both have the accommodation coefficient \p accommodation.
+template <Real T>
+[[nodiscard]] T temperature_jump(const Gas<T>& gas, T accommodation) {
+    require(accommodation > 0 && accommodation <= 1, "accommodation", accommodation, "greater than 0, 1 at most");
+    const T ratio = gas.heat_capacity_ratio;
+    return 2 * (2 - accommodation) / accommodation * 2 * ratio / (ratio + 1) / gas.prandtl * gas.mean_free_path;
+}
+
+/// h of radiation at the temperature \p kelvin between grey faces of the emissivity \p emissivity each.
+template <Real T>
+[[nodiscard]] T radiative_conductance(T kelvin, T emissivity) {
+    constexpr double stefan_boltzmann = 5.670374419e-8;  // W/(m^2 K^4), CODATA 2018
+    require(emissivity > 0 && emissivity <= 1, "emissivity", emissivity, "greater than 0, 1 at most");
+    return T(4 * stefan_boltzmann) * kelvin * kelvin * kelvin / (2 / emissivity - 1);
+}
+
+}  // namespace parts
+}  // namespace fstiff

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// One stiffness for one pressure: which law gives it, and the causes of its band.
+///
+///     q.known = KnownAs::map;  q.available = {LawName::hybrid, LawName::boundary_elements};
+///     answering_law(q)                       boundary_elements, where 20 points of the grid or more touch
+///     const auto band = band_of(causes);     K exp(band.low), K exp(band.high): 5 and 95 %
+///
+///     law      boundary elements of the map itself, where they can be solved and know more than a pixel; else plastic
+///              where peaks flow, H/(E g) < 0.7, hybrid where they do not, and proportional for a height alone
+///     band     low = -sqrt(sum low_i^2), high = sqrt(sum high_i^2) over the causes i, in ln K
+///     scatter  0.77/sqrt(n) of ln K of one surface with n contacts, one standard deviation
+///
+/// Reference   the sum by squares is that of independent errors (JCGM 100:2008, 5.1.2), in logarithms; docs/accuracy.md
+///             (scatter of single surfaces: 7.7, 11, 20 and 36 % at 100, 40, 15 and 5 contacts; plastic K over elastic K
+///             1.04 to 1.15 at H/(E g) = 0.5, less beyond)
+/// Units       p* = p/(E g_rms), ln K
+/// Valid       any contact; numbers that are not known are NaN or 0, as each says
+/// Accuracy    of the causes (tests/validity/answer_test.cpp)
+
+#include <fstiff/math/statistics.hpp>
+#include <fstiff/validity/law_error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::parts {
+
+/// p* to which hybrid and persson were compared (tests/contact/hybrid_of_band_test.cpp); beyond it the contact is closed.
+inline constexpr double max_compared_pressure = 0.75;
+/// Points of the grid in contact from which boundary elements know a contact and not the pixel.
+inline constexpr double min_points_in_contact = 20;
+/// H/(E g) below which peaks flow enough to change K.
+inline constexpr double flowing_hardness = 0.7;
+
+/// What is known of a contact at one pressure.
+template <Real T = double>
+struct AnswerQuestion {
+    std::vector<LawName> available{};  ///< laws that can be computed of the surface
+    KnownAs known = KnownAs::map;
+    T hardness = std::numeric_limits<T>::quiet_NaN();  ///< H/(E g); NaN: hardness or gradient not known
+    T points_in_contact{};                             ///< of the grid of boundary elements; 0: not solved
+
+    [[nodiscard]] bool flows() const { return hardness < T(flowing_hardness); }
+    [[nodiscard]] bool can(LawName law) const {
+        return std::find(available.begin(), available.end(), law) != available.end();
+    }
+};
+
+/// The law that answers. \throws domain_error where none of them is available.
+template <Real T>
+[[nodiscard]] LawName answering_law(const AnswerQuestion<T>& question) {
+    if (question.can(LawName::boundary_elements) && question.points_in_contact >= T(min_points_in_contact))
+        return LawName::boundary_elements;
+    if (question.flows() && question.can(LawName::plastic)) return LawName::plastic;
+    if (question.can(LawName::hybrid)) return LawName::hybrid;
+    for (const LawName law : {LawName::hertz, LawName::greenwood_williamson})
+        if (question.can(law)) return law;
+    throw domain_error("no law answers: the surface must have a height and a gradient, or a map");
+}
+
+/// Why K may be another than what is printed.
+enum class Cause {
+    measurement,  ///< errors of the measured parameters: another piece of the same surface
+    cut_offs,     ///< choice of lambda_s and of the form
+    shape,        ///< shape of the heights, which the measurement does not know
+    prior,        ///< parameters that nobody measured
+    lay,          ///< a profile does not know how far ridges reach
+    law,          ///< the law by itself
+    contacts,     ///< few contacts on the nominal area
+    long_waves    ///< waves longer than what was measured
+};
+inline constexpr std::size_t cause_count = 8;
+
+/// The ends of a band, or what one cause makes of it, as ln of K over the value: low at most 0, high at least 0.
+template <Real T = double>
+using CauseSpread = LawError<T>;
+/// One spread for each Cause.
+template <Real T = double>
+using Causes = std::array<CauseSpread<T>, cause_count>;
+
+/// The word of \p cause, as JSON has it.
+[[nodiscard]] constexpr std::string_view name_of(Cause cause) {
+    constexpr std::array<std::string_view, cause_count> names{"measurement", "cut_offs", "shape",    "prior",
+                                                              "lay",         "law",      "contacts", "long_waves"};
+    return names[static_cast<std::size_t>(cause)];
+}
+
+/// The whole of \p causes.
+template <Real T>
+[[nodiscard]] CauseSpread<T> band_of(const Causes<T>& causes) {
+    CauseSpread<T> whole;
+    for (const CauseSpread<T>& one : causes) {
+        whole.low = -std::hypot(whole.low, one.low);
+        whole.high = std::hypot(whole.high, one.high);
+    }
+    return whole;
+}
+
+/// The share that each of \p causes has of the band, by squares; they add up to 1, or are 0 where there is no band.
+template <Real T>
+[[nodiscard]] std::array<T, cause_count> shares_of(const Causes<T>& causes) {
+    std::array<T, cause_count> shares{};
+    T all = 0;
+    for (std::size_t i = 0; i < cause_count; ++i)
+        all += shares[i] = causes[i].low * causes[i].low + causes[i].high * causes[i].high;
+    if (all > T(0))
+        for (T& one : shares) one /= all;
+    return shares;
+}
+
+/// What \p contacts on an area leave open of K, 5 and 95 %; fewer than one count as one.
+template <Real T>
+[[nodiscard]] CauseSpread<T> scatter_of_contacts(T contacts) {
+    const T width = math::normal_95<T>.value * T(0.77) / std::sqrt((std::max)(contacts, T(1)));
+    return {-width, width};
+}
+
+}  // namespace fstiff::parts

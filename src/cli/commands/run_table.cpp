@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/run_table.hpp"
+
+#include "document/document.hpp"
+#include "document/shown_unit.hpp"
+#include "scene/answer.hpp"
+#include "scene/result_rows.hpp"
+#include "scene/verdict.hpp"
+
+#include <fstiff/core/version.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fstiff::cli {
+namespace run_command {
+namespace {
+
+constexpr std::size_t widest = 100;  ///< columns of the summary
+
+std::size_t width_of(const std::string& text) {
+    std::size_t most = 0;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        most = std::max(most, shown_width(std::string_view(text).substr(start, end - start)));
+        start = end + 1;
+    }
+    return most;
+}
+
+/// Parts with commas between them, in lines of at most \p widest that begin with \p first and go on below it.
+std::string in_lines(const std::string& first, const std::vector<std::string>& parts) {
+    std::string text = "  " + first + std::string(10 - first.size(), ' ');
+    std::size_t used = text.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t size = shown_width(parts[i]) + 2;
+        if (i > 0 && used + size > widest) {
+            text.back() = '\n';
+            text += std::string(12, ' ');
+            used = 12;
+        }
+        text += parts[i] + (i + 1 < parts.size() ? ", " : "\n");
+        used += size;
+    }
+    return text;
+}
+
+/// \p sentence in lines of at most \p widest.
+std::string in_text(const std::string& sentence) {
+    std::string text;
+    for (const std::string& line : wrapped(sentence, widest - 2)) text += "  " + line + "\n";
+    return text;
+}
+
+/// The answer: K and its band, which K it is, and what the band does not hold.
+std::string answered(const Scene& scene, const Results& results) {
+    if (!results.answer) return "";
+    std::string text;
+    for (const std::size_t causes : {2u, 1u, 0u})  // as many as the page has room for
+        if (causes == 2 || width_of(text) > widest) text = TextTable(answer_table(scene, results, causes)).str();
+    for (const std::string& sentence : results.verdict) text += in_text(sentence);
+    if (scene.approach)
+        text += in_text("Approach: how far the faces have closed since p was " + with_unit(scene.seating, "Pa") +
+                        " (contact.seating).");
+    return text + in_text(outside_band(scene, results));
+}
+
+/// What the answer takes of the surface.
+std::vector<std::string> surface_of_answer(const Scene& scene, const Results& results) {
+    std::vector<std::string> parts{"sigma " + shown_length(scene.face.parameters.rms_height.value, 3)};
+    if (const auto& g = results.answer->curve.rms_gradient) parts.push_back("rms gradient " + rounded(*g, 3));
+    for (const Assumed& one : assumed(scene))
+        if (!scene.face.is_open(parts::Unknown::hurst))  // else it is among what was assumed
+            parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
+    return parts;
+}
+
+/// The surface that the contact is of, and what was assumed of it.
+std::vector<std::string> surface_parts(const Scene& scene) {
+    const parts::SurfaceParameters<double>& s = scene.face.parameters;
+    const std::vector<Parameter> unknown = unknown_parameters(scene);
+    const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
+    std::vector<std::string> parts{"sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height)),
+                                   "R " + shown_length(s.peak_radius.value, digits(Parameter::peak_radius)),
+                                   "D_p " + with_unit(s.peak_density.value, "/m^2", digits(Parameter::peak_density))};
+    if (s.max_peak_height.value > 0) parts.push_back("R_p " + shown_length(s.max_peak_height.value));
+    if (s.fractal_dimension)
+        parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
+    if (const auto& g = s.fractal_roughness)
+        parts.push_back("G " + shown_length(g->value, parts::is_known(*g) ? 5 : 2));
+    if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
+    if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
+    for (const Assumed& one : assumed(scene))
+        parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
+    if (scene.faces.empty()) parts.push_back("the other face smooth");
+    return parts;
+}
+
+/// The bodies, the nominal area and the waves.
+std::string bodies_text(const Scene& scene, const Results& results) {
+    const auto pressure = [](double x) { return with_unit(x, "Pa"); };
+    const auto material = [&](const Material<double>& m, const parts::NamedMaterial* name) {
+        return (name ? std::string(name->name) + " " : "") + pressure(m.youngs_modulus) + ", nu " +
+               rounded(m.poisson_ratio);
+    };
+    const std::string upper = material(scene.upper, scene.upper_name), lower = material(scene.lower, scene.lower_name);
+    const bool alike = scene.best && upper == lower;
+    std::vector<std::string> parts{alike ? "both bodies " + upper : "upper " + upper + "; lower " + lower};
+    if (!scene.best) parts.push_back("effective modulus " + with_unit(results.modulus, "Pa"));
+    if (scene.hardness) parts.push_back("hardness " + pressure(*scene.hardness));
+    if (scene.yield_strength) parts.push_back("yield strength " + pressure(*scene.yield_strength));
+    const std::string area = scene.nominal_area ? "nominal area " + rounded(*scene.nominal_area * 1e6) + " mm²" : "";
+    if (scene.best && !area.empty()) parts.push_back(area);
+    std::string text = in_lines("material", parts);
+    parts.clear();
+    if (!scene.best && !area.empty()) parts.push_back(area);
+    const auto how = interaction(scene);
+    if (!scene.best)
+        parts.push_back(how.reading == InteractionReading::none
+                            ? "no interaction"
+                            : std::string("interaction ") +
+                                  (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
+                                  " over " + shown_length(how.length));
+    if (results.plasticity_index && !scene.best)
+        parts.push_back("plasticity index " + rounded(*results.plasticity_index, 3));
+    if (!parts.empty()) text += in_lines("contact", parts);
+    if (scene.ultrasound) {
+        const Waves& waves = *scene.ultrasound;
+        const auto pair = [](const Impedances<double>& z) {
+            return rounded(z.incident / 1e6) + " and " + rounded(z.beyond / 1e6) + " MRayl";
+        };
+        parts = {rounded(waves.frequency / 1e6) + " MHz", "impedances " + pair(waves.longitudinal)};
+        if (waves.shear) parts.push_back("of shear waves " + pair(*waves.shear));
+        text += in_lines("waves", parts);
+    }
+    if (!scene.assumptions.empty()) text += in_lines("assumed", scene.assumptions);
+    const std::string next = scene.best ? measure_next(scene, results) : "";
+    return next.empty() ? text : text + in_lines("next", {next});
+}
+
+/// The answer and what was computed of what: the lines above the curves.
+std::string introduction(const Scene& scene, const Results& results) {
+    std::string text = "fstiff " FSTIFF_VERSION ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
+    text += answered(scene, results) +
+            in_lines("surface", scene.best && results.answer ? surface_of_answer(scene, results) : surface_parts(scene));
+    if (!scene.faces.empty()) {
+        std::vector<std::string> parts{"of the sum of two rough faces"};
+        if (scene.face.map)
+            parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
+        text += in_lines("", parts);
+    }
+    for (const auto& [name, face] : measured_faces(scene)) {
+        std::vector<std::string> parts;
+        const MeasuredSurface& measured = *face->measured;
+        for (const parts::ParameterRow& row : parts::surface_parameter_table)
+            if (const auto* known = face->parameters.find(row.parameter);
+                known && (!scene.best || row.parameter == Parameter::rms_height))
+                parts.push_back(std::string(row.symbol) + " " + shown_percent(known->error / known->value));
+        parts.front() = "errors of " + parts.front();
+        parts.insert(parts.begin(), printable(measured.file) + " (" + measured.kind + ")");
+        const auto& cut_offs = measured.found.cut_offs;
+        if (cut_offs.any() && !scene.best) parts.push_back(sentence_of(cut_offs));
+        if (scene.best && cut_offs.lambda_s) parts.push_back("lambda_s " + shown_length(*cut_offs.lambda_s, 3));
+        if (scene.best && cut_offs.lambda_c) parts.push_back("lambda_c " + shown_length(*cut_offs.lambda_c, 3));
+        text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
+    }
+    return text + bodies_text(scene, results);
+}
+
+/// What the symbols of the tables mean, and where a band comes from.
+std::string explanations(const Scene& scene, const Results& results) {
+    std::string text;
+    if (scene.stiffness) text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
+    if (scene.joint_stiffness) text += "K is that of the nominal area; 1 kN/µm = 1e9 N/m\n";
+    if (scene.tangential_stiffness || scene.shear_reflection)
+        text +=
+            "Kt/A0 is the tangential stiffness, " + rounded(results.tangential_ratio) + " K/A0 by Mindlin's ratio\n";
+    if (scene.reflection || scene.shear_reflection)
+        text += "|R| is the reflection of the interface as a spring, eq. (5.1); shear waves see Kt/A0\n";
+    if (has_band(results))
+        text += "5 % and 95 %: " + origin_of_band(scene) + "\n";
+    else if (scene.needs_stiffness())
+        text += scene.samples == 0 ? "K has no band: the scene asks for no samples\n"
+                                   : "K has no band: no error of a parameter of the surface is known\n";
+    return text;
+}
+
+std::string full_table(const Scene& scene, const Results& results) {
+    const Units units = units_of(scene, results);
+    std::string text = introduction(scene, results);
+    for (const Curve& curve : results.curves)
+        text += "\n" + title(curve) + "\n" + rows_of(results, curve, units).text();
+    const std::string notes =
+        explanations(scene, results) + (scene.real_area ? "mean pressure is that on the real area\n" : "");
+    return notes.empty() ? text : text + "\n" + notes;
+}
+
+std::string label_of(const Curve& curve) {
+    return std::string(curve.law->name) +
+           (curve.theta ? ", theta " + rounded(*curve.theta, 4) + ", r " + rounded(*curve.r, 4) : "");
+}
+
+/// A header or a row of the summary at \p points, whose first cells are as wide as those of all blocks.
+class Summary {
+public:
+    Summary(const Scene& scene, const Results& results, std::vector<std::size_t> points)
+        : scene_(scene), results_(results), points_(std::move(points)) {
+        for (const Curve& curve : results.curves) first_ = std::max(first_, label_of(curve).size());
+    }
+
+    /// \p quantity of every curve, of a stiffness with its band.
+    [[nodiscard]] std::string block(CurveQuantity quantity, const Units& units) const {
+        const Column column{quantity};
+        const Heading heading = heading_of(column, units);
+        const bool band = has_band(results_) && column.row().has_band && !column.row().unit.empty();
+        return table(heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
+            const auto value = [&](Statistic statistic) {
+                const auto found = curve.value_at(i, quantity, statistic);
+                return found ? std::optional(*found * heading.factor) : found;
+            };
+            const auto middle = value(Statistic::value), low = value(Statistic::p05), high = value(Statistic::p95);
+            if (!middle || !band || !low || !high) return middle ? rounded(*middle) : "-";
+            const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // as many as tell the ends apart
+            return rounded(*middle, 3) + " (" + rounded(*low, digits) + "–" + rounded(*high, digits) + ")";
+        });
+    }
+
+    /// K of every curve over that of the answer.
+    [[nodiscard]] std::string over_answer() const {
+        return table("K over the answer", [&](const Curve& curve, std::size_t i) -> std::string {
+            const Curve& answer = results_.answer->curve;
+            const auto mine = curve.state_at(i), best = answer.state_at(i);
+            if (!mine || !best) return "-";
+            const double ratio = curve.states[*mine].stiffness.value / answer.states[*best].stiffness.value;
+            return std::isfinite(ratio) ? rounded(ratio, 3) : "-";
+        });
+    }
+
+private:
+    /// \p cell of every curve and point, below \p what.
+    template <class Cell>
+    [[nodiscard]] std::string table(std::string what, const Cell& cell) const {
+        TextRows rows{{std::move(what)}};
+        for (const std::size_t i : points_)
+            rows[0].push_back(shown_point(scene_, i));
+        for (const Curve& curve : results_.curves) {
+            rows.push_back({label_of(curve)});
+            for (const std::size_t i : points_) rows.back().push_back(cell(curve, i));
+        }
+        for (auto& row : rows) row[0] += std::string(first_ - std::min(first_, shown_width(row[0])), ' ');
+        return TextTable(std::move(rows)).str();
+    }
+
+    const Scene& scene_;
+    const Results& results_;
+    std::vector<std::size_t> points_;
+    std::size_t first_ = 28;  ///< width of the first column; that of the longest heading, or more
+};
+
+/// \p table of all points of the summary, below one another where they are wider than the page.
+template <class Table>
+std::string in_parts(const Scene& scene, const Results& results, const Table& table) {
+    const std::vector<std::size_t> points = points_of_answer(scene);
+    std::string text;
+    for (std::size_t parts = 1; parts <= points.size(); ++parts) {
+        text.clear();
+        for (std::size_t part = 0; part < parts; ++part)
+            text += (part > 0 ? "\n" : "") +
+                    table(Summary(scene, results,
+                                  {points.begin() + static_cast<std::ptrdiff_t>(part * points.size() / parts),
+                                   points.begin() + static_cast<std::ptrdiff_t>((part + 1) * points.size() / parts)}));
+        if (width_of(text) <= widest) break;
+    }
+    return text;
+}
+
+/// The tables of the summary.
+std::string blocks(const Scene& scene, const Results& results) {
+    using enum CurveQuantity;
+    const Units units = units_of(scene, results);
+    std::vector<CurveQuantity> shown{stiffness,  joint_stiffness, approach, tangential_stiffness,
+                                     reflection, shear_reflection, thermal_conductance, thermal_conductance_gap,
+                                     electrical_conductance};
+    if (!scene.needs_stiffness()) shown = {separation, approach, real_area, contacts};
+    std::string text;
+    for (const CurveQuantity quantity : shown) {
+        if (scene.best && (quantity == stiffness || quantity == joint_stiffness || quantity == approach)) continue;  // in it
+        if (const auto asked = Column{quantity}.row().asked; !(scene.*asked)) continue;
+        text += "\n" + in_parts(scene, results, [&](const Summary& summary) { return summary.block(quantity, units); });
+    }
+    if (!scene.needs_stiffness() || !results.answer || scene.best) return text;
+    return text + "\n" + in_parts(scene, results, [](const Summary& summary) { return summary.over_answer(); });
+}
+
+/// The answer, and each law that is named at the points of the summary.
+std::string summary(const Scene& scene, const Results& results) {
+    const std::string more = "every point and quantity: --full, --format csv, --format json\n";
+    if (scene.best) return introduction(scene, results) + blocks(scene, results) + more;
+    std::string text = introduction(scene, results) + blocks(scene, results) + "\n";
+    for (const Law* law : scene.laws)
+        text += "  " + std::string(law->name) + " is " + std::string(law->nature) + "\n";
+    return text + "\n" + explanations(scene, results) + more;
+}
+
+}  // namespace
+}  // namespace run_command
+
+std::string run_table(const Scene& scene, const Results& results, bool full) {
+    return full ? run_command::full_table(scene, results) : run_command::summary(scene, results);
+}
+
+}  // namespace fstiff::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/asperity/conductance.hpp>
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/named_materials.hpp>
+
+#include "support/catch.hpp"
+#include "support/accuracy.hpp"
+
+#include <cmath>
+
+namespace conductance_test {
+
+TEST_CASE("One circular spot conducts 2 k a, as two bodies in series of 4 k a each") {
+    for (const auto [k1, k2] : {std::pair{50.0, 50.0}, {50.0, 0.2}, {400.0, 1e-9}, {1e300, 1e-300}}) {
+        const double a = 3e-6, E = 112e9, K = 2 * E * a;
+        const double series = 1 / (1 / (4 * k1 * a) + 1 / (4 * k2 * a));
+        CHECK(test::relative_error(fstiff::spot_conductance(K, fstiff::joint_conductivity(k1, k2), E), series) < 1e-15);
+    }
+    CHECK(fstiff::joint_conductivity(0.0, 50.0) == 0);
+    CHECK(fstiff::joint_conductivity(0.0, 0.0) == 0);
+    CHECK_THROWS_AS(fstiff::joint_conductivity(-1.0, 50.0), fstiff::domain_error);
+    CHECK_THROWS_AS(fstiff::joint_conductivity(1.0, std::nan("")), fstiff::domain_error);
+    CHECK_THROWS_AS(fstiff::spot_conductance(1.0, 1.0, 0.0), fstiff::domain_error);
+}
+
+TEST_CASE("A film lies between the spots and nothing, and the gap and radiation have their limits") {
+    using namespace fstiff::parts;
+    CHECK(under_film(1e4, 0.01, 0.0) == 1e4);
+    CHECK(test::relative_error(under_film(1e12, 0.01, 1e-6), 1e4) < 1e-6);  // the film alone, A_r/r
+    CHECK(test::relative_error(1 / under_film(1e4, 0.02, 1e-6), 1e-4 + 1e-6 / 0.02) < 1e-15);
+    CHECK(under_film(0.0, 0.0, 1e-6) == 0);
+    const GapFilling<double> grease{.conductivity = 0.8};
+    CHECK(test::relative_error(gap_conductance(grease, 2e-6), 4e5) < 1e-15);
+    CHECK(gap_conductance(grease, -1e-6) == 0);
+    // air at one atmosphere between metals: a temperature jump of some tenths of a micrometre (Yovanovich 2005: 0.37 um)
+    const double jump = temperature_jump(air<double>, 0.87);
+    CHECK(jump > 0.25e-6);
+    CHECK(jump < 0.45e-6);
+    CHECK(temperature_jump(air<double>, 1.0) < jump);
+    CHECK_THROWS_AS(temperature_jump(air<double>, 0.0), fstiff::domain_error);
+    // black faces at 300 K: 4 s T^3 = 6.12 W/(m^2 K)
+    CHECK(test::relative_error(radiative_conductance(300.0, 1.0), 6.1240) < 1e-5);
+    CHECK(radiative_conductance(300.0, 0.1) < 0.06 * 6.124);
+}
+
+}  // namespace conductance_test

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone; what
+// docs/scene.md says of it, statement by statement.
+#include "scene/answer.hpp"
+#include "scene/verdict.hpp"
+
+#include "support/library.hpp"
+
+#include <cmath>
+
+namespace answer_test {
+
+namespace scene = fstiff::scene;
+using nlohmann::json;
+using test::contains;
+
+namespace {
+
+const std::string numbers = "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\nhurst = 0.8\n";
+const std::string wide = "pressures = { from = \"1 MPa\", to = \"100 MPa\", count = 9 }\n";
+
+/// A scene of \p surface on a body of E* = 100 GPa, with \p material, \p contact and 20 samples.
+std::string text_of(const std::string& surface, const std::string& contact, const std::string& material = "") {
+    return surface + "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + material + "[contact]\n" +
+           contact + "[uncertainty]\nsamples = 20\n";
+}
+
+/// A map of \p points a side, every 1 um and 0.3 um high, in a file of \p folder, after \p change of its heights.
+template <class Change>
+std::string map_of(const test::Folder& folder, int points, const Change& change) {
+    fstiff::HeightMap<double> map = fstiff::self_affine_map<double>(
+        {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 16e-6, .shortest_wavelength = 4e-6}, points, points, 1e-6, 1e-6);
+    change(map.heights);
+    std::ofstream file(folder / "map.csv");
+    fstiff::io::write_csv(file, map);
+    return "[surface]\nfrom = '" + folder / "map.csv" + "'\nlambda_s = \"none\"\n";
+}
+std::string map_of(const test::Folder& folder, int points) {
+    return map_of(folder, points, [](auto&) {});
+}
+
+struct Answered {
+    scene::Scene of;
+    scene::Results results;
+    json rows;  ///< of the JSON document
+
+    explicit Answered(const std::string& text, const std::string& file = "s.toml")
+        : of(test::scene_of(text, file)), results(compute(of)), rows(test::parsed(answer_json(of, results))) {}
+
+    [[nodiscard]] std::string law(std::size_t row) const { return rows.at(row).at("law"); }
+    [[nodiscard]] double K(std::size_t row) const { return rows.at(row).at("stiffness_Pa_per_m"); }
+    [[nodiscard]] double width(std::size_t row) const {
+        return double(rows.at(row).at("stiffness_p95_Pa_per_m")) / double(rows.at(row).at("stiffness_p05_Pa_per_m"));
+    }
+    [[nodiscard]] std::string said() const { return test::joined(results.verdict); }
+};
+
+/// Each row has K within its band, a law, and causes that add up to 1.
+void check_rows(const json& rows) {
+    for (const json& row : rows) {
+        INFO(row.dump());
+        const double K = row.at("stiffness_Pa_per_m"), low = row.at("stiffness_p05_Pa_per_m"),
+                     high = row.at("stiffness_p95_Pa_per_m");
+        CHECK((0 < low && low < K && K < high));
+        CHECK(double(row.at("pressure_Pa")) > 0);
+        CHECK(scene::find_law(std::string(row.at("law"))));
+        double sum = 0;
+        for (const double share : row.at("causes")) sum += share;
+        CHECK(std::abs(sum - 1) < 1e-12);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("A scene that names no law has one answer for each pressure, as laws = best has") {
+    const Answered absent(text_of(numbers, wide)), best(text_of(numbers, "laws = \"best\"\n" + wide));
+    REQUIRE(absent.rows.size() == 9);
+    check_rows(absent.rows);
+    CHECK(absent.rows == best.rows);
+    CHECK(absent.of.best);
+    CHECK(absent.results.curves.size() == 1);
+    CHECK(absent.law(0) == "hybrid");
+    const Answered alone(text_of(numbers, "laws = [\"hybrid\"]\n" + wide));
+    for (std::size_t i = 0; i < 9; ++i) CHECK(absent.K(i) == alone.results.curves[0].states[i].stiffness.value);
+}
+
+TEST_CASE("Laws that are named leave every digit of the answer, whichever they are and whatever is asked for") {
+    const test::Folder folder;
+    const std::string map = map_of(folder, 64);
+    for (const std::string& surface : {numbers, map}) {
+        const Answered best(text_of(surface, wide, "hardness = \"2 GPa\"\n"));
+        for (const char* laws : {"\"persson\"", "\"hybrid\"", "\"plastic\", \"persson\""})
+            CHECK(best.rows == Answered(text_of(surface, "laws = [" + std::string(laws) + "]\n" + wide,
+                                                "hardness = \"2 GPa\"\n"))
+                                   .rows);
+        CHECK(best.rows ==
+              Answered(text_of(surface, wide, "hardness = \"2 GPa\"\n") + "[output]\nquantities = [\"separation\"]\n").rows);
+    }
+}
+
+TEST_CASE("The band is there without samples, and without any error of a parameter") {
+    const test::Folder folder;
+    for (const std::string& surface : {numbers, map_of(folder, 64)}) {
+        std::string text = text_of(surface, wide);
+        const Answered none(test::replaced(text, "samples = 20", "samples = 0"));
+        check_rows(none.rows);
+        CHECK(none.rows.size() == 9);
+    }
+}
+
+TEST_CASE("Boundary elements answer for a map where they know a contact, and the law of peaks where they know a pixel") {
+    const test::Folder folder;
+    const std::string contact = "pressures = [\"100 MPa\", \"1 GPa\"]\n";
+    const std::string map = map_of(folder, 64);
+    const Answered answer(text_of(map, contact));
+    const auto named = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact));
+    REQUIRE(answer.rows.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& state = named.curves[0].states[i];
+        REQUIRE(state.real_area_fraction.value * 64 * 64 >= 20);
+        CHECK(answer.law(i) == "boundary_elements");
+        CHECK(test::relative_error(answer.K(i), state.stiffness.value) < 1e-12);
+    }
+    CHECK(contains(answer.said(), "Boundary elements solve the map itself."));
+    check_rows(answer.rows);
+
+    // one spike carries the least load alone
+    const std::string spike = map_of(folder, 64, [](auto& heights) { heights(20, 30) = 20e-6; });
+    const Answered pixel(text_of(spike, "pressures = [\"1 kPa\", \"1 GPa\"]\n"));
+    CHECK(pixel.law(0) != "boundary_elements");
+    for (const json& row : pixel.rows)
+        if (row.at("law") == "boundary_elements") {
+            const auto solved = test::results_of(
+                text_of(spike, "laws = [\"boundary_elements\"]\npressures = [\"1 GPa\"]\n"));
+            CHECK(solved.curves[0].states[0].real_area_fraction.value * 64 * 64 >= 20);
+        }
+}
+
+TEST_CASE("A map of more points than boundary elements take is solved on fewer, and the band holds the error of the grid") {
+    const test::Folder folder;
+    const std::string map = map_of(folder, 64), contact = "pressures = [\"100 MPa\"]\n",
+                      coarse = "[contact.boundary_elements]\npoints = 32\n";
+    const Answered whole(text_of(map, contact)), coarser(text_of(map, contact + coarse));
+    const auto named = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact + coarse));
+    CHECK(coarser.law(0) == "boundary_elements");
+    CHECK(coarser.K(0) == named.curves[0].states[0].stiffness.value);
+    CHECK(coarser.K(0) != whole.K(0));
+    // the law's own error is that of one p*, whatever the grid
+    const auto own = [&](const Answered& one, const std::string& grid) {
+        const auto solved = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact + grid));
+        const auto& K = solved.curves[0].states[0].stiffness;
+        const double whole = one.results.answer->reasons[0].causes[static_cast<std::size_t>(fstiff::parts::Cause::law)].high;
+        CHECK(whole > K.error / K.value);
+        return std::sqrt(whole * whole - std::pow(K.error / K.value, 2));
+    };
+    CHECK(test::relative_error(own(coarser, coarse), own(whole, "")) < 1e-6);
+}
+
+TEST_CASE("A map with missing points is answered by its numbers") {
+    const test::Folder folder;
+    const std::string contact = "pressures = [\"100 MPa\"]\n";
+    const std::string holes =
+        map_of(folder, 64, [](auto& heights) { heights(20, 30) = std::numeric_limits<double>::quiet_NaN(); });
+    const Answered missing(text_of(holes, contact));
+    CHECK(missing.law(0) == "hybrid");
+    CHECK_FALSE(contains(missing.said(), "summits and bearing curve"));
+    check_rows(missing.rows);
+}
+
+TEST_CASE("Where H/(E g) is below 0.7 K is that of unloading, with the loading stiffness next to it") {
+    // E g = 10 GPa
+    const Answered flows(text_of(numbers, wide, "hardness = \"6.9 GPa\"\n")),
+        elastic(text_of(numbers, wide, "hardness = \"7.1 GPa\"\n")), unknown(text_of(numbers, wide));
+    CHECK(contains(flows.said(), "H/(E g) = 0.69"));
+    CHECK(contains(elastic.said(), "H/(E g) = 0.71"));
+    CHECK(contains(unknown.said(), "below H = 7 GPa the peaks flow"));
+    for (std::size_t i = 0; i < 9; ++i) {
+        CHECK(flows.law(i) == "plastic");
+        CHECK(double(flows.rows[i].at("loading_stiffness_Pa_per_m")) < flows.K(i));
+        CHECK(elastic.law(i) == "hybrid");
+        CHECK_FALSE(elastic.rows[i].contains("loading_stiffness_Pa_per_m"));
+        CHECK(elastic.rows[i] == unknown.rows[i]);
+    }
+    for (const char* part : {"K is the stiffness of unloading", "A vibration and a wave feel K; a static load"})
+        CHECK(contains(flows.said(), part));
+    const Answered yields(text_of(numbers, wide, "yield_strength = \"2.4642857142857144 GPa\"\n"));  // 6.9/2.8
+    CHECK(yields.law(0) == "plastic");
+    CHECK(test::relative_error(yields.K(4), flows.K(4)) < 1e-6);
+}
+
+TEST_CASE("A contact that closes says where, and has neither rows nor numbers beyond") {
+    const test::Folder folder;
+    const Answered closing(text_of(map_of(folder, 32), "pressures = [\"1 GPa\", \"900 GPa\"]\n"));
+    REQUIRE(closing.rows.size() == 1);
+    CHECK(contains(closing.said(), "above 1 GPa the contact is closed, and the bulk carries"));
+    CHECK_FALSE(contains(closing.rows.dump(), "null"));
+    CHECK_FALSE(contains(test::csv_of(closing.results), "nan"));
+}
+
+TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it has") {
+    const auto of_area = [](const std::string& area) {
+        return Answered(text_of(numbers, "nominal_area = \"" + area + "\"\n" + wide));
+    };
+    const Answered none(text_of(numbers, wide)), large = of_area("100 mm^2"), small = of_area("0.01 mm^2");
+    CHECK_FALSE(none.rows[0].contains("stiffness_N_per_m"));
+    CHECK_FALSE(none.rows[0].contains("contacts"));
+    CHECK(contains(outside_band(none.of, none.results), "few contacts"));
+    CHECK_FALSE(contains(outside_band(large.of, large.results), "contacts"));
+    for (std::size_t i = 0; i < 9; ++i) {
+        CHECK(test::relative_error(double(large.rows[i].at("stiffness_N_per_m")), large.K(i) * 1e-4) < 1e-14);
+        CHECK(test::relative_error(double(large.rows[i].at("contacts")), 1e4 * double(small.rows[i].at("contacts"))) < 1e-12);
+        CHECK(large.K(i) == small.K(i));
+        CHECK(small.width(i) > large.width(i));
+        CHECK(large.width(i) > none.width(i));
+    }
+    // the cause is that of the header, worked from the contacts
+    const auto& reason = small.results.answer->reasons[4];
+    CHECK(reason.causes[static_cast<std::size_t>(fstiff::parts::Cause::contacts)].high ==
+          fstiff::parts::scatter_of_contacts(*reason.contacts).high);
+}
+
+TEST_CASE("A map is the contact itself, or a piece of a larger one where nominal_area says so") {
+    const test::Folder folder;
+    const std::string map = map_of(folder, 64), contact = "pressures = [\"100 MPa\"]\n";
+    const Answered itself(text_of(map, contact)), piece(text_of(map, "nominal_area = \"1 mm^2\"\n" + contact));
+    CHECK(itself.results.answer->of_map_itself);
+    CHECK_FALSE(piece.results.answer->of_map_itself);
+    CHECK(contains(outside_band(itself.of, itself.results), "other pieces (give contact.nominal_area)."));
+    CHECK_FALSE(contains(outside_band(piece.of, piece.results), "nominal_area"));
+    CHECK(itself.rows[0].at("causes").size() < piece.rows[0].at("causes").size());
+    CHECK(piece.width(0) > itself.width(0));
+}
+
+TEST_CASE("A profile across a lay widens the band upward, and the answer says so") {
+    const test::Folder folder;
+    fstiff::Profile<double> profile = fstiff::self_affine_profile<double>(
+        {.hurst = 0.7, .rms = 0.12e-6, .longest_wavelength = 60e-6, .shortest_wavelength = 16e-6}, 1024, 4e-6);
+    const auto answered = [&](const char* name) {
+        std::ofstream file(folder / name);
+        fstiff::io::write_csv(file, profile);
+        file.close();
+        return Answered(text_of("[surface]\nfrom = '" + folder / name + "'\n", "pressures = [\"10 MPa\"]\n"));
+    };
+    const Answered isotropic = answered("isotropic.csv");
+    CHECK_FALSE(contains(isotropic.said(), "lay"));
+    CHECK_FALSE(isotropic.rows[0].at("causes").contains("lay"));
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const double x = std::remainder(double(i) * 4, 256);
+        profile.heights[i] += x * x / 1600 * 1e-6;
+    }
+    const Answered turned = answered("turned.csv");
+    CHECK(turned.of.has_lay);
+    CHECK(turned.results.doubtful);
+    CHECK(contains(turned.said(), "across a lay"));
+    const double K = turned.K(0), low = turned.rows[0].at("stiffness_p05_Pa_per_m"),
+                 high = turned.rows[0].at("stiffness_p95_Pa_per_m");
+    CHECK(high / K >= fstiff::parts::lay_factor);
+    CHECK(K / low < fstiff::parts::lay_factor);
+    CHECK(double(turned.rows[0].at("causes").at("lay")) > 0.5);
+}
+
+TEST_CASE("The table of the answer has a row for each of its points, and fits the page") {
+    const Answered answer(text_of(numbers, "nominal_area = \"1 mm^2\"\n" + wide, "hardness = \"1 GPa\"\n"));
+    const auto table = answer_table(answer.of, answer.results);
+    REQUIRE(table.size() == 10);
+    CHECK(table[0] == std::vector<std::string>{"pressure", "K/A0 [MPa/µm]", "90 % band", "K [N/µm]", "loading K/A0",
+                                               "law    ", table[0].back()});
+    CHECK(table[1][0] == "1 MPa");
+    for (std::size_t row = 1; row < 10; ++row) {
+        CHECK(test::relative_error(std::stod(table[row][1]) * 1e12, answer.K(row - 1)) < 5e-3);
+        CHECK(test::relative_error(std::stod(table[row][3]) * 1e6, answer.K(row - 1) * 1e-6) < 5e-3);
+        CHECK(std::stod(table[row][4]) < std::stod(table[row][1]));
+        CHECK(table[row][5] == "plastic");
+        CHECK(contains(table[row][6], " %"));
+    }
+}
+
+TEST_CASE("contact.interaction does not enter the answer, and one sentence says so") {
+    const std::string interaction = "interaction = { reading = \"effective_separation\", length = \"1 mm\" }\n";
+    const Answered without(text_of(numbers, wide)), with(text_of(numbers, interaction + wide));
+    CHECK(with.rows == without.rows);
+    CHECK(without.results.warnings.empty());
+    REQUIRE(with.results.warnings.size() == 1);
+    CHECK(with.results.warnings[0] == "contact.interaction does not enter the answer, whose laws have their own");
+    const auto named = test::results_of(text_of(numbers, "laws = [\"hertz\"]\n" + interaction + wide));
+    CHECK_FALSE(contains(test::joined(named.warnings), "does not enter"));
+}
+
+TEST_CASE("What the band of the answer holds is no warning, but of laws that are named") {
+    const test::Folder folder;
+    fstiff::HeightMap<double> map = fstiff::self_affine_map<double>(
+        {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 128e-6, .shortest_wavelength = 4e-6}, 128, 128, 1e-6, 1e-6);
+    map.heights(20, 30) = 3e-6;  // a spike, which no band holds
+    std::ofstream file(folder / "map.csv");
+    fstiff::io::write_csv(file, map);
+    file.close();
+    const std::string surface = "[surface]\nfrom = '" + folder / "map.csv" + "'\nlambda_s = \"none\"\n",
+                      softer = "yield_strength = \"0.1 GPa\"\n";
+    const Answered best(text_of(surface, "pressures = [\"10 MPa\"]\n", softer)),
+        hertz(text_of(surface, "laws = [\"hertz\"]\npressures = [\"10 MPa\"]\n", softer));
+    const std::string few = test::joined(best.results.warnings), all = test::joined(hertz.results.warnings);
+    INFO(few << "\n---\n" << all);
+    CHECK(best.results.warnings.size() == 2);  // the spike, and few summits
+    CHECK(contains(few, "as spikes do"));
+    for (const char* words : {"as spikes do", "waves longer than an eighth", "plasticity index"})
+        CHECK(contains(all, words));
+    CHECK_FALSE(best.results.doubtful);
+    for (const std::string& sentence : best.results.warnings)  // the document of measure keeps which is which
+        CHECK(std::count(best.of.face.measured->of_file.begin(), best.of.face.measured->of_file.end(), sentence) == 1);
+}
+
+TEST_CASE("What to measure next is what narrows the band most, and by as much as is said") {
+    const Answered little(text_of("[surface]\nRa = \"0.8 um\"\n", wide)),
+        more(text_of("[surface]\nRa = \"0.8 um\"\nskewness = 0\nkurtosis = 3\n", wide));
+    const std::string next = measure_next(little.of, little.results),
+                      start = "measure skewness and kurtosis: the band at 10 MPa ";
+    INFO(next);
+    REQUIRE(next.starts_with(start + "narrows from a factor of "));
+    double from = 0, to = 0;
+    REQUIRE(std::sscanf(next.c_str() + start.size(), "narrows from a factor of %lf to %lf", &from, &to) == 2);
+    CHECK(test::relative_error(from, little.width(4)) < 0.05);
+    CHECK(test::relative_error(to, more.width(4)) < 0.05);
+    CHECK(test::parsed(run_document(little.of, little.results)).at("measure_next") == next);
+    CHECK_FALSE(contains(measure_next(more.of, more.results), "kurtosis"));
+    const Answered all(text_of(numbers + "skewness = 0\nkurtosis = 3\n", wide));
+    CHECK(measure_next(all.of, all.results).empty());
+    CHECK_FALSE(test::parsed(run_document(all.of, all.results)).contains("measure_next"));
+}
+
+TEST_CASE("What the band does not hold is a worn or honed face too, where nobody gave the shape of the heights") {
+    const auto outside = [](const std::string& keys) {
+        const Answered one(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, wide));
+        return outside_band(one.of, one.results);
+    };
+    CHECK(contains(outside(""), "of a worn or honed face K may be several times higher (give process, or skewness"));
+    for (const char* keys : {"process = \"honed\"\n", "skewness = 0\nkurtosis = 3\n"})
+        CHECK_FALSE(contains(outside(keys), "honed"));
+}
+
+TEST_CASE("Where nothing was measured no band is said to be that of surfaces drawn by errors") {
+    const auto origin = [](const std::string& keys, const std::string& laws) {
+        return origin_of_band(test::scene_of(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, laws + wide)));
+    };
+    const std::string hybrid = "laws = [\"hybrid\"]\n", error = "errors = { Ra = \"0.1 um\" }\n";
+    CHECK(origin("", hybrid) == "what is not known of the surface");
+    CHECK(origin(error, hybrid) == "20 surfaces drawn by the errors, seed 2014; what is not known of the surface");
+    CHECK(origin(error, "") == "the 90 % band of the answer");
+}
+
+}  // namespace answer_test

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene from little: height and gradient by other names, the process, and what is taken for the rest. Truth: the same numbers
+// written out, K by the library, and surfaces drawn at random.
+#include "scene/priors.hpp"
+#include "scene/results.hpp"
+#include "scene/scene.hpp"
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <fstiff/contact/linear_law.hpp>
+#include <fstiff/math/random.hpp>
+#include <fstiff/surface/process_prior.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace from_little_test {
+
+using namespace fstiff;
+
+const std::string steel = "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nhardness = \"1.12 GPa\"\n";
+
+std::string text_of(const std::string& surface, const std::string& laws = "\"hybrid\"") {
+    return "[surface]\n" + surface + "\n" + steel + "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\nlaws = [" +
+           laws + "]\n";
+}
+scene::Scene read(const std::string& surface, const std::string& laws = "\"hybrid\"") {
+    return scene::read_scene(text_of(surface, laws), {.name = "s.toml"});
+}
+scene::Results results(const std::string& surface, const std::string& laws = "\"hybrid\"") {
+    return scene::compute(read(surface, laws));
+}
+std::vector<double> stiffnesses(const std::string& surface, const std::string& laws = "\"hybrid\"") {
+    std::vector<double> all;
+    for (const auto& curve : results(surface, laws).curves)
+        for (const auto& state : curve.states) all.push_back(state.stiffness.value);
+    return all;
+}
+std::string refusal(const std::string& surface) {
+    try {
+        (void)read(surface);
+    } catch (const domain_error& error) {
+        return error.what();
+    }
+    return "";
+}
+std::string number(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return text;
+}
+
+TEST_CASE("Every name of height and gradient is the number it stands for") {
+    const std::string rest = "\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3";
+    const auto written = stiffnesses("rms_height = \"0.8 um\"\nrms_gradient = 0.2" + rest);
+    for (const char* height : {"Rq = \"0.8 um\"", "Sq = \"800 nm\"", "rms_height = \"0.0008 mm\""})
+        for (const std::string& gradient : {std::string("Sdq = 0.2"), "Rdq = " + number(0.2 / std::sqrt(2.0))}) {
+            const auto found = stiffnesses(height + ("\n" + gradient) + rest);
+            for (std::size_t i = 0; i < 3; ++i) CHECK(test::relative_error(found[i], written[i]) < 1e-13);
+        }
+    // Ra/Rq is 0.8, and RSm counts crossings
+    const auto face = read("Ra = \"0.64 um\"\nRSm = \"40 um\"" + rest).face;
+    CHECK(test::relative_error(face.parameters.rms_height.value, 0.8e-6) < 1e-15);
+    CHECK(test::relative_error(*face.rms_gradient, std::sqrt(2.0) * 2.3 * 2 * numbers::pi_v<double> * 0.8 / 40) < 1e-14);
+    CHECK(read("Ra = \"0.64 um\"\nprocess = \"turned\"").face.parameters.rms_height.value == 0.64e-6 / 0.84);
+    // across a lay a profile is between the gradient and its sqrt(2)th part
+    const scene::Face ground = read("Rq = \"1 um\"\nRdq = 0.1\nprocess = \"ground\"").face;
+    CHECK(test::relative_error(*ground.rms_gradient, 0.1 * std::pow(2, 0.25)) < 1e-14);
+    REQUIRE(ground.is_open(parts::Unknown::gradient));
+    CHECK(test::relative_error(ground.priors.front().high, 0.1 * std::sqrt(2.0)) < 1e-14);
+    CHECK_FALSE(read("Rq = \"1 um\"\nRdq = 0.1").face.is_open(parts::Unknown::gradient));
+}
+
+TEST_CASE("Height alone, and height with gradient, have K with a band by every law that needs no more") {
+    for (const char* surface : {"Ra = \"0.8 um\"", "rms_height = \"1 um\"", "Rq = \"1 um\"\nRdq = 0.1",
+                                "rms_height = \"1 um\"\nrms_gradient = 0.14", "Sq = \"1 um\"\nalpha = 5",
+                                "Sq = \"1 um\"\npeak_radius = \"20 um\"", "Sq = \"1 um\"\npeak_density = \"1000 /mm^2\"",
+                                "Ra = \"0.8 um\"\nprocess = \"honed\""}) {
+        const auto found = results(surface, "\"hybrid\", \"plastic\", \"hertz\", \"persson\", \"proportional\"");
+        INFO(surface);
+        REQUIRE(found.curves.size() == 5);
+        for (const scene::Curve& curve : found.curves)
+            for (std::size_t i = 0; i < curve.states.size(); ++i) {
+                const double K = curve.states[i].stiffness.value;
+                CHECK(K > 0);
+                if (!curve.band.empty()) CHECK((curve.band[i].low <= K && K <= curve.band[i].high));
+            }
+        const auto& hybrid = found.curves.front();
+        REQUIRE(hybrid.band.size() == 3);
+        CHECK(hybrid.band[2].high / hybrid.band[2].low > 1.3);
+        CHECK(hybrid.band[2].high / hybrid.band[2].low < 20);
+    }
+}
+
+TEST_CASE("What was assumed is said, and recorded") {
+    const scene::Scene little = read("Ra = \"0.8 um\"");
+    REQUIRE(little.assumptions.size() == 6);
+    CHECK(little.assumptions[0] == "Ra/Rq 0.8 (0.74 to 0.86), of any process");
+    CHECK(little.assumptions[1] == "rms gradient 0.2 (0.067 to 0.6), of any process");
+    CHECK(little.assumptions[2] == "alpha 8 (2 to 50), of any process");
+    const auto input = [&](const std::string& key) {
+        const auto found = std::find_if(little.inputs.begin(), little.inputs.end(),
+                                        [&](const scene::Input& one) { return one.key == key; });
+        REQUIRE(found != little.inputs.end());
+        return *found;
+    };
+    CHECK(input("surface.Ra").written == "0.8 um");
+    CHECK(input("surface.Ra").value == 0.8e-6);
+    CHECK(input("surface.rms_height").value == 1e-6);
+    CHECK(input("surface.rms_gradient").value == 0.2);
+    CHECK(input("surface.alpha").written == "assumed (default)");
+    CHECK(std::count_if(little.inputs.begin(), little.inputs.end(),
+                        [](const scene::Input& one) { return one.key == "surface.rms_height"; }) == 1);
+    // the numbers written out are the same scene, with nothing assumed
+    const std::string all = "rms_height = \"1 um\"\nrms_gradient = 0.2\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3";
+    CHECK(read(all).assumptions.empty());
+    CHECK(stiffnesses(all) == stiffnesses("Ra = \"0.8 um\""));
+    CHECK(results(all).curves.front().band.empty());
+    // laws that do not take it do not assume it
+    CHECK(read("rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nr = 0.5\ntheta = 0.7",
+               "\"hertz\"")
+              .assumptions.empty());
+}
+
+TEST_CASE("Contradictions and extremes are refused by one sentence") {
+    const auto refused = [](const std::string& surface, const std::string& part) {
+        INFO(surface << " -> " << refusal(surface));
+        CHECK(refusal(surface).find(part) != std::string::npos);
+    };
+    refused("Ra = \"1 um\"\nRq = \"1 um\"", "must not stand next to surface.Rq; give one of the two");
+    refused("Ra = \"1 um\"\nrms_height = \"1 um\"", "must not stand next to surface.rms_height");
+    refused("Rq = \"1 um\"\nRdq = 0.1\nrms_gradient = 0.1", "must not stand next to surface.rms_gradient");
+    refused("Rq = \"1 um\"\nRdq = 0.1\nRSm = \"40 um\"", "give one of the two");
+    refused("Rdq = 0.1", "surface.rms_height: is missing; the scene needs the height of the surface");
+    refused("Rz = \"5 um\"", "s.toml:2: surface.Rz = \"5 um\": is the height of the one highest peak");
+    refused("Ra = 0.8", "surface.Ra = 0.8: a number without a unit");
+    refused("Ra = \"0 um\"", "must be finite and greater than 0");
+    refused("Rq = \"1 um\"\nRdq = 0", "must be greater than 0");
+    refused("Rq = \"1 um\"\nprocess = \"cast\"", "must be one of");
+    refused("Rq = \"1 um\"\nerrors = { Ra = \"0.1 um\" }", "must stand next to surface.Ra");
+    refused("Rq = \"1 um\"\nerrors = { peak_radius = \"1 um\" }", "must stand beside surface.peak_radius");
+}
+
+TEST_CASE("Errors of other names are those of the numbers they make") {
+    const scene::Scene one = read("Ra = \"0.8 um\"\nRdq = 0.1\nerrors = { Ra = \"0.08 um\", Rdq = 0.01 }");
+    CHECK(test::relative_error(one.face.parameters.rms_height.error, 0.1e-6) < 1e-14);
+    CHECK(test::relative_error(one.face.gradient_error, 0.01 * std::sqrt(2.0)) < 1e-14);
+}
+
+TEST_CASE("A surface of R and D_p that no Gaussian surface has takes them for those of islands") {
+    const scene::Scene paper = scene::read_scene(scene::builtin_scene, {.name = "built-in"});
+    REQUIRE(paper.face.rms_gradient);
+    CHECK(*paper.face.rms_gradient > 0.14);  // maps with its sigma and D_p have 0.124, with its sigma and R 0.175
+    CHECK(*paper.face.rms_gradient < 0.165);
+    CHECK(no_spectrum(paper.face).empty());
+    const std::string numbers = "rms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"";
+    const auto plastic = results(numbers + "\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
+    CHECK(test::relative_error(plastic.states[1].stiffness.value, 0.14e15) < 0.12);  // boundary elements: 0.11 to 0.18
+    CHECK(test::relative_error(plastic.band[1].low, 0.11e15) < 0.12);
+    CHECK(test::relative_error(plastic.band[1].high, 0.18e15) < 0.12);
+    // the answer has the error of the law of numbers too, not that of a height alone
+    const auto answer = scene::compute(paper).answer.value().curve;
+    for (std::size_t i = 0; i < answer.states.size(); ++i) {
+        if (test::relative_error(answer.states[i].pressure.value, 10e6) > 1e-6) continue;
+        CHECK(test::relative_error(answer.band[i].low, 0.095e15) < 0.1);
+        CHECK(test::relative_error(answer.states[i].stiffness.value, 0.13e15) < 0.1);
+        CHECK(test::relative_error(answer.band[i].high, 0.19e15) < 0.1);
+    }
+}
+
+/// 5 and 95 % of K over surfaces with every unknown but the shape drawn at random, ln K normal about the middle by halves.
+std::pair<double, double> drawn(const scene::Scene& scene, std::size_t point) {
+    std::vector<double> all;
+    std::uint64_t state = 7;
+    for (int i = 0; i < 2000; ++i) {
+        scene::Scene one = scene;
+        one.samples = 0;
+        one.points = {scene.points[point]};
+        for (const scene::Prior& prior : scene.face.priors) {
+            if (parts::is_of_shape(prior.which) || prior.which == parts::Unknown::hurst) continue;
+            const double middle = prior.which == parts::Unknown::height     ? scene.face.parameters.rms_height.value
+                                  : prior.which == parts::Unknown::gradient ? *scene.face.rms_gradient
+                                                                            : *scene.face.alpha;
+            const double z = math::normal_pair<double>(state).real() / 1.6449;
+            const double value = middle * std::pow((z < 0 ? prior.low : prior.high) / middle, std::abs(z));
+            one.face = scene::with_value(one.face, prior.which, std::max(value, 1.55e-7));
+        }
+        if (*one.face.alpha < 1.55) one.face = scene::with_value(one.face, parts::Unknown::alpha, 1.55);
+        all.push_back(scene::compute(one).curves.front().states.front().stiffness.value);
+    }
+    std::sort(all.begin(), all.end());
+    return {all[100], all[1899]};
+}
+
+TEST_CASE("The band over what is not known is that of surfaces drawn at random", "[slow]") {
+    const scene::Scene little = read("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3\nhurst = 0.8", "\"plastic\"");
+    const auto found = scene::compute(little).curves.front();
+    for (const std::size_t point : {std::size_t(0), std::size_t(2)}) {
+        const auto [low, high] = drawn(little, point);
+        CHECK(std::abs(std::log(found.band[point].low / low)) < 0.1 * std::log(high / low));
+        CHECK(std::abs(std::log(found.band[point].high / high)) < 0.1 * std::log(high / low));
+    }
+}
+
+TEST_CASE("The parts of a band are told, and what to measure") {
+    const auto plastic = results("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
+    REQUIRE(plastic.band_parts.size() == 3);
+    const auto& parts = plastic.band_parts[1];
+    CHECK(parts.errors_low == 0);
+    CHECK(parts.shape_high == 0);
+    CHECK(parts.prior_low < 0);
+    const double K = plastic.states[1].stiffness.value;
+    CHECK(test::relative_error(plastic.band[1].high, K * std::exp(parts.prior_high)) < 1e-12);
+    CHECK(test::relative_error(plastic.band[1].low, K * std::exp(parts.prior_low)) < 1e-12);
+    const auto greatest = parts::greatest_unknown(parts);
+    REQUIRE(greatest);
+    CHECK(greatest->which == parts::Unknown::gradient);
+    // and so it is
+    const auto measured =
+        results("Ra = \"0.8 um\"\nRdq = 0.1414\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
+    const auto width = [](const scene::Curve& curve) { return std::log(curve.band[1].high / curve.band[1].low); };
+    CHECK(std::abs(width(measured) / width(plastic) - greatest->narrower) < 0.03);
+}
+
+TEST_CASE("The shape of the heights widens the band of a law that takes it") {
+    const auto known = results("rms_height = \"1 um\"\nrms_gradient = 0.2\nskewness = 0\nkurtosis = 3").curves.front();
+    const auto open = results("rms_height = \"1 um\"\nrms_gradient = 0.2").curves.front();
+    CHECK(open.band_parts[1].shape_low < -0.1);
+    CHECK(open.band_parts[1].shape_high > 0.1);
+    CHECK(open.band_parts[1].prior_high == known.band_parts[1].prior_high);
+    CHECK(open.band[1].high > known.band[1].high);
+}
+
+TEST_CASE("Of two faces of which little is known each widens the band") {
+    const std::string face = "Ra = \"0.8 um\"";
+    const auto two = results("[surface.upper]\n" + face + "\n[surface.lower]\n" + face).curves.front();
+    const auto one = results(face).curves.front();
+    REQUIRE(two.band.size() == 3);
+    const auto width = [](const scene::Curve& curve) { return std::log(curve.band[1].high / curve.band[1].low); };
+    CHECK(width(two) < width(one));  // independent faces average
+    CHECK(width(two) > width(one) / 3);
+    CHECK(read("[surface.upper]\n" + face + "\n[surface.lower]\n" + face).assumptions.front() ==
+          "upper: Ra/Rq 0.8 (0.74 to 0.86), of any process");
+}
+
+TEST_CASE("The law of the height alone is p over 0.48 sigma") {
+    const auto curve = results("Rq = \"0.8 um\"", "\"proportional\"").curves.front();
+    CHECK(curve.band.empty());  // the height is known; the error of the law is another matter
+    for (const auto& state : curve.states)
+        CHECK(state.stiffness.value == parts::linear_stiffness(state.pressure.value, 0.8e-6));
+    const auto of_mean = results("Ra = \"0.64 um\"", "\"proportional\"").curves.front();
+    CHECK(test::relative_error(of_mean.band[0].high / of_mean.states[0].stiffness.value, 0.86 / 0.8) < 1e-12);
+    std::string text = text_of("Rq = \"0.8 um\"", "\"proportional\"");
+    text.replace(text.find("pressures"), 9, "separations");
+    for (const char* unit : {"MPa", "MPa", "MPa"}) text.replace(text.find(unit, text.find("[contact]")), 3, "nm");
+    try {
+        (void)scene::read_scene(text, {.name = "s.toml"});
+        FAIL("a separation of proportional is not refused");
+    } catch (const domain_error& error) {
+        CHECK(std::string(error.what()).find("gives no separation") != std::string::npos);
+    }
+}
+
+TEST_CASE("Every row of the priors is in order, and holds the Gaussian surface or says why not") {
+    for (std::size_t i = 0; i < parts::process_priors.size(); ++i) {
+        const parts::ProcessPrior& row = parts::process_priors[i];
+        CHECK(row.process == static_cast<parts::Process>(i));
+        for (const parts::PriorRange& range : {row.mean_over_rms, row.slope, row.alpha, row.hurst, row.skewness, row.tail})
+            CHECK((range.low < range.middle && range.middle < range.high));
+        CHECK(row.alpha.low > 1.5);
+    }
+}
+
+TEST_CASE("docs/scene.md has every prior") {
+    std::ifstream file(FSTIFF_TEST_DATA "/../../docs/scene.md", std::ios::binary);
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const auto three = [](const parts::PriorRange& range) {
+        char text[80];
+        std::snprintf(text, sizeof text, "%g, %g, %g", range.low, range.middle, range.high);
+        return std::string(text);
+    };
+    for (const parts::ProcessPrior& row : parts::process_priors) {
+        const std::string line = "| " + std::string(name_of(row.process)) + " | " + three(row.mean_over_rms) + " | " +
+                                 three(row.slope) + " | " + three(row.alpha) + " | " + three(row.skewness) + " | " +
+                                 three(row.tail) + " |\n";
+        INFO(line);
+        CHECK(page.find(line) != std::string::npos);
+    }
+}
+
+}  // namespace from_little_test

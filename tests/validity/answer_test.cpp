@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: bands, shares and scatter worked by hand; both sides of every limit at which another law answers.
+#include <fstiff/validity/answer.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <set>
+
+namespace answer_test {
+
+using namespace fstiff;
+using parts::AnswerQuestion;
+using parts::Cause;
+using test::relative_error;
+
+namespace {
+
+const std::vector<LawName> of_map{LawName::hybrid, LawName::boundary_elements, LawName::plastic, LawName::hertz};
+
+LawName answers(std::vector<LawName> available, double hardness, double points_in_contact) {
+    return parts::answering_law<double>(
+        {.available = std::move(available), .hardness = hardness, .points_in_contact = points_in_contact});
+}
+
+double& low_of(parts::Causes<double>& causes, Cause cause) { return causes[static_cast<std::size_t>(cause)].low; }
+double& high_of(parts::Causes<double>& causes, Cause cause) { return causes[static_cast<std::size_t>(cause)].high; }
+
+}  // namespace
+
+TEST_CASE("Boundary elements answer from 20 points in contact, where they are available") {
+    const double unknown = std::numeric_limits<double>::quiet_NaN(), below = std::nextafter(20.0, 0.0);
+    for (const double hardness : {unknown, 0.1, 3.0}) {
+        CHECK(answers(of_map, hardness, 20) == LawName::boundary_elements);
+        CHECK(answers(of_map, hardness, 1e5) == LawName::boundary_elements);
+        for (const double points : {below, 0.0, unknown})
+            CHECK(answers(of_map, hardness, points) != LawName::boundary_elements);
+        CHECK(answers({LawName::hybrid}, hardness, 1e5) == LawName::hybrid);
+    }
+}
+
+TEST_CASE("Plastic answers where H/(E g) is below 0.7, hybrid where it is not or is not known") {
+    CHECK(answers(of_map, std::nextafter(0.7, 0.0), 0) == LawName::plastic);
+    CHECK(answers(of_map, 0.7, 0) == LawName::hybrid);
+    CHECK(answers(of_map, std::numeric_limits<double>::quiet_NaN(), 0) == LawName::hybrid);
+    CHECK(answers({LawName::hybrid}, 0.1, 0) == LawName::hybrid);  // no plastic law of this surface
+    CHECK(AnswerQuestion<float>{.hardness = 0.69f}.flows());
+    CHECK_FALSE(AnswerQuestion<float>{.hardness = 0.71f}.flows());
+}
+
+TEST_CASE("Peaks alone are answered by Hertz or Greenwood and Williamson, and no surface by no law") {
+    CHECK(answers({LawName::greenwood_williamson, LawName::hertz}, 1, 0) == LawName::hertz);
+    CHECK(answers({LawName::greenwood_williamson}, 1, 0) == LawName::greenwood_williamson);
+    for (const std::vector<LawName>& none : {std::vector<LawName>{}, {LawName::fractal}, {LawName::boundary_elements}})
+        CHECK_THROWS_AS(answers(none, 1, 0), domain_error);
+}
+
+TEST_CASE("Causes of a band add by squares, each side by itself") {
+    parts::Causes<double> causes{};
+    CHECK(parts::band_of(causes).low == 0);
+    CHECK(parts::band_of(causes).high == 0);
+    for (const double share : parts::shares_of(causes)) CHECK(share == 0);
+    low_of(causes, Cause::law) = -0.3, high_of(causes, Cause::law) = 0.12;
+    low_of(causes, Cause::cut_offs) = -0.4, high_of(causes, Cause::cut_offs) = 0.05;
+    high_of(causes, Cause::lay) = 3;
+    const auto whole = parts::band_of(causes);
+    CHECK(relative_error(whole.low, -0.5) < 1e-15);
+    CHECK(relative_error(whole.high, std::sqrt(9.0169)) < 1e-15);
+    const auto shares = parts::shares_of(causes);
+    const double all = 0.09 + 0.16 + 9.0169;
+    CHECK(relative_error(shares[static_cast<std::size_t>(Cause::law)], (0.09 + 0.0144) / all) < 1e-14);
+    CHECK(relative_error(shares[static_cast<std::size_t>(Cause::lay)], 9 / all) < 1e-14);
+    CHECK(shares[static_cast<std::size_t>(Cause::contacts)] == 0);
+    double sum = 0;
+    for (const double share : shares) sum += share;
+    CHECK(relative_error(sum, 1.0) < 1e-15);
+}
+
+TEST_CASE("K of a single surface scatters by 0.77 over the root of its contacts") {
+    // one standard deviation at 100, 40, 15 and 5 contacts, as maps by seed gave them
+    for (const auto& [contacts, percent] : {std::pair{100.0, 7.7}, {40.0, 11.0}, {15.0, 20.0}, {5.0, 36.0}}) {
+        const auto spread = parts::scatter_of_contacts(contacts);
+        CHECK(relative_error(spread.high / 1.6448536269514722, percent / 100) < 0.12);
+        CHECK(spread.low == -spread.high);
+    }
+    CHECK(relative_error(parts::scatter_of_contacts(100.0).high, 0.126653729275263) < 1e-14);
+    CHECK(parts::scatter_of_contacts(0.01).high == parts::scatter_of_contacts(1.0).high);
+    CHECK(parts::scatter_of_contacts(4.0).high == parts::scatter_of_contacts(1.0).high / 2);
+    CHECK(parts::scatter_of_contacts(1e300).high < 1e-149);
+}
+
+TEST_CASE("Every cause has a word of its own") {
+    std::set<std::string_view> words;
+    for (std::size_t i = 0; i < parts::cause_count; ++i) words.insert(name_of(static_cast<Cause>(i)));
+    CHECK(words.size() == parts::cause_count);
+    CHECK(name_of(Cause::measurement) == "measurement");
+    CHECK(name_of(Cause::cut_offs) == "cut_offs");
+    CHECK(name_of(Cause::long_waves) == "long_waves");
+}
+
+}  // namespace answer_test

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/validity/law_error.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace law_error_test {
+
+using namespace fstiff;
+using parts::KnownAs;
+using parts::law_error;
+
+using Question = parts::LawErrorQuestion<double>;
+
+TEST_CASE("The error of a law is its table at the pressures of the table, and between its neighbours elsewhere") {
+    for (const auto& [law, name] : names<LawName>)
+        for (const KnownAs known : {KnownAs::map, KnownAs::trace, KnownAs::numbers, KnownAs::height}) {
+            CAPTURE(name, static_cast<int>(known));
+            const parts::LawErrorRow row = parts::law_error_row(law, known);
+            for (std::size_t i = 0; i < row.low.size(); ++i) {
+                const double p = parts::law_error_pressures[i];
+                const auto error = law_error<double>(Question{.law = law, .known = known, .p_star = p});
+                CHECK(test::relative_error(error.low, -row.low[i] / 100.0) < 1e-14);
+                CHECK(test::relative_error(error.high, row.high[i] / 100.0) < 1e-14);
+                CHECK(row.low[i] > 0);
+                CHECK(row.high[i] > 0);
+                if (i == 0) continue;
+                const double middle = std::sqrt(p * parts::law_error_pressures[i - 1]);
+                const auto between = law_error<double>(Question{.law = law, .known = known, .p_star = middle});
+                CHECK(test::relative_error(between.low, -(row.low[i - 1] + row.low[i]) / 200.0) < 1e-12);
+                CHECK(test::relative_error(between.high, (row.high[i - 1] + row.high[i]) / 200.0) < 1e-12);
+            }
+        }
+}
+
+TEST_CASE("The error of a law grows beyond its table without a step, and is the widest where p* is not known") {
+    Question question{.law = LawName::hybrid, .known = KnownAs::map};
+    const auto at = [&question](double p) {
+        question.p_star = p;
+        return law_error(question);
+    };
+    CHECK(test::relative_error(at(0.25 * (1 + 1e-9)).low, at(0.25).low) < 1e-8);
+    CHECK(test::relative_error(at(3e-4 * (1 - 1e-9)).high, at(3e-4).high) < 1e-8);
+    CHECK(test::relative_error(at(0.25 * std::exp(1)).low, 2 * at(0.25).low) < 1e-12);
+    CHECK(test::relative_error(at(3e-4 / 4).high, 2 * at(3e-4).high) < 1e-12);
+    CHECK(at(1e300).high == 3);
+    CHECK(at(0).low == -3);
+    const auto unknown = at(std::numeric_limits<double>::quiet_NaN());
+    for (const double p : parts::law_error_pressures) {
+        CHECK(unknown.low <= at(p).low);
+        CHECK(unknown.high >= at(p).high);
+    }
+}
+
+TEST_CASE("Waves as long as a map widen the error of its laws, and add nothing to that of a trace") {
+    for (const KnownAs known : {KnownAs::map, KnownAs::trace}) {
+        Question question{.law = LawName::boundary_elements, .known = known, .p_star = 0.01};
+        const auto without = law_error(question);
+        question.long_waves = 0.2;
+        const auto with = law_error(question);
+        const double of_waves = known == KnownAs::map ? 0.8 * 0.2 : 0;
+        CHECK(test::relative_error(with.low, -std::hypot(without.low, of_waves)) < 1e-14);
+        CHECK(test::relative_error(with.high, std::hypot(without.high, of_waves)) < 1e-14);
+    }
+}
+
+TEST_CASE("The shape of the heights of a trace widens the error of its law at the side where K may lie") {
+    Question question{.law = LawName::hybrid, .known = KnownAs::trace, .p_star = 0.01};
+    const auto plain = law_error(question);
+    const auto of = [&question](double skewness, double kurtosis) {
+        question.skewness = Measurement<double>{skewness, 0.1};
+        question.kurtosis = Measurement<double>{kurtosis, 0.2};
+        return law_error(question);
+    };
+    CHECK(of(0, 3).low == plain.low);
+    CHECK(of(0, 3).high == plain.high);
+    CHECK(test::relative_error(of(1, 3).low, -std::hypot(plain.low, 0.35)) < 1e-14);
+    CHECK(of(1, 3).high == plain.high);
+    CHECK(test::relative_error(of(-1, 3).high, std::hypot(plain.high, 0.75)) < 1e-14);
+    CHECK(of(-1, 3).low == plain.low);
+    CHECK(test::relative_error(of(0, 5).low, -std::hypot(plain.low, 0.5)) < 1e-14);
+    CHECK(of(0, 30).low == of(0, 7).low);
+    CHECK(test::relative_error(of(0, 2).high, std::hypot(plain.high, 0.5)) < 1e-14);
+    question.known = KnownAs::map;
+    CHECK(of(1, 5).low == law_error<double>({.law = LawName::hybrid, .known = KnownAs::map, .p_star = 0.01}).low);
+}
+
+TEST_CASE("Numbers of valleys widen both sides, and tails beyond those of their skewness the lower one") {
+    Question question{.law = LawName::hybrid, .known = KnownAs::numbers, .p_star = 0.01};
+    const auto plain = law_error(question);
+    const auto of = [&question](double skewness, double kurtosis) {
+        question.skewness = Measurement<double>{skewness, 0};
+        question.kurtosis = Measurement<double>{kurtosis, 0};
+        return law_error(question);
+    };
+    CHECK(of(0, 3).low == plain.low);
+    CHECK(of(0, 3).high == plain.high);
+    CHECK(test::relative_error(of(-2, 9).high, std::hypot(plain.high, 1.2)) < 1e-14);
+    CHECK(test::relative_error(of(-2, 9).low, -std::hypot(plain.low, 0.1)) < 1e-14);
+    CHECK(test::relative_error(of(1, 4.5).low, -std::hypot(plain.low, 0.15)) < 1e-14);
+    CHECK(test::relative_error(of(0, 5).low, -std::hypot(plain.low, 0.9)) < 1e-14);
+    CHECK(of(0, 2).high == plain.high);
+}
+
+TEST_CASE("The error of plastic is that of p/H, and does not grow where K goes as p/H") {
+    Question question{.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 0.001, .hardness = 0.1};
+    const parts::LawErrorRow row = parts::law_error_row(LawName::plastic, KnownAs::numbers);
+    CHECK(test::relative_error(law_error(question).high, row.high[3] / 100.0) < 1e-14);
+    question.hardness = 0.01;
+    CHECK(test::relative_error(law_error(question).low, -row.low[5] / 100.0) < 1e-14);
+    question.p_star = 1e-9;
+    const auto least = law_error(question);
+    question.p_star = 1e-7;
+    CHECK(law_error(question).high == least.high);
+    CHECK(test::relative_error(least.high, std::sqrt(2.0) * row.high[0] / 100) < 1e-14);
+    question.law = LawName::hybrid;
+    const double of_hybrid = law_error(question).high;
+    question.hardness = 0.1;
+    CHECK(law_error(question).high == of_hybrid);
+}
+
+}  // namespace law_error_test
