@@ -238,4 +238,13 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
     conduction.electrical_film = gap.optional_positive("electrical_film", Dimension::electrical_film).value_or(0);
 }
 
+void read_friction(Source& source, const toml::table& table, Scene& scene) {
+    const Section friction(source, table, "friction", {"coefficient", "amplitude"});
+    const toml::node& node = friction.at("coefficient");
+    const double coefficient = source.number(node, friction.key("coefficient"));
+    if (!(coefficient > 0 && coefficient <= 10))
+        source.refuse(node, friction.key("coefficient"), "must be greater than 0 and 10 at most");
+    scene.friction = {coefficient, friction.optional_positive("amplitude", Dimension::length)};
+}
+
 }  // namespace fstiff::scene

@@ -140,7 +140,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     scene.file = file;
 
     const Section top(source, root, "",
-                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap",
+                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap", "friction",
                        "uncertainty", "output"});
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
@@ -183,6 +183,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
         warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
     warn_of_gradients(scene);
     if (top.find("gap")) read_gap(source, top.subtable("gap"), scene);
+    if (top.find("friction")) read_friction(source, top.subtable("friction"), scene);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs.swap(source.inputs), scene.files.swap(source.files);

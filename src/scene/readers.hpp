@@ -23,6 +23,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene);
 void read_ultrasound(Source& source, const toml::table& table, Scene& scene);
 /// Reads [gap]: what fills it, what crosses it, and the films on the spots.
 void read_gap(Source& source, const toml::table& table, Scene& scene);
+void read_friction(Source& source, const toml::table& table, Scene& scene);
 /// Reads [contact] of \p root, with the sections of its laws. \p replaced: the surface is not that of the scene.
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced);
 /// The keys of a bearing curve, and what they make of \p face, whose rms height is known; nothing where none is there.

@@ -92,6 +92,12 @@ struct Conduction {
     double thermal_film = 0, electrical_film = 0;  ///< on the spots [m^2 K/W], [ohm m^2]
 };
 
+/// What a tangential force meets.
+struct Friction {
+    double coefficient = 0;           ///< mu
+    std::optional<double> amplitude;  ///< of the tangential displacement, mean to peak [m]
+};
+
 /// What is asked of the contact of one or of two rough faces.
 struct Scene {
     std::string name;
@@ -138,6 +144,7 @@ struct Scene {
 
     std::optional<Waves> ultrasound;
     Conduction conduction;
+    std::optional<Friction> friction;
 
     /// output.quantities
     bool stiffness = false, separation = false, real_area = false, contacts = false, loading_stiffness = false;
