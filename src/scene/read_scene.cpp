@@ -26,7 +26,8 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
     const bool shear = scene.ultrasound && scene.ultrasound->shear;
     const auto is_written = [&](std::string_view end) {
         return std::any_of(source.inputs.begin(), source.inputs.end(), [&](const Input& input) {
-            return input.key.starts_with("material.") && input.key.ends_with(end) && !input.written.ends_with("(default)");
+            return input.key.starts_with("material.") && input.key.ends_with(end) &&
+                   !input.written.ends_with("(default)");
         });
     };
     const bool heat = scene.conduction.thermal && (scene.conduction.gap || is_written(".thermal_conductivity")),
@@ -140,8 +141,8 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     scene.file = file;
 
     const Section top(source, root, "",
-                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap", "friction",
-                       "uncertainty", "output"});
+                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap",
+                       "friction", "uncertainty", "output"});
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
     else
