@@ -193,6 +193,27 @@ public:
         const Whole at = whole_at(separation);
         return {at.pressure, at.slope};
     }
+    /// Work per area that closes the contact from infinity to \p separation [m]: the integral of p over d [J/m^2], by
+    /// the polynomials of the table; beyond its range that of the law as OutsideRange::extrapolate continues it, which
+    /// an elastic contact stores. \throws as at_separation, of a law with OutsideRange::clamp or exact too.
+    [[nodiscard]] T energy(T separation) const {
+        require_filled();
+        if (math::is_nan(separation) ||
+            (outside() != OutsideRange::extrapolate && !tables_.has_separation(separation)))
+            refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
+        return tables_.energy(separation);
+    }
+    /// Separation [m] where the line through the loosest state of the range, with its slope, meets p = 0: first touch,
+    /// as a drawn face that has no roughness knows it. p itself falls without end.
+    [[nodiscard]] T touch() const {
+        require_filled();
+        const auto end = tables_.at_furthest();
+        return tables_.furthest() + end.pressure / end.slope;
+    }
+    /// How much closer the faces are at \p pressure than at \p preload [Pa]: the overclosure of a model whose faces are
+    /// drawn under a preload [m]. From first touch it is touch() - separation(pressure). \throws as stiffness.
+    [[nodiscard]] T approach(T pressure, T preload) const { return separation(preload) - separation(pressure); }
+
     [[nodiscard]] T pressure_at_separation(T separation) const { return at_separation(separation).pressure; }
     [[nodiscard]] T stiffness_at_separation(T separation) const { return at_separation(separation).stiffness; }
     [[nodiscard]] T slope_at_separation(T separation) const { return tangent_at_separation(separation).slope; }

@@ -49,6 +49,9 @@ public:
         while (shift_ > 0 && (count_ >> shift_) < 2 * pieces_.size()) --shift_;
         furthest_ = first.separation, length_ = furthest_ - last.separation;
         cells_per_length_ = static_cast<T>(2 * pieces_.size()) / length_;
+        energy_.resize(pieces_.size());
+        for (std::size_t i = 1; i < pieces_.size(); ++i)
+            energy_[i] = energy_[i - 1] + work(pieces_[i - 1], pieces_[i - 1].separation - pieces_[i].separation);
         by_pressure_ = cells([this](const Parabola<T>& at) { return pressure_cell(at.pressure); });
         by_separation_ = cells([this](const Parabola<T>& at) { return separation_cell(at.separation); });
     }
@@ -77,6 +80,12 @@ public:
         const T more = p - at.pressure, slope = std::sqrt((std::max)(at.slope * at.slope + 2 * at.bend * more, T(0)));
         return state(at, 2 * more / (at.slope + slope), p, slope);
     }
+    /// Integral of p from \p d to furthest() [J/m^2].
+    [[nodiscard]] T energy(T d) const noexcept {
+        const Parabola<T>& at = piece(by_separation_, separation_cell(d),
+                                      [d](const Parabola<T>& one) { return one.separation >= d; });
+        return energy_[static_cast<std::size_t>(&at - pieces_.data())] + work(at, at.separation - d);
+    }
     /// dK/dp over the last tenth of the pressures, never less than 0: how the law goes on [1/m].
     [[nodiscard]] T growth_at_end() const {
         const Parabola<T>& last = pieces_.back();
@@ -89,6 +98,10 @@ public:
 private:
     using Index = std::uint32_t;
 
+    /// Of a piece as it closes by \p x.
+    [[nodiscard]] static T work(const Parabola<T>& at, T x) noexcept {
+        return x * (at.pressure + x * (at.slope / 2 + x * at.bend / 6));
+    }
     [[nodiscard]] static State state(const Parabola<T>& at, T x, T pressure, T slope) noexcept {
         return {at.separation - x, pressure, slope, at.stiffness + at.stiffness_per_fall * x,
                 at.stiffness_per_fall / slope};
@@ -125,6 +138,7 @@ private:
     int shift_ = std::numeric_limits<T>::digits - 2;  ///< bits of a cell
     T furthest_{}, length_{}, cells_per_length_{};
     std::vector<Index> by_pressure_, by_separation_;
+    std::vector<T> energy_;  ///< where each piece begins
 };
 
 }  // namespace detail
@@ -166,12 +180,16 @@ struct LawTables {
     math::UniformPieces<T>
         own_stiffness;  ///< K by separation, of the same pieces; empty where it is a constant times -dp/dd
     math::BinaryPieces<T> stiffness, separation;  ///< by pressure
+    std::vector<T> energies;                ///< of by_separation
     KinkedTables<T> kinked;                 ///< in place of all these
 
     [[nodiscard]] bool empty() const { return by_separation.rows.empty() && kinked.empty(); }
     /// The least and the greatest separation [m]; NaN of an empty law.
     [[nodiscard]] T closest() const { return kinked.empty() ? by_separation.begin : kinked.closest(); }
     [[nodiscard]] T furthest() const { return kinked.empty() ? by_separation.end : kinked.furthest(); }
+    [[nodiscard]] bool has_separation(T d) const noexcept {
+        return by_separation.contains(d) || kinked.contains_separation(d);
+    }
     [[nodiscard]] bool has_own_stiffness() const noexcept { return stiffness_over_slope == T(0); }
 
     /// State by polynomials.
@@ -252,6 +270,23 @@ struct LawTables {
         return {p, end.stiffness + bend * less, end.slope + more_slope};
     }
 
+    /// Integral of p from \p d to infinity [J/m^2], of a law that is continued. \throws domain_error for -infinity.
+    [[nodiscard]] T energy(T d) const {
+        if (d > furthest()) {
+            const Whole at = continued_separation(d);
+            return at.slope > 0 ? at.pressure * (at.pressure / at.slope) : T(0);
+        }
+        const Whole open = at_furthest();
+        const T beyond = open.pressure * (open.pressure / open.slope), inside = within(d, closest(), furthest());
+        const T in_range = kinked.empty() ? by_separation.integral_to_end(inside, energies) : kinked.energy(inside);
+        if (!(d < closest())) return beyond + in_range;
+        const Whole end = at_closest(), at = continued_separation(d);
+        const T x = closest() - d;  // p is a quadratic: the rule of trapezia and its error
+        return beyond + in_range + x * ((end.pressure + at.pressure) / 2 - x * (at.slope - end.slope) / 12);
+    }
+
+    /// To be called once the rows of by_separation are filled.
+    void sum_energies() { energies = by_separation.integrals(); }
     /// To be called once by_separation and stiffness_over_slope are set.
     void set_scales() {
         slope_scale = -2 * by_separation.pieces_per_length;

@@ -47,6 +47,7 @@ public:
         interpolate_pressure();
         if constexpr (!proportional) interpolate_stiffness();
         cut_by_separation();
+        law_.sum_energies();
         interpolate_eta();
         cut_by_pressure();
         measure_error();

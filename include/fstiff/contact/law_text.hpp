@@ -154,6 +154,7 @@ private:
                 for (T& coefficient : row.c) coefficient = number(T{});
         require_end();
         law_.set_scales();
+        law_.sum_energies();
     }
 
     std::string_view text_;

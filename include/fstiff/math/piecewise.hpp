@@ -62,6 +62,18 @@ struct Row {
         const T odd = (6 * c[6] * square + 4 * c[4]) * square + 2 * c[2];
         return odd * s + even;
     }
+    /// Integral of the polynomial from \p s to 1.
+    template <Real T>
+    [[nodiscard]] static T integral_to_end(const T* c, T s) noexcept {
+        T sum{}, powers = 1;  // (1 - s^(k+1))/(1 - s) term by term, so that nothing cancels as s goes to 1
+        T power = 1;
+        for (int k = 0; k < terms; ++k) {
+            sum += c[k] * powers / T(k + 1);
+            power *= s;
+            powers += power;
+        }
+        return (1 - s) * sum;
+    }
 };
 
 /// The coefficients of one polynomial.
@@ -198,6 +210,21 @@ struct UniformPieces {
         const T s = 2 * (position - T(piece)) - 1;
         const T* c = rows[static_cast<std::size_t>(piece)].c;
         return {Row::value(c, s), Row::derivative(c, s)};
+    }
+
+    /// Integral of every piece, and of all that follow it.
+    [[nodiscard]] std::vector<T> integrals() const {
+        std::vector<T> sums(rows.size() + 1);
+        for (std::size_t i = rows.size(); i-- > 0;)
+            sums[i] = sums[i + 1] + Row::integral_to_end(rows[i].c, T(-1)) / (2 * pieces_per_length);
+        return sums;
+    }
+    /// Integral from \p x to the end; \p sums are integrals().
+    [[nodiscard]] T integral_to_end(T x, const std::vector<T>& sums) const noexcept {
+        const T position = (x - begin) * pieces_per_length;
+        const auto piece = static_cast<std::size_t>((std::min)(static_cast<Eigen::Index>(position), std::ssize(rows) - 1));
+        const T s = 2 * (position - T(piece)) - 1;
+        return sums[piece + 1] + Row::integral_to_end(rows[piece].c, s) / (2 * pieces_per_length);
     }
 
     /// The derivatives are multiplied by \p factor.

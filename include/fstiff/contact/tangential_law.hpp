@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Friction of a rough contact: tangential traction, microslip and loss, from the normal law and one coefficient.
+///
+///     q = mu [p(d) - p(d*)],   d* = d + k s/mu,   k = K_t/K_n     first displacement s, at constant d
+///     dq/ds = k K(d*)                                             k K(d) at s = 0; full slip q = mu p as d* grows
+///     W = (4 mu^2/k) [(p + p*) D - 2 (E - E*)],   D = d* - d       lost in a cycle between -s and s; E: energy of d
+///
+/// Partial slip is a difference of two normal states: what touched at a separation below d* slips, the rest sticks. It
+/// holds for any history if every level x >= d of the contact, of the stiffness p''(x) dx, is dragged by u(x) and slips
+/// where |u| would exceed (mu/k) (x - d). With u linear between nodes (contact/slip_path)
+///
+///     q = k sum (u_b - u_a)/(x_b - x_a) [p(x_a) - p(x_b)]
+///
+/// is exact along a line for paths that are straight from call to call, unloading and reloading by Masing's rule among
+/// them. In a plane it is exact while u keeps its direction, and a return to the cone of friction where that turns.
+///
+///     const TangentialLaw<double> rough(law, 0.3, tangential_ratio(steel, steel));
+///     SlipState<double, 2> before{.separation = d}, after;
+///     const auto [p, q, tangent] = rough.step(before, d, {1e-7, 0}, after);     // when it is accepted: before = after
+///
+/// Reference   Jaeger, Arch. Appl. Mech. 65 (1995) 478; Ciavarella, J. Mech. Phys. Solids 46 (1998) 2349; levels as
+///             springs: Popov, Hess, Method of Dimensionality Reduction in Contact Mechanics and Friction (2015), ch. 5
+/// Units       d, s [m], p, q [Pa], E, W [J/m^2], tangents [Pa/m]
+/// Valid       bodies of like elastic constants (else the coupling of normal and tangential motion is left out), Coulomb
+///             friction, a law whose K is -dp/dd: not peaks that flow as they are loaded (contact/microslip)
+/// Accuracy    that of the law, and 1e-15 mu p (tests/contact/tangential_law_test.cpp, which also says what paths that
+///             turn in a plane cost)
+/// Threads     as ContactLaw; a state belongs to whoever holds it. No call allocates
+
+#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/contact/slip_path.hpp>
+#include <fstiff/core/error.hpp>
+
+#include <numbers>
+
+namespace fstiff {
+
+/// p, q and their derivatives under a separation and tangential displacements. Threads may share one.
+template <parts::ReadableReal T = double>
+class TangentialLaw {
+public:
+    template <int Directions>
+    using Vector = Eigen::Matrix<T, Directions, 1>;
+
+    template <int Directions>
+    struct Response {
+        T pressure;                   ///< [Pa]
+        Vector<Directions> traction;  ///< q [Pa]
+        /// d(p, q)/d(-d, s) [Pa/m] of the numbers returned, for Newton's method; where something slips not symmetric.
+        Eigen::Matrix<T, Directions + 1, Directions + 1> tangent;
+    };
+    struct FirstSlip {
+        T traction;   ///< q [Pa]
+        T stiffness;  ///< dq/ds [Pa/m]
+    };
+    struct Cycle {
+        T lost;         ///< W [J/m^2]
+        T loss_factor;  ///< W/(pi q s), W over 2 pi times q s/2; 4/pi where all slips, 0 where nothing does
+    };
+
+    /// \throws domain_error for an empty law, one whose K is not -dp/dd, and numbers that are not positive.
+    TangentialLaw(const ContactLaw<T>& law, T friction, T ratio)
+        : law_(law.empty() ? law : law.with(OutsideRange::extrapolate)), friction_(friction), ratio_(ratio), widening_(ratio / friction) {
+        require_positive("friction", friction);
+        require_positive("ratio", ratio);
+        if (law.empty() || !law.stiffness_is_slope())
+            parts::refuse("law", law.empty() ? "empty" : "of a K that is not -dp/dd",
+                          "elastic: what slips follows the unloading");
+    }
+
+    /// The law of p, continued outside its range.
+    [[nodiscard]] const ContactLaw<T>& normal() const { return law_; }
+
+    /// q and dq/ds at the first displacement \p slip, at the separation \p separation. \throws domain_error unless the
+    /// slip is at least 0, and as ContactLaw.
+    [[nodiscard]] FirstSlip first_slip(T separation, T slip) const {
+        require(slip >= 0, "slip", slip, "0 or greater");
+        const auto stuck = law_.tangent_at_separation(separation + widening_ * slip);
+        return {friction_ * (law_.pressure_at_separation(separation) - stuck.pressure), ratio_ * stuck.slope};
+    }
+
+    /// The loss of a cycle of displacements between -amplitude and amplitude, at the separation \p separation. \throws
+    /// as first_slip.
+    [[nodiscard]] Cycle cycle(T separation, T amplitude) const {
+        require(amplitude >= 0, "amplitude", amplitude, "0 or greater");
+        const T width = widening_ * amplitude;
+        const T traction = first_slip(separation, amplitude).traction;
+        const T lost = 4 * friction_ * friction_ / ratio_ * (std::max)(excess(separation, width), T(0));
+        return {lost, traction > 0 && lost > 0 ? lost / (std::numbers::pi_v<T> * traction * amplitude) : T(0)};
+    }
+
+    /// State and derivatives after a straight path from \p before to \p separation and by \p slip. \p after, which may be
+    /// \p before itself, is what the contact then remembers; of a contact that has not slipped it is the separation
+    /// alone. \throws domain_error for a number that is not finite.
+    template <int Directions>
+    Response<Directions> step(const SlipState<T, Directions>& before, T separation,
+                              const std::type_identity_t<Vector<Directions>>& slip,
+                              SlipState<T, Directions>& after) const {
+        constexpr T most = (std::numeric_limits<T>::max)();
+        require(std::abs(separation) <= most, "separation", separation, "finite");
+        for (int i = 0; i < Directions; ++i) require(std::abs(slip[i]) <= most, "slip", slip[i], "finite");
+        detail::SlipPath<T, Directions> path(before, separation, slip, friction_ / ratio_);
+        const Response<Directions> found = response(path);
+        path.remember(after, [this](T level) { return law_.pressure_at_separation(level); });
+        return found;
+    }
+
+    /// What the contact stores in tangential displacement [J/m^2], beside normal().energy(separation).
+    template <int Directions>
+    [[nodiscard]] T stored_energy(const SlipState<T, Directions>& state) const {
+        T sum{}, level = state.separation;
+        Vector<Directions> u = Vector<Directions>::Zero();
+        for (int i = 0; i < state.count; ++i) {
+            const auto& node = state.nodes[static_cast<std::size_t>(i)];
+            const Vector<Directions> next = Eigen::Map<const Vector<Directions>>(node.drag.data());
+            const Vector<Directions> slope = (next - u) / (node.level - level);
+            sum += slope.squaredNorm() * (law_.energy(level) - law_.energy(node.level)) -
+                   slope.dot(law_.pressure_at_separation(node.level) * next - law_.pressure_at_separation(level) * u);
+            u = next, level = node.level;
+        }
+        return ratio_ * sum;
+    }
+
+private:
+    template <int Directions>
+    [[nodiscard]] Response<Directions> response(const detail::SlipPath<T, Directions>& path) const {
+        Response<Directions> sum{.traction = Vector<Directions>::Zero()};
+        sum.tangent.setZero();
+        auto at = law_.tangent_at_separation(path.begin()->level);
+        sum.pressure = at.pressure;
+        sum.tangent(0, 0) = at.slope;
+        auto by_inputs = sum.tangent.template bottomRows<Directions>();
+        by_inputs = at.slope * path.begin()->drag_by;  // not 0 where nothing slips
+        for (auto a = path.begin(), b = a + 1; b != path.end(); a = b++) {
+            const auto next = law_.tangent_at_separation(b->level);
+            const T length = b->level - a->level;
+            // the mean slope of p between both; where that would cancel, of their slopes
+            const T mean = length * at.slope > T(1e-6) * at.pressure ? (at.pressure - next.pressure) / length
+                                                                     : (at.slope + next.slope) / 2;
+            const Vector<Directions> rise = b->drag - a->drag;
+            sum.traction += mean * rise;
+            by_inputs += mean * (b->drag_by - a->drag_by);
+            if (length > 0)
+                by_inputs += rise / length * ((mean - at.slope) * a->level_by + (next.slope - mean) * b->level_by);
+            at = next;
+        }
+        sum.traction *= ratio_;
+        by_inputs *= ratio_;
+        by_inputs.col(0) *= -1;
+        return sum;
+    }
+    /// (p + p*) width - 2 (E - E*). Where that would cancel, the integral of (width - 2 t) K(d + t) by four points of
+    /// Gauss, which share two distances from the middle.
+    [[nodiscard]] T excess(T separation, T width) const {
+        const auto at = law_.tangent_at_separation(separation);
+        if (at.slope * width > T(0.05) * at.pressure) {
+            const T stuck = separation + width;
+            return (at.pressure + law_.pressure_at_separation(stuck)) * width -
+                   2 * (law_.energy(separation) - law_.energy(stuck));
+        }
+        constexpr T abscissas[] = {T(0.86113631159405257522), T(0.33998104358485626480)},
+                    weights[] = {T(0.34785484513745385737), T(0.65214515486254614263)};
+        T sum{};
+        for (int i = 0; i < 2; ++i) {
+            const T off = abscissas[i] * width / 2, middle = separation + width / 2;
+            sum += weights[i] * abscissas[i] *
+                   (law_.slope_at_separation(middle - off) - law_.slope_at_separation(middle + off));
+        }
+        return width * width / 2 * sum;
+    }
+
+    ContactLaw<T> law_;
+    T friction_, ratio_, widening_;  ///< widening_: of the separation where spots stick, k/mu
+};
+
+}  // namespace fstiff
