@@ -82,6 +82,7 @@ LABELS = {
     "contacts_per_m2": ("contacts [1/mm²]", 1e-6),
     "reflection": ("|R|", 1.0),
     "shear_reflection": ("|R| of shear waves", 1.0),
+    "loss_factor": ("loss factor", 1.0),
 }
 
 

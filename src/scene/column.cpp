@@ -3,6 +3,7 @@
 
 #include "scene/results.hpp"
 
+#include <fstiff/contact/microslip.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 
 #include <algorithm>
@@ -23,6 +24,15 @@ Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene
 }
 
 namespace {
+
+/// Of a cycle of the scene's amplitude. Spots that flowed lose at least as much as equal ones of one pressure, and at
+/// most as much as elastic ones, whose loss is the upper end of a band.
+double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tangential_stiffness, bool is_upper) {
+    const double x = tangential_stiffness * *scene.friction->amplitude /
+                     (scene.friction->coefficient * curve.states[i].pressure.value);
+    const double elastic = parts::loss_factor(parts::PowerUnloading<double>{curve.growth[i]}, x);
+    return flows(scene, *curve.law) && !is_upper ? parts::loss_factor(parts::FlowedUnloading<double>{}, x) : elastic;
+}
 
 Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double tangential_ratio, double seated,
                              const ContactState<double>& s) {
@@ -50,6 +60,7 @@ Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double 
             return {parts::gap_conductance(*scene.conduction.gap, s.separation.value) + scene.conduction.radiation, 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
+        case loss_factor: break;  // of the curve, by loss_of()
     }
     return {};
 }
@@ -58,7 +69,7 @@ Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double 
 
 std::span<const CurveQuantityRow> curve_quantities() {
     using enum CurveQuantity;
-    static constexpr std::array<CurveQuantityRow, 16> table{
+    static constexpr std::array<CurveQuantityRow, 17> table{
         {{force, "force", "_N", "N", "F", Quantity::none, &Scene::force},
          {pressure, "pressure", "_Pa", "Pa", "p", Quantity::none, nullptr},
          {eta, "eta", "", "", "eta", Quantity::separation, nullptr},
@@ -70,9 +81,10 @@ std::span<const CurveQuantityRow> curve_quantities() {
           &Scene::loading_stiffness},
          {tangential_stiffness, "tangential_stiffness", "_Pa_per_m", "Pa/m", "Kt/A0", Quantity::stiffness,
           &Scene::tangential_stiffness, true},
-         {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Scene::reflection, true},
+         {loss_factor, "loss_factor", "", "", "loss factor", Quantity::stiffness, &Scene::loss_factor, true},
+         {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Scene::reflection, true, true},
          {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Scene::shear_reflection,
-          true},
+          true, true},
          {thermal_conductance, "thermal_conductance", "_W_per_m2K", "W/(m^2 K)", "h", Quantity::stiffness,
           &Scene::thermal_conductance, true},
          {thermal_conductance_gap, "thermal_conductance_gap", "_W_per_m2K", "W/(m^2 K)", "h of the gap",
@@ -104,14 +116,21 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
         const bool given = row.of_law == Quantity::none || parts::has(curve.law->quantities, row.of_law);
         if (!given || (of_band && curve.band.empty())) return;
         if (row.quantity == CurveQuantity::approach && curve.seated.empty()) return;
-        const bool falls = row.unit.empty();  // a reflection, while K rises
+        if (row.quantity == CurveQuantity::loss_factor && curve.growth.empty()) return;
         using Band = parts::SampledBand<double>;
-        const auto end = (statistic == Statistic::p05) != falls ? &Band::low : &Band::high;
+        const auto end = (statistic == Statistic::p05) != row.falls ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
             const double seated = curve.seated.empty() ? 0 : curve.seated[i];
-            const Estimate<double> found = estimate_of(row.quantity, scene, tangential_ratio, seated, state);
+            Estimate<double> found = estimate_of(row.quantity, scene, tangential_ratio, seated, state);
+            if (row.quantity == CurveQuantity::loss_factor) {
+                const auto loss = [&](double K) {
+                    return loss_of(scene, curve, i, tangential_ratio * K, statistic == Statistic::p95);
+                };
+                const double K = state.stiffness.value, known = loss(K);
+                found = {known, std::abs(loss(K + state.stiffness.error) - known)};
+            }
             column.values.push_back(statistic == Statistic::error ? found.error : found.value);
         }
         if (row.quantity == CurveQuantity::loading_stiffness &&  // plastic boundary elements know unloading alone

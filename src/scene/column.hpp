@@ -27,6 +27,7 @@ enum class CurveQuantity {
     joint_stiffness,
     loading_stiffness,
     tangential_stiffness,
+    loss_factor,
     reflection,
     shear_reflection,
     thermal_conductance,
@@ -47,6 +48,7 @@ struct CurveQuantityRow {
     Quantity of_law;                ///< that the law must give; none: every law has it
     bool Scene::*asked;             ///< of output.quantities; null: always
     bool has_band = false;          ///< follows from K, so that it has an error and a band
+    bool falls = false;             ///< as K rises
 };
 /// In the order of CurveQuantity.
 [[nodiscard]] std::span<const CurveQuantityRow> curve_quantities();

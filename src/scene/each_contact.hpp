@@ -41,6 +41,21 @@ inline std::string seat(const Scene& scene, const AnyContact& contact, Curve& cu
     return point.ok() ? "" : point.reason;
 }
 
+/// d log K/d log p of \p curve, which has its states, from there to the pressure where two fifths have slipped: what the loss
+/// factor takes of the law. None where \p contact has no K there.
+inline void grow(const Scene& scene, const AnyContact& contact, Curve& curve) {
+    if (!scene.loss_factor) return;
+    constexpr double share = 0.6;
+    std::vector<double> pressures;
+    for (const ContactState<double>& state : curve.states) pressures.push_back(share * state.pressure.value);
+    const auto points = contact.at_pressures(pressures, Quantity::stiffness);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double ratio = curve.states[i].stiffness.value / points[i].state.stiffness.value;
+        if (!points[i].ok() || !(ratio > 0)) return curve.growth.clear();
+        curve.growth.push_back(std::clamp(std::log(ratio) / -std::log(share), 0.0, 1.9));
+    }
+}
+
 /// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where the scene names none,
 /// those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.
 inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {

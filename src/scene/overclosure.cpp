@@ -73,7 +73,7 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     fine.separation = true;
     fine.stiffness = fine.loading_stiffness = true;
     fine.real_area = fine.contacts = fine.tangential_stiffness = false;
-    fine.reflection = fine.shear_reflection = fine.at_separations = false;
+    fine.reflection = fine.shear_reflection = fine.loss_factor = fine.at_separations = false;
     // the chord of an exponential is off by (log ratio)^2/8
     const double decades = std::log(to / from), between_rows = std::sqrt(8 * options.tolerance);
     const auto steps = static_cast<std::size_t>(std::max(32.0, std::ceil(16 * decades / between_rows)));

@@ -13,14 +13,16 @@ namespace fstiff::scene {
 namespace {
 
 void read_output(Source& source, const toml::table* table, Scene& scene) {
-    constexpr std::array<std::string_view, 12> names{
+    constexpr std::array<std::string_view, 13> names{
         "stiffness",  "separation",       "real_area",         "contacts",        "tangential_stiffness",
         "reflection", "shear_reflection", "loading_stiffness", "joint_stiffness", "approach",
-        "thermal_conductance", "electrical_conductance"};
-    const std::array<bool*, 12> flags{
+        "thermal_conductance", "electrical_conductance",
+        "loss_factor"};
+    const std::array<bool*, 13> flags{
         &scene.stiffness,  &scene.separation,       &scene.real_area,         &scene.contacts,
         &scene.tangential_stiffness, &scene.reflection, &scene.shear_reflection, &scene.loading_stiffness,
-        &scene.joint_stiffness, &scene.approach, &scene.thermal_conductance, &scene.electrical_conductance};
+        &scene.joint_stiffness, &scene.approach, &scene.thermal_conductance, &scene.electrical_conductance,
+        &scene.loss_factor};
     static const toml::table none;
     const Section output(source, table ? *table : none, "output", {"quantities"});
     const bool shear = scene.ultrasound && scene.ultrasound->shear;
@@ -32,6 +34,7 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
     };
     const bool heat = scene.conduction.thermal && (scene.conduction.gap || is_written(".thermal_conductivity")),
                current = scene.conduction.electrical && is_written(".electrical_conductivity");
+    const bool slides = scene.friction && scene.friction->amplitude;
     if (const auto* quantities = output.find("quantities")) {
         const std::string key = output.key("quantities");
         for (const auto i : source.choices(*quantities, key, names)) *flags[i] = true;
@@ -50,11 +53,14 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
             if (asked && !known)
                 throw domain_error(source.at(*quantities) + ": " + key + ": needs material.upper." + word +
                                    "_conductivity for \"" + word + "_conductance\"");
+        if (scene.loss_factor && !slides)
+            throw domain_error(source.at(*quantities) + ": " + key + ": needs friction.amplitude for \"loss_factor\"");
     } else {
         const std::size_t count = shear ? 7 : scene.ultrasound ? 6 : 4;
         std::string text;
         for (std::size_t i = 0; i < names.size(); ++i)
-            if (i < count || (scene.is_joint && (i == 8 || i == 9)) || (i == 10 && heat) || (i == 11 && current)) {
+            if (i < count || (scene.is_joint && (i == 8 || i == 9)) || (i == 10 && heat) || (i == 11 && current) ||
+                (i == 4 && scene.friction) || (i == 12 && slides)) {
                 *flags[i] = true;
                 text += (i ? ", " : "") + std::string(names[i]);
             }

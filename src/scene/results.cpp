@@ -321,6 +321,7 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
         Curve& curve = results.curves.emplace_back(made.curve);
         take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made.contact, wanted(scene, *curve.law)));
         static_cast<void>(seat(scene, *made.contact, curve));
+        grow(scene, *made.contact, curve);
     }
     require_states(scene, results.curves);
     finish(scene, results, {});
@@ -351,6 +352,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made, quantities, of_all));
         if (const std::string why = seat(scene, *made, curve); !why.empty())
             results.warnings.push_back("law " + std::string(curve.law->name) + " has no approach: " + why);
+        grow(scene, *made, curve);
         curve.checks = parts::check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,

@@ -40,6 +40,7 @@ struct Curve {
     std::vector<std::size_t> places{};  ///< of the states among Scene::points
     std::vector<MissedPoint> missed{};  ///< the other points
     std::vector<double> seated{};       ///< separation at Scene::seating [m], one a state; empty: not known
+    std::vector<double> growth{};       ///< d log K/d log p below each state, for Scene::loss_factor; empty: not known
     std::vector<parts::Check<double>> checks{};
     std::vector<parts::LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<parts::SampledBand<double>>

@@ -47,6 +47,10 @@ PeakDistribution<double> peak_density(const Peaks& peaks) {
     }
 }
 
+bool flows(const Scene& scene, const Law& law) {
+    return law.needs_hardness || law.needs_yield || (law.needs_whole_map && scene.law_options.hardness > 0);
+}
+
 std::string refusal_of(const Law& law, const Scene& scene) {
     if (scene.at_separations && !parts::has(law.quantities, Quantity::separation))
         return "gives no separation; must be asked for at contact.pressures";

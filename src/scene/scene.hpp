@@ -150,12 +150,13 @@ struct Scene {
     bool stiffness = false, separation = false, real_area = false, contacts = false, loading_stiffness = false;
     bool tangential_stiffness = false, reflection = false, shear_reflection = false;
     bool force = false, joint_stiffness = false, approach = false;  ///< force: where contact.force is there
+    bool loss_factor = false;  ///< where friction.amplitude is there
     bool thermal_conductance = false, electrical_conductance = false;
     bool thermal_conductance_gap = false;  ///< where [gap] is there
 
     /// Whether K is computed, though it may not be shown.
     [[nodiscard]] bool needs_stiffness() const {
-        return stiffness || joint_stiffness || tangential_stiffness || reflection || shear_reflection ||
+        return stiffness || joint_stiffness || tangential_stiffness || loss_factor || reflection || shear_reflection ||
                thermal_conductance || electrical_conductance;
     }
 
@@ -179,6 +180,9 @@ struct Assumed {
 };
 /// What the laws of \p scene assume; empty where no law takes a band, or both numbers were given or measured.
 [[nodiscard]] std::vector<Assumed> assumed(const Scene& scene);
+
+/// Whether K of \p law is that of spots that flowed.
+[[nodiscard]] bool flows(const Scene& scene, const Law& law);
 
 /// Why \p law cannot be computed of \p scene; empty where it can.
 [[nodiscard]] std::string refusal_of(const Law& law, const Scene& scene);

@@ -213,7 +213,7 @@ public:
     [[nodiscard]] std::string block(CurveQuantity quantity, const Units& units) const {
         const Column column{quantity};
         const Heading heading = heading_of(column, units);
-        const bool band = has_band(results_) && column.row().has_band && !column.row().unit.empty();
+        const bool band = has_band(results_) && column.row().has_band && !column.row().falls;
         return table(heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
             const auto value = [&](Statistic statistic) {
                 const auto found = curve.value_at(i, quantity, statistic);
@@ -279,7 +279,7 @@ std::string in_parts(const Scene& scene, const Results& results, const Table& ta
 std::string blocks(const Scene& scene, const Results& results) {
     using enum CurveQuantity;
     const Units units = units_of(scene, results);
-    std::vector<CurveQuantity> shown{stiffness,  joint_stiffness, approach, tangential_stiffness,
+    std::vector<CurveQuantity> shown{stiffness,  joint_stiffness, approach, tangential_stiffness, loss_factor,
                                      reflection, shear_reflection, thermal_conductance, thermal_conductance_gap,
                                      electrical_conductance};
     if (!scene.needs_stiffness()) shown = {separation, approach, real_area, contacts};
