@@ -67,6 +67,11 @@ TEST_CASE("Media by name are those of other tables, and of kinetic theory") {
         CHECK(test::relative_error(gas.mean_free_path, path) < 0.03);
         CHECK(test::relative_error(gas.prandtl, ratio / (ratio - 1) * R / row.molar_mass * mu / gas.conductivity) < 0.03);
     }
+    // Ramires and others, J. Phys. Chem. Ref. Data 24 (1995) 1377, of water at 1 bar
+    const double t = T / 298.15, water = 0.6065 * (-1.48445 + 4.12292 * t - 1.63866 * t * t);
+    const auto& media = fstiff::parts::named_media;
+    const auto found = std::find_if(media.begin(), media.end(), [](const auto& one) { return one.name == "water"; });
+    CHECK(test::relative_error(found->gas.conductivity, water) < 0.002);
 }
 
 }  // namespace conductance_test
