@@ -100,8 +100,9 @@ class Judge:
     def joints(self):
         for row in rows("joints.csv"):
             ends = lambda key, unit: [float(row[f"{key}_{end}_{unit}"]) for end in ("from", "to")]
-            height, pressure, h = math.sqrt(math.prod(ends("roughness", "um"))), math.sqrt(math.prod(ends("pressure", "MPa"))), float(row["h_W_per_m2K"])
-            gap, value, low, high = self.joint(row["upper"], row["lower"], row["process"], height, pressure, f'medium = "{row["medium"]}"')
+            height, pressure = (math.sqrt(math.prod(ends(*of))) for of in (("roughness", "um"), ("pressure", "MPa")))
+            of_row, h = (row["upper"], row["lower"], row["process"]), float(row["h_W_per_m2K"])
+            gap, value, low, high = self.joint(*of_row, height, pressure, f'medium = "{row["medium"]}"')
             yield row, height, pressure, h, gap, [(gap + one) / h for one in (value, low, high)]
 
     def filled(self, medium, height):
@@ -124,8 +125,8 @@ class Judge:
         """Rms height that makes the answer meet h of the first row [um], and the rows with what it then says."""
         mine = [row for row in rows("inconel_haynes.csv") if row["finish"] == finish]
         pressures = ", ".join(f'"{row["pressure_kPa"]} kPa"' for row in mine)
-        at = lambda height: self.conductance(f'{INCONEL_HAYNES}[surface]\nrms_height = "{height:.6g} um"\n[contact]\npressures = [{pressures}]\n'
-                                             '[gap]\nmedium = "air"\n')
+        contact = f'[contact]\npressures = [{pressures}]\n[gap]\nmedium = "air"\n'
+        at = lambda height: self.conductance(f'{INCONEL_HAYNES}[surface]\nrms_height = "{height:.6g} um"\n{contact}')
         height = met(lambda one: sum(at(one)[0][:2]), float(mine[0]["h_median_W_per_m2K"]), 0.1, 20)
         return height, list(zip(mine, at(height)))
 
@@ -165,8 +166,9 @@ def tables_of_joints(judge):
     for row, height, pressure, h, gap, (value, low, high) in judge.joints():
         covers = low <= 1 <= high
         inside += covers
-        lines.append([f'{row["upper"]} on {row["lower"]}, {row["process"]}, {row["medium"]}'.replace("_", " "), number(height), number(pressure),
-                      number(h), number(gap), f"{value:.2f}", span(low, high), "yes" if covers else "no"])
+        joint = f'{row["upper"]} on {row["lower"]}, {row["process"]}, {row["medium"]}'.replace("_", " ")
+        lines.append([joint, number(height), number(pressure), number(h), number(gap), f"{value:.2f}", span(low, high),
+                      "yes" if covers else "no"])
     head = ["joint", "roughness [µm]", "p [MPa]", "h measured", "of it the gap", "answer/measured", "90 % band", "covers"]
     fluids = [[medium, number(h), number(gap), f"{value:.2f}", span(low, high), "yes" if low <= 1 <= high else "no", told]
               for medium, h, gap, (value, low, high), told in judge.media()]

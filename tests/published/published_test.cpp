@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What docs/published.md says of fstiff against measurements and simulations of others (tests/data/published, whose sources stand in
-// tests/data/README.md). The bounds are what was found; where a law fails, the case says so.
+// What docs/published.md says of fstiff against measurements and simulations of others (tests/data/published, whose
+// sources stand in tests/data/README.md). The bounds are what was found; where a law fails, the case says so.
 #include "support/library.hpp"
 #include "support/table.hpp"
 
@@ -109,9 +109,11 @@ TEST_CASE("The band covers 11 of 18 published conductances of joints of which ro
         };
         const std::string face = "{ rms_height = " + quoted(middle("roughness", "um"), "um") + ", process = \"" +
                                  table.text(i, "process") + "\" }\n";
-        const Heat found = heat("material = { upper = \"" + table.text(i, "upper") + "\", lower = \"" + table.text(i, "lower") +
-                                "\" }\n[surface]\nupper = " + face + "lower = " + face + "[contact]\npressures = [" +
-                                quoted(middle("pressure", "MPa"), "MPa") + "]\n[gap]\nmedium = \"" + table.text(i, "medium") + "\"\n")
+        const std::string bodies = "material = { upper = \"" + table.text(i, "upper") + "\", lower = \"" +
+                                   table.text(i, "lower") + "\" }\n";
+        const Heat found = heat(bodies + "[surface]\nupper = " + face + "lower = " + face + "[contact]\npressures = [" +
+                                quoted(middle("pressure", "MPa"), "MPa") + "]\n[gap]\nmedium = \"" +
+                                table.text(i, "medium") + "\"\n")
                                .at(0);
         const double h = table.input(i, "h_W_per_m2K"), ratio = (found.gap + found.spots) / h;
         inside += found.gap + found.low <= h && h <= found.gap + found.high;
@@ -135,9 +137,10 @@ TEST_CASE("Conductance in air to 230 kPa follows from one fitted rms height, and
             }
         REQUIRE(h.size() == 10);
         const auto at = [&](double height) {
-            return heat("[material]\nupper = { youngs_modulus = \"200 GPa\", poisson_ratio = 0.29, thermal_conductivity = \"11.4 W/(m K)\" }\n"
-                        "lower = { youngs_modulus = \"225 GPa\", poisson_ratio = 0.3, thermal_conductivity = \"9.4 W/(m K)\" }\n"
-                        "[surface]\nrms_height = " + quoted(height, "um") + "\n[contact]\npressures = [" + pressures +
+            return heat("[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.29\n"
+                        "thermal_conductivity = \"11.4 W/(m K)\"\n"
+                        "[material.lower]\nyoungs_modulus = \"225 GPa\"\npoisson_ratio = 0.3\n"
+                        "thermal_conductivity = \"9.4 W/(m K)\"\n[surface]\nrms_height = " + quoted(height, "um") + "\n[contact]\npressures = [" + pressures +
                         "]\n[gap]\nmedium = \"air\"\n");
         };
         double low = 0.1, high = 20;
@@ -164,13 +167,16 @@ TEST_CASE("Mated rock unloads more stiffly than it loads, and K grows more slowl
         CHECK(slope(specimen, "unloading", 8.22) < 1.7 * eight);
     }
     const json answer = run(gaussian({0.002, 0.008}))["answer"];
-    CHECK(std::log(answer[1]["stiffness_Pa_per_m"].get<double>() / answer[0]["stiffness_Pa_per_m"].get<double>()) / std::log(4) > 0.8);
+    const double grown = answer[1]["stiffness_Pa_per_m"].get<double>() / answer[0]["stiffness_Pa_per_m"].get<double>();
+    CHECK(std::log(grown) / std::log(4) > 0.8);
 }
 
 TEST_CASE("Ground metals that flow unload 1.2 to 2 times as stiffly as they load, of a measured 3") {
     const auto ratio = [](const char* gradient) {
-        const json row = run("material.upper = { name = \"titanium\", hardness = \"3.4 GPa\" }\n[surface]\nrms_height = \"0.5 um\"\n"
-                             "process = \"ground\"\nrms_gradient = " + std::string(gradient) + "\n[contact]\npressures = [\"70 MPa\"]\n")["answer"][0];
+        const json document = run("material.upper = { name = \"titanium\", hardness = \"3.4 GPa\" }\n"
+                                  "contact.pressures = [\"70 MPa\"]\n[surface]\nrms_height = \"0.5 um\"\n"
+                                  "process = \"ground\"\nrms_gradient = " + std::string(gradient) + "\n");
+        const json& row = document["answer"][0];
         return row["stiffness_Pa_per_m"].get<double>() / row["loading_stiffness_Pa_per_m"].get<double>();
     };
     CHECK(ratio("0.1") > 1.15);

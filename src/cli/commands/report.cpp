@@ -156,8 +156,8 @@ void conductance_tables(Page& page, const Scene& scene, const Results& results) 
 
 /// The table of the laws that are named, and what their bands are.
 void named_laws(Page& page, const Scene& scene, const Results& results, const Units& units) {
-    TextRows rows =
-        quantity_rows(scene, results, CurveQuantity::stiffness, units.stiffness.heading("K/A₀"), units.stiffness.factor);
+    TextRows rows = quantity_rows(scene, results, CurveQuantity::stiffness, units.stiffness.heading("K/A₀"),
+                                  units.stiffness.factor);
     constexpr std::size_t most = 7;
     const std::size_t curves = rows.size() - 1;
     if (curves > most) rows.resize(most + 1);
