@@ -275,6 +275,7 @@ FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options,
 /** The answer of a scene, `length` bytes of TOML (NULL: the built-in scene), and the laws that it names. name is as in
  * fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers: "answer.*.pressure_Pa",
  * "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m" and "..._p95_Pa_per_m",
+ * "answer.*.thermal_conductance_W_per_m2K" and its ends where the scene has a gap or a conductivity,
  * "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where peaks flow, "rows.*..." of
  * the laws. Words: "answer.0.law", "verdict.0", "outside_band" ... */
 FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made);

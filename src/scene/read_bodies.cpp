@@ -204,6 +204,17 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     scene.ultrasound = waves;
 }
 
+namespace {
+
+const parts::NamedMedium& named_medium(Source& source, const toml::node& node, const std::string& key) {
+    std::array<std::string_view, parts::named_media.size()> names{};
+    std::transform(parts::named_media.begin(), parts::named_media.end(), names.begin(),
+                   [](const parts::NamedMedium& one) { return one.name; });
+    return parts::named_media[source.choice(node, key, names)];
+}
+
+}  // namespace
+
 void read_gap(Source& source, const toml::table& table, Scene& scene) {
     const Section gap(source, table, "gap",
                       {"medium", "conductivity", "temperature_jump", "accommodation", "temperature", "emissivity",
@@ -223,9 +234,9 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
     for (const std::string_view key : {"conductivity", "temperature_jump"})
         for (const std::string_view of_gas : {"medium", "accommodation"}) apart(key, of_gas);
     if (const toml::node* medium = gap.find("medium")) {
-        static_cast<void>(source.choice(*medium, gap.key("medium"), std::array<std::string_view, 1>{"air"}));
-        const double accommodation = share("accommodation").value_or(0.87);
-        conduction.gap = {parts::air<double>.conductivity, parts::temperature_jump(parts::air<double>, accommodation)};
+        const parts::NamedMedium& filling = named_medium(source, *medium, gap.key("medium"));
+        const double accommodation = share("accommodation").value_or(filling.accommodation);
+        conduction.gap = {filling.gas.conductivity, parts::temperature_jump(filling.gas, accommodation)};
     } else if (const auto conductivity = gap.optional_positive("conductivity", Dimension::thermal_conductivity)) {
         conduction.gap = {*conductivity, gap.optional_positive("temperature_jump", Dimension::length).value_or(0)};
     }

@@ -6,7 +6,9 @@
 #include "support/catch.hpp"
 #include "support/accuracy.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace conductance_test {
 
@@ -41,6 +43,35 @@ TEST_CASE("A film lies between the spots and nothing, and the gap and radiation 
     // black faces at 300 K: 4 s T^3 = 6.12 W/(m^2 K)
     CHECK(test::relative_error(radiative_conductance(300.0, 1.0), 6.1240) < 1e-5);
     CHECK(radiative_conductance(300.0, 0.1) < 0.06 * 6.124);
+}
+
+TEST_CASE("Media by name are those of other tables, and of kinetic theory") {
+    // Conductivity at 300 K: Smirnov, Fundamentals of Ionized Gases (2011), table 4.6. Viscosity at 25 degrees and molar mass: CRC
+    // Handbook, which make the mean free path of hard spheres, 16/5 mu/p sqrt(R T/(2 pi M)), and Pr = c_p mu/k.
+    const struct {
+        const char* name;
+        double at_300_K, viscosity, molar_mass;
+    } rows[] = {{"helium", 0.151, 19.9e-6, 4.0026e-3}, {"argon", 0.0177, 22.7e-6, 39.95e-3},
+                {"nitrogen", 0.0259, 17.8e-6, 28.01e-3}, {"hydrogen", 0.183, 8.9e-6, 2.016e-3},
+                {"air", 0.0262, 18.5e-6, 28.96e-3}};
+    const double R = 8.314, T = 293.15, p = 101325;
+    for (const auto& row : rows) {
+        const auto found = std::find_if(fstiff::parts::named_media.begin(), fstiff::parts::named_media.end(),
+                                        [&](const auto& one) { return one.name == row.name; });
+        REQUIRE(found != fstiff::parts::named_media.end());
+        const auto& gas = found->gas;
+        INFO(row.name);
+        CHECK(test::relative_error(gas.conductivity, row.at_300_K) < 0.03);
+        const double mu = row.viscosity * std::pow(T / 298.15, 0.7), ratio = gas.heat_capacity_ratio;
+        const double path = 3.2 * mu / p * std::sqrt(R * T / (2 * std::numbers::pi * row.molar_mass));
+        CHECK(test::relative_error(gas.mean_free_path, path) < 0.03);
+        CHECK(test::relative_error(gas.prandtl, ratio / (ratio - 1) * R / row.molar_mass * mu / gas.conductivity) < 0.03);
+    }
+    // Ramires and others, J. Phys. Chem. Ref. Data 24 (1995) 1377, of water at 1 bar
+    const double t = T / 298.15, water = 0.6065 * (-1.48445 + 4.12292 * t - 1.63866 * t * t);
+    const auto& media = fstiff::parts::named_media;
+    const auto found = std::find_if(media.begin(), media.end(), [](const auto& one) { return one.name == "water"; });
+    CHECK(test::relative_error(found->gas.conductivity, water) < 0.002);
 }
 
 }  // namespace conductance_test

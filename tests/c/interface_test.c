@@ -359,6 +359,28 @@ static void test_documents(void) {
     free(again);
 }
 
+/* h = k K/E of the answer and of the laws, with the band of K. */
+static void test_conductance(void) {
+    static const char scene[] = "material = { upper = \"steel\", lower = \"aluminium\" }\n[surface]\nrms_height = \"0.8 um\"\n"
+                                "rms_gradient = 0.1\n[contact]\npressures = [\"1 MPa\"]\n[gap]\nmedium = \"argon\"\n";
+    static const char* const ends[] = {"", "_p05", "_p95"};
+    fstiff_document* made;
+    CHECK(fstiff_run(scene, strlen(scene), "scene", NULL, &made) == FSTIFF_OK);
+    const double k = 2 * 53.3 * 237 / (53.3 + 237), E = 1 / ((1 - 0.09) / 210e9 + (1 - 0.345 * 0.345) / 70.3e9);
+    for (int i = 0; i < 6; ++i) {
+        char of[80];
+        double K, h;
+        size_t found;
+        const char *list = i < 3 ? "answer" : "rows", *end = ends[i % 3];
+        snprintf(of, sizeof of, "%s.*.stiffness%s_Pa_per_m", list, end);
+        CHECK(fstiff_document_numbers(made, of, &K, 1, &found) == FSTIFF_OK && found == 1);
+        snprintf(of, sizeof of, "%s.*.thermal_conductance%s_W_per_m2K", list, end);
+        CHECK(fstiff_document_numbers(made, of, &h, 1, &found) == FSTIFF_OK && found == 1);
+        CHECK(K > 0 && fabs(h / (k * K / E) - 1) < 1e-12);
+    }
+    fstiff_document_free(made);
+}
+
 /* ---- Refusals ---- */
 
 #define REFUSES(wanted, words, call)                         \
@@ -655,6 +677,7 @@ int main(int argc, char** argv) {
         test_law_of_a_map();
         test_measurement();
         test_documents();
+        test_conductance();
         free(text);
     } else if (strcmp(part, "refusals") == 0)
         test_refusals();

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace report_test {
 
 using namespace test;
@@ -122,6 +124,29 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
     // the answer is on the first screen: the picture, and the verdict beside it
     CHECK(k["bottom"].get<double>() < 1000);
     CHECK(seen["verdict"].get<double>() < 1000);
+}
+
+TEST_CASE("The report shows the conductances that a scene asks for, with the band of K") {
+    const Folder folder;
+    const std::string scene = folder.write("heat.toml", "material = { upper = \"steel\", lower = \"aluminium\" }\n"
+                                                        "[surface]\nSq = \"0.8 um\"\nSdq = 0.1\n[contact]\n"
+                                                        "pressures = [\"1 MPa\", \"10 MPa\"]\n[gap]\nmedium = \"helium\"\n");
+    REQUIRE(run_fstiff("report '" + scene + "' -o '" + folder / "out" + "'").status == 0);
+    const std::string page = read(folder / "out/report.html");
+    // what run prints of the same scene, in the form of the page
+    const Csv rows(run_fstiff("run '" + scene + "' --format csv").out);
+    const auto shown = [&](const char* column) {
+        const double value = rows.number(0, column), step = std::pow(10, std::floor(std::log10(value)) - 2);
+        return std::to_string(std::lround(std::round(value / step) * step));
+    };
+    CHECK(contains(page, shown("thermal_conductance_W_per_m2K") + " (" + shown("thermal_conductance_p05_W_per_m2K") + " to " +
+                             shown("thermal_conductance_p95_W_per_m2K") + ")"));
+    CHECK(contains(page, "h of the gap [W/(m² K)]"));
+    CHECK_FALSE(contains(page, "the lower is assumed to be as the upper"));
+    const Json seen = rendered(page);
+    if (seen.is_null()) return;
+    REQUIRE(seen.at("figures").size() == 5);  // K, h, area, contacts, separation
+    CHECK(seen["figures"][1]["bands"] == 1);
 }
 
 TEST_CASE("The report of a measured profile shows it, its bearing curve and its structure function") {

@@ -145,6 +145,23 @@ TEST_CASE("A grid that names no law carries the answer, whose law is chosen anew
     check_as_run(results, [&](const Line& line) { return scene("\"" + line.at(1).second + " Pa\""); });
 }
 
+TEST_CASE("A grid carries the conductances with their bands, and its gaps may be filled with one medium after the other") {
+    const auto scene = [](const std::string& medium) {
+        return "material = { upper = \"steel\", lower = \"aluminium\" }\n[surface]\nrms_height = \"0.5 um\"\n"
+               "rms_gradient = 0.1\n[contact]\npressures = [\"3 MPa\", \"30 MPa\"]\n[gap]\nmedium = " + medium + "\n";
+    };
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", scene("[\"air\", \"helium\", \"vacuum\"]"));
+    const Outcome outcome = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --threads 1");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const std::string results = read(folder / "out");
+    for (const char* end : {"", "_p05", "_p95"})
+        CHECK(contains(lines(results).front(), "\"thermal_conductance" + std::string(end) + "_W_per_m2K\":"));
+    CHECK(contains(lines(results).back(), "\"thermal_conductance_gap_W_per_m2K\":0,"));
+    check_as_run(results, [&](const Line& line) { return scene(line.at(1).second); });
+}
+
 TEST_CASE("Words and tables may be swept, and stand in the lines as texts") {
     const Folder folder;
     const std::string text = scene_with("laws", "[ { values = [\"hertz\", \"plastic\"] } ]");

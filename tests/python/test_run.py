@@ -96,6 +96,19 @@ def test_empty_cells_are_nan_and_bands_are_there(command, tmp_path):
     assert (curves["stiffness_p05_Pa_per_m"] < curves["stiffness_Pa_per_m"]).any()
 
 
+def test_conductances_are_columns_with_their_bands(command, tmp_path):
+    file = tmp_path / "heat.toml"
+    file.write_text('material.upper = "steel"\nsurface = { rms_height = "0.8 um", rms_gradient = 0.1 }\n'
+                    'contact.pressures = ["1 MPa", "10 MPa"]\ngap.medium = "helium"\n')
+    curves = fstiff.run(file)
+    same(curves, command.csv("run", file))
+    modulus = 210e9 / (2 * (1 - 0.3**2))
+    for end in ("", "_p05", "_p95"):
+        h = curves[f"thermal_conductance{end}_W_per_m2K"]
+        assert h == pytest.approx(53.3 * curves[f"stiffness{end}_Pa_per_m"] / modulus, rel=1e-12)
+        assert curves.answer[f"thermal_conductance{end}_W_per_m2K"] == pytest.approx(h, rel=1e-15)
+
+
 def test_what_stands_beside_the_columns(command, tmp_path):
     scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
     file = tmp_path / "bodies.toml"

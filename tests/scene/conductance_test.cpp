@@ -72,6 +72,22 @@ TEST_CASE("The gap, radiation and films stand beside the spots") {
                                1 / at(bare, thermal_conductance) + 1e-6 / at(bare, real_area)) < 1e-12);
 }
 
+TEST_CASE("A gap is filled by name: a gas jumps at its faces, a liquid does not, a vacuum leaves radiation") {
+    const std::string steel = "material.upper = \"steel\"\n", laws = "laws = [\"hybrid\"]\n";
+    const auto filled = [&](const std::string& gap) { return results(steel + surface + contact + laws + "[gap]\n" + gap); };
+    const double d = at(filled("medium = \"air\"\n"), separation);
+    CHECK(test::relative_error(at(filled("medium = \"water\"\n"), thermal_conductance_gap), 0.598 / d) < 1e-14);
+    CHECK(at(filled("medium = \"vacuum\"\n"), thermal_conductance_gap) == 0);
+    const auto bright = filled("medium = \"vacuum\"\nemissivity = 1\ntemperature = \"300 K\"\n");
+    CHECK(test::relative_error(at(bright, thermal_conductance_gap), 6.1240) < 1e-5);
+    // M of helium by hand: 2 (2 - a)/a 2 g/(g + 1)/Pr L, g = 5/3
+    for (const auto& [written, a] : {std::pair{"", 0.4}, {"accommodation = 0.9\n", 0.9}}) {
+        const double jump = 2 * (2 - a) / a * 1.25 / 0.67 * 194e-9;
+        CHECK(test::relative_error(at(filled(std::string("medium = \"helium\"\n") + written), thermal_conductance_gap),
+                                   0.154 / (d + jump)) < 1e-12);
+    }
+}
+
 TEST_CASE("Plastic peaks conduct as Cooper, Mikic and Yovanovich say, less what their spots share") {
     // h = 1.25 k m/sigma (p/H)^0.95 with the mean slope of a profile m = g/sqrt(pi), of spots that do not feel one another;
     // 0.72 to 0.97 of it by boundary elements of three maps, which theory and K of unloading agree with
@@ -91,7 +107,7 @@ TEST_CASE("Heat without a conductivity, and a gap that contradicts itself, are r
     const std::string plain = "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n";
     const std::string asked = "[output]\nquantities = [\"thermal_conductance\"]\n";
     CHECK(test::contains(refusal(plain + surface + contact + asked), "needs material.upper.thermal_conductivity"));
-    CHECK(test::contains(refusal(plain + surface + contact + "[gap]\nmedium = \"xenon\"\n"), "must be one of \"air\""));
+    CHECK(test::contains(refusal(plain + surface + contact + "[gap]\nmedium = \"xenon\"\n"), "must be one of \"air\", \"helium\""));
     CHECK(test::contains(refusal(surface + contact + "[gap]\nmedium = \"air\"\nconductivity = \"1 W/(m K)\"\n"),
                          "gap.conductivity = \"1 W/(m K)\": must not stand beside gap.medium"));
     CHECK(test::contains(refusal(surface + contact + "[gap]\nemissivity = 2\ntemperature = \"293 K\"\n"), "gap.emissivity"));

@@ -14,7 +14,7 @@
 /// ones. The spots, the gap and radiation are in parallel.
 ///
 /// Reference   Barber, Proc. R. Soc. A 459 (2003) 53; Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182
-///             (gap and M); Holm, Electric Contacts (1967), section 5 (film)
+///             (gap and M); Holm, Electric Contacts (1967), section 5 (film); media: at the table
 /// Units       k [W/(m K)] or [S/m], K [Pa/m], E [Pa], h [W/(m^2 K)] or [S/m^2], d, M, L [m], T [K]
 /// Valid       bodies much thicker than the distance of the spots; films much thinner than a spot is wide
 /// Accuracy    5 ulp (tests/asperity/conductance_test.cpp); the gap by its mean width, which the narrow parts exceed
@@ -22,7 +22,9 @@
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/error.hpp>
 
+#include <array>
 #include <limits>
+#include <string_view>
 
 namespace fstiff {
 
@@ -77,6 +79,25 @@ struct Gas {
 /// Sci. 19 (1988) 159).
 template <Real T = double>
 inline constexpr Gas<T> air{T(0.0257), T(66.35e-9), T(1.4), T(0.71)};
+
+/// What may fill a gap, by its name.
+struct NamedMedium {
+    std::string_view name;
+    Gas<double> gas;  ///< a liquid has no mean free path, and a vacuum conducts nothing
+    double accommodation;
+};
+/// At 20 degrees Celsius and 1 atm. Gases: CRC Handbook, conductivities between 200 and 300 K, mean free paths of 25
+/// degrees and 100 kPa times T/p, Prandtl numbers of its viscosities. Accommodation on machined metal: helium 0.36 to
+/// 0.46 (Trott and others, Rev. Sci. Instrum. 82 (2011) 035120), hydrogen as helium. Water: IAPWS R15-11 (2011);
+/// glycerol: CRC Handbook, 25 degrees.
+inline constexpr std::array<NamedMedium, 8> named_media{{{"air", air<double>, 0.87},
+                                                         {"helium", {0.154, 194e-9, 5.0 / 3, 0.67}, 0.4},
+                                                         {"argon", {0.0175, 70.1e-9, 5.0 / 3, 0.67}, 0.87},
+                                                         {"nitrogen", {0.0255, 65.6e-9, 1.4, 0.72}, 0.87},
+                                                         {"hydrogen", {0.183, 122e-9, 1.41, 0.69}, 0.4},
+                                                         {"water", {0.598, 0, 1, 1}, 1},
+                                                         {"glycerol", {0.292, 0, 1, 1}, 1},
+                                                         {"vacuum", {0, 0, 1, 1}, 1}}};
 
 /// M of \p gas between faces that both have the accommodation coefficient \p accommodation.
 template <Real T>

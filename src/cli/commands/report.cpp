@@ -100,7 +100,9 @@ std::string material_sentence(const Scene& scene) {
                        scene.upper.poisson_ratio == scene.lower.poisson_ratio;
     std::string text = assumed ? "Material assumed, not given: steel of the built-in scene, " : "Material: ";
     text += alike ? body(scene.upper) + " of both bodies" : body(scene.upper) + " on " + body(scene.lower);
-    const auto same = [](const Input& input) { return input.key == "material.lower"; };
+    const auto same = [](const Input& input) {
+        return input.key == "material.lower" && input.written.ends_with("(default)");
+    };
     if (std::any_of(scene.inputs.begin(), scene.inputs.end(), same))
         text += " (the lower is assumed to be as the upper)";
     text += scene.yield_strength ? ", yield strength " + with_unit(*scene.yield_strength, "Pa", 4)
@@ -119,21 +121,22 @@ Units page_units(const Scene& scene, const Results& results) {
     return units;
 }
 
-/// K of every law that is named, at the points of a summary, with its band.
-TextRows stiffness_rows(const Scene& scene, const Results& results, const Units& units) {
+/// \p quantity of every curve at the points of a summary, with its band.
+TextRows quantity_rows(const Scene& scene, const Results& results, CurveQuantity quantity, std::string heading,
+                       double factor = 1) {
     const std::vector<std::size_t> points = points_of_answer(scene);
-    TextRows rows{{units.stiffness.heading("K/A₀")}};
+    TextRows rows{{std::move(heading)}};
     for (const std::size_t i : points)
         rows[0].push_back((scene.at_separations ? "at d = " : "at ") + shown_point(scene, i));
     for (const Curve& curve : results.curves) {
         std::vector<std::string> row{legend_of(curve)};
         for (const std::size_t i : points) {
             const auto shown = [&](Statistic statistic) {
-                const auto value = curve.value_at(i, CurveQuantity::stiffness, statistic);
-                return value ? with_unit(*value * units.stiffness.factor, "", 3) : "-";
+                const auto value = curve.value_at(i, quantity, statistic);
+                return value ? with_unit(*value * factor, "", 3) : "-";
             };
             row.push_back(shown(Statistic::value));
-            if (curve.value_at(i, CurveQuantity::stiffness, Statistic::p05))
+            if (curve.value_at(i, quantity, Statistic::p05))
                 row.back() += " (" + shown(Statistic::p05) + " to " + shown(Statistic::p95) + ")";
         }
         rows.push_back(std::move(row));
@@ -141,9 +144,20 @@ TextRows stiffness_rows(const Scene& scene, const Results& results, const Units&
     return rows;
 }
 
+/// Heat and current, where they are asked for.
+void conductance_tables(Page& page, const Scene& scene, const Results& results) {
+    const auto show_rows = [&](bool asked, CurveQuantity quantity, const char* heading) {
+        if (asked) page.table(quantity_rows(scene, results, quantity, heading));
+    };
+    show_rows(scene.thermal_conductance, CurveQuantity::thermal_conductance, "h of the spots [W/(m² K)], 5 % to 95 %");
+    show_rows(scene.thermal_conductance_gap, CurveQuantity::thermal_conductance_gap, "h of the gap [W/(m² K)]");
+    show_rows(scene.electrical_conductance, CurveQuantity::electrical_conductance, "h of current [S/m²], 5 % to 95 %");
+}
+
 /// The table of the laws that are named, and what their bands are.
 void named_laws(Page& page, const Scene& scene, const Results& results, const Units& units) {
-    TextRows rows = stiffness_rows(scene, results, units);
+    TextRows rows = quantity_rows(scene, results, CurveQuantity::stiffness, units.stiffness.heading("K/A₀"),
+                                  units.stiffness.factor);
     constexpr std::size_t most = 7;
     const std::size_t curves = rows.size() - 1;
     if (curves > most) rows.resize(most + 1);
@@ -186,6 +200,7 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     if (!assumed.empty()) page.paragraph(assumed + ".");
     if (const std::string next = measure_next(scene, results); !next.empty()) page.paragraph(sentence_case(next) + ".");
     if (!scene.best) named_laws(page, scene, results, units);
+    conductance_tables(page, scene, results);
     page.end("div");
     Panel picture = stiffness_panel(scene, results);
     picture.y.unit = units.stiffness;
@@ -200,6 +215,7 @@ void other_figures(Page& page, const Scene& scene, const Results& results) {
     if (scene.ultrasound)
         for (Panel& panel : reflection_panels(scene, results))
             show(page, {std::move(panel)}, "Reflection of ultrasound by the contact, eq. (5.1).");
+    for (Panel& panel : conductance_panels(scene, results)) show(page, {std::move(panel)}, "h = k K/E.");
     std::vector<Panel> panels{quantity_panel(results, {.label = "real area / nominal"},
                                              [](const ContactState<double>& s) { return s.real_area_fraction.value; }),
                               quantity_panel(results, {.label = "contacts", .si = "1/m^2"},

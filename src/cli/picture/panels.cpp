@@ -112,28 +112,6 @@ void add_band(PlotLine& line, const Curve& curve, const Ends& ends) {
     line.band = sampled ? shown_band : "± error";
 }
 
-/// Conductances, where they are asked for; films on the spots leave no band, as each end has a real area of its own.
-void add_conductances(Figure& figure, const Scene& scene, const Results& results) {
-    const auto add = [&](CurveQuantity quantity, double film, const char* title, const char* label) {
-        const auto of = [&](const ContactState<double>& state) {
-            return conductance_of_spots(quantity, scene, state).value;
-        };
-        Ends ends;
-        if (film == 0)
-            ends = [&](const parts::SampledBand<double>& band) {
-                return std::pair(of({.stiffness = {band.low}}), of({.stiffness = {band.high}}));
-            };
-        figure.panels.push_back(quantity_panel(results, {.label = label}, of, ends));
-        figure.panels.back().title = title;
-    };
-    if (scene.thermal_conductance)
-        add(CurveQuantity::thermal_conductance, scene.conduction.thermal_film, "Thermal conductance of the spots",
-            "h [W/(m² K)]");
-    if (scene.electrical_conductance)
-        add(CurveQuantity::electrical_conductance, scene.conduction.electrical_film,
-            "Electrical conductance of the spots", "h [S/m²]");
-}
-
 Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
                        double ratio) {
     const auto of = [&](double stiffness) { return reflection(ratio * stiffness, media, scene.ultrasound->angular()); };
@@ -158,6 +136,29 @@ std::vector<Panel> reflection_panels(const Scene& scene, const Results& results)
     if (waves.shear)
         panels.push_back(
             reflection_panel(scene, results, "Reflection of shear waves", *waves.shear, results.tangential_ratio));
+    return panels;
+}
+
+std::vector<Panel> conductance_panels(const Scene& scene, const Results& results) {
+    std::vector<Panel> panels;
+    const auto add = [&](CurveQuantity quantity, double film, const char* title, const char* label) {
+        const auto of = [&](const ContactState<double>& state) {
+            return conductance_of_spots(quantity, scene, state).value;
+        };
+        Ends ends;
+        if (film == 0)
+            ends = [&](const parts::SampledBand<double>& band) {
+                return std::pair(of({.stiffness = {band.low}}), of({.stiffness = {band.high}}));
+            };
+        panels.push_back(quantity_panel(results, {.label = label}, of, ends));
+        panels.back().title = title;
+    };
+    if (scene.thermal_conductance)
+        add(CurveQuantity::thermal_conductance, scene.conduction.thermal_film, "Thermal conductance of the spots",
+            "h [W/(m² K)]");
+    if (scene.electrical_conductance)
+        add(CurveQuantity::electrical_conductance, scene.conduction.electrical_film,
+            "Electrical conductance of the spots", "h [S/m²]");
     return panels;
 }
 
@@ -234,7 +235,7 @@ Figure results_figure(const Scene& scene, const Results& results) {
                   .verdict = results.short_verdict,
                   .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
-    add_conductances(figure, scene, results);
+    for (Panel& panel : conductance_panels(scene, results)) figure.panels.push_back(std::move(panel));
     figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " +
                   with_unit(scene.face.parameters.rms_height.value, "m", 4);
     if (const std::string some = left_out(results); !some.empty())
