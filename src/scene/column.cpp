@@ -8,12 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fstiff::scene {
 namespace {
 
-}  // namespace
-
+/// Of heat or current, as \p quantity says, through the spots of \p s and their film [W/(m^2 K)], [S/m^2].
 Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene, const ContactState<double>& s) {
     const Conduction& by = scene.conduction;
     const bool heat = quantity == CurveQuantity::thermal_conductance;
@@ -23,15 +23,14 @@ Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene
     return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
 }
 
-namespace {
-
-/// Of a cycle of the scene's amplitude. Spots that flowed lose at least as much as equal ones of one pressure, and at
-/// most as much as elastic ones, whose loss is the upper end of a band.
-double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tangential_stiffness, bool is_upper) {
+/// Of a cycle of the scene's amplitude. Of spots that flowed two limits are known, between which the middle is a mean.
+double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tangential_stiffness, Statistic statistic) {
     const double x = tangential_stiffness * *scene.friction->amplitude /
                      (scene.friction->coefficient * curve.states[i].pressure.value);
     const double elastic = parts::loss_factor(parts::PowerUnloading<double>{curve.growth[i]}, x);
-    return flows(scene, *curve.law) && !is_upper ? parts::loss_factor(parts::FlowedUnloading<double>{}, x) : elastic;
+    if (!flows(scene, *curve.law) || statistic == Statistic::p95) return elastic;
+    const double flowed = parts::loss_factor(parts::FlowedUnloading<double>{}, x);
+    return statistic == Statistic::p05 ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
 }
 
 Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double tangential_ratio, double seated,
@@ -126,7 +125,7 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
             Estimate<double> found = estimate_of(row.quantity, scene, tangential_ratio, seated, state);
             if (row.quantity == CurveQuantity::loss_factor) {
                 const auto loss = [&](double K) {
-                    return loss_of(scene, curve, i, tangential_ratio * K, statistic == Statistic::p95);
+                    return loss_of(scene, curve, i, tangential_ratio * K, statistic);
                 };
                 const double K = state.stiffness.value, known = loss(K);
                 found = {known, std::abs(loss(K + state.stiffness.error) - known)};

@@ -66,10 +66,6 @@ struct Column {
     [[nodiscard]] const std::string& key() const;
 };
 
-/// Of heat or current, as \p quantity says, through the spots of \p state and their film [W/(m^2 K)], [S/m^2].
-[[nodiscard]] Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene,
-                                                    const ContactState<double>& state);
-
 /// The columns that \p scene asks for, of the states and the band of \p curve; with \p bands some curve has a band.
 [[nodiscard]] std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio,
                                              bool bands);

@@ -47,7 +47,7 @@ Units units_of(const Scene& scene, const Results& results) {
 }
 
 Heading heading_of(const Column& column, const Units& units) {
-    const auto& [quantity, name, suffix, si, symbol, of_law, asked, has_band] = column.row();
+    const std::string_view si = column.row().unit, symbol = column.row().symbol;
     const ShownUnit unit = si == "Pa"      ? units.pressure
                            : si == "m"     ? units.height
                            : si == "1/m^2" ? units.density
@@ -60,7 +60,7 @@ Heading heading_of(const Column& column, const Units& units) {
     switch (column.statistic) {
         case Statistic::value: return {column.key(), unit.heading(symbol), unit.factor};
         case Statistic::error:  // the others have that of K
-            if (quantity != CurveQuantity::stiffness) return {column.key()};
+            if (column.quantity != CurveQuantity::stiffness) return {column.key()};
             return {column.key(), "numerical error [Pa/m]", 1, 2};
         case Statistic::p05: return {column.key(), unit.heading("5 %"), unit.factor};
         case Statistic::p95: return {column.key(), unit.heading("95 %"), unit.factor};

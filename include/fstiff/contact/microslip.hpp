@@ -9,8 +9,9 @@
 ///     K ~ p^m below p     P = [1 - (1 - m) x]^(1/(1-m));  m = 1/3 one sphere, 1 far from both ends of the load
 ///     spots that flowed   P = (2/pi) [acos y - y sqrt(1 - y^2)],  y = pi x/4: equal ones, under the hardness all over
 ///
-/// Spots of uniform pressure lose far less than elastic ones while little slips, as x^2 against x; neighbours of other
-/// sizes and the elastic spots between them lose more, so that the two are limits of what a flowed contact loses.
+/// Spots of uniform pressure lose far less than elastic ones while little slips, as x^2 against x. Neighbours of other
+/// sizes and the elastic spots between them lose more: a contact that flowed is between the two, at x >= 0.3 within a
+/// factor of 2 of their geometric mean (boundary elements: tests/halfspace/unloading_test.cpp).
 ///
 /// Reference   contact/tangential_law; P of a flowed spot: its springs are pressed by (2 H/E) sqrt(a^2 - x^2) (Popov,
 ///             Hess, 2015, ch. 2), and K = 2 E a makes H and E drop out

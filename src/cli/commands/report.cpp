@@ -144,11 +144,12 @@ TextRows quantity_rows(const Scene& scene, const Results& results, CurveQuantity
     return rows;
 }
 
-/// Heat and current, where they are asked for.
-void conductance_tables(Page& page, const Scene& scene, const Results& results) {
+/// What follows from K and is asked for.
+void tables_after_stiffness(Page& page, const Scene& scene, const Results& results) {
     const auto show_rows = [&](bool asked, CurveQuantity quantity, const char* heading) {
         if (asked) page.table(quantity_rows(scene, results, quantity, heading));
     };
+    show_rows(scene.loss_factor, CurveQuantity::loss_factor, "loss factor of a tangential cycle, 5 % to 95 %");
     show_rows(scene.thermal_conductance, CurveQuantity::thermal_conductance, "h of the spots [W/(m² K)], 5 % to 95 %");
     show_rows(scene.thermal_conductance_gap, CurveQuantity::thermal_conductance_gap, "h of the gap [W/(m² K)]");
     show_rows(scene.electrical_conductance, CurveQuantity::electrical_conductance, "h of current [S/m²], 5 % to 95 %");
@@ -200,7 +201,7 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     if (!assumed.empty()) page.paragraph(assumed + ".");
     if (const std::string next = measure_next(scene, results); !next.empty()) page.paragraph(sentence_case(next) + ".");
     if (!scene.best) named_laws(page, scene, results, units);
-    conductance_tables(page, scene, results);
+    tables_after_stiffness(page, scene, results);
     page.end("div");
     Panel picture = stiffness_panel(scene, results);
     picture.y.unit = units.stiffness;
@@ -215,7 +216,7 @@ void other_figures(Page& page, const Scene& scene, const Results& results) {
     if (scene.ultrasound)
         for (Panel& panel : reflection_panels(scene, results))
             show(page, {std::move(panel)}, "Reflection of ultrasound by the contact, eq. (5.1).");
-    for (Panel& panel : conductance_panels(scene, results)) show(page, {std::move(panel)}, "h = k K/E.");
+    for (Panel& panel : panels_after_stiffness(scene, results)) show(page, {std::move(panel)}, "It follows from K.");
     std::vector<Panel> panels{quantity_panel(results, {.label = "real area / nominal"},
                                              [](const ContactState<double>& s) { return s.real_area_fraction.value; }),
                               quantity_panel(results, {.label = "contacts", .si = "1/m^2"},

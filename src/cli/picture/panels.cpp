@@ -112,6 +112,21 @@ void add_band(PlotLine& line, const Curve& curve, const Ends& ends) {
     line.band = sampled ? shown_band : "± error";
 }
 
+/// A panel against the pressure: \p fill gives the line of a curve its values and its band.
+Panel panel_of(const Results& results, Axis axis, const std::function<void(PlotLine&, const Curve&)>& fill) {
+    Panel panel{.x = {.label = "nominal pressure p", .si = "Pa"}, .y = std::move(axis), .height = 240};
+    std::vector<std::pair<std::size_t, std::optional<std::size_t>>> kinds;
+    for (const auto& [curve, law, peaks] : drawn(results)) {
+        PlotLine line{.label = legend_of(*curve), .x = {}, .y = {}};
+        for (const auto& state : curve->states) line.x.push_back(state.pressure.value);
+        fill(line, *curve);
+        panel.lines.push_back(std::move(line));
+        kinds.emplace_back(law, peaks);
+    }
+    choose_look(panel.lines, kinds);
+    return panel;
+}
+
 Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
                        double ratio) {
     const auto of = [&](double stiffness) { return reflection(ratio * stiffness, media, scene.ultrasound->angular()); };
@@ -139,26 +154,27 @@ std::vector<Panel> reflection_panels(const Scene& scene, const Results& results)
     return panels;
 }
 
-std::vector<Panel> conductance_panels(const Scene& scene, const Results& results) {
+std::vector<Panel> panels_after_stiffness(const Scene& scene, const Results& results) {
     std::vector<Panel> panels;
-    const auto add = [&](CurveQuantity quantity, double film, const char* title, const char* label) {
-        const auto of = [&](const ContactState<double>& state) {
-            return conductance_of_spots(quantity, scene, state).value;
-        };
-        Ends ends;
-        if (film == 0)
-            ends = [&](const parts::SampledBand<double>& band) {
-                return std::pair(of({.stiffness = {band.low}}), of({.stiffness = {band.high}}));
-            };
-        panels.push_back(quantity_panel(results, {.label = label}, of, ends));
+    const auto add = [&](bool asked, CurveQuantity quantity, const char* title, const char* label) {
+        if (!asked) return;
+        panels.push_back(panel_of(results, {.label = label}, [&](PlotLine& line, const Curve& curve) {
+            for (const std::size_t place : curve.places) {
+                const auto end = [&](Statistic one, std::vector<double>& to) {
+                    if (const auto found = curve.value_at(place, quantity, one)) to.push_back(*found);
+                };
+                end(Statistic::value, line.y), end(Statistic::p05, line.low), end(Statistic::p95, line.high);
+            }
+            if (line.y.empty()) line.x.clear();
+            if (!line.low.empty()) line.band = shown_band;
+        }));
         panels.back().title = title;
     };
-    if (scene.thermal_conductance)
-        add(CurveQuantity::thermal_conductance, scene.conduction.thermal_film, "Thermal conductance of the spots",
-            "h [W/(m² K)]");
-    if (scene.electrical_conductance)
-        add(CurveQuantity::electrical_conductance, scene.conduction.electrical_film,
-            "Electrical conductance of the spots", "h [S/m²]");
+    add(scene.loss_factor, CurveQuantity::loss_factor, "Loss factor of a tangential cycle", "loss factor");
+    add(scene.thermal_conductance, CurveQuantity::thermal_conductance, "Thermal conductance of the spots",
+        "h [W/(m² K)]");
+    add(scene.electrical_conductance, CurveQuantity::electrical_conductance, "Electrical conductance of the spots",
+        "h [S/m²]");
     return panels;
 }
 
@@ -205,20 +221,10 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
 
 Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
                      const Ends& ends) {
-    Panel panel{.x = {.label = "nominal pressure p", .si = "Pa"}, .y = std::move(axis), .height = 240};
-    std::vector<std::pair<std::size_t, std::optional<std::size_t>>> kinds;
-    for (const auto& [curve, law, peaks] : drawn(results)) {
-        PlotLine line{.label = legend_of(*curve), .x = {}, .y = {}};
-        for (const auto& state : curve->states) {
-            line.x.push_back(state.pressure.value);
-            line.y.push_back(value(state));
-        }
-        if (ends) add_band(line, *curve, ends);
-        panel.lines.push_back(std::move(line));
-        kinds.emplace_back(law, peaks);
-    }
-    choose_look(panel.lines, kinds);
-    return panel;
+    return panel_of(results, std::move(axis), [&](PlotLine& line, const Curve& curve) {
+        for (const auto& state : curve.states) line.y.push_back(value(state));
+        if (ends) add_band(line, curve, ends);
+    });
 }
 
 std::string left_out(const Results& results) {
@@ -235,7 +241,7 @@ Figure results_figure(const Scene& scene, const Results& results) {
                   .verdict = results.short_verdict,
                   .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
-    for (Panel& panel : conductance_panels(scene, results)) figure.panels.push_back(std::move(panel));
+    for (Panel& panel : panels_after_stiffness(scene, results)) figure.panels.push_back(std::move(panel));
     figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " +
                   with_unit(scene.face.parameters.rms_height.value, "m", 4);
     if (const std::string some = left_out(results); !some.empty())

@@ -30,8 +30,8 @@ Panel quantity_panel(const Results& results, Axis axis, const std::function<doub
 std::string left_out(const Results& results);
 /// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].
 std::vector<Panel> reflection_panels(const Scene& scene, const Results& results);
-/// h of the spots, where it is asked for; films on them leave no band, as each end has a real area of its own.
-std::vector<Panel> conductance_panels(const Scene& scene, const Results& results);
+/// What follows from K and is asked for: loss factor and conductances, each with its band.
+std::vector<Panel> panels_after_stiffness(const Scene& scene, const Results& results);
 
 /// What `run --plot` draws. \throws domain_error when the scene asks for no stiffness.
 Figure results_figure(const Scene& scene, const Results& results);
