@@ -24,7 +24,8 @@ Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene
 }
 
 /// Of a cycle of the scene's amplitude. Of spots that flowed two limits are known, between which the middle is a mean.
-double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tangential_stiffness, Statistic statistic) {
+double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tangential_stiffness,
+               Statistic statistic) {
     const double x = tangential_stiffness * *scene.friction->amplitude /
                      (scene.friction->coefficient * curve.states[i].pressure.value);
     const double elastic = parts::loss_factor(parts::PowerUnloading<double>{curve.growth[i]}, x);

@@ -41,8 +41,8 @@ inline std::string seat(const Scene& scene, const AnyContact& contact, Curve& cu
     return point.ok() ? "" : point.reason;
 }
 
-/// d log K/d log p of \p curve, which has its states, from there to the pressure where two fifths have slipped: what the loss
-/// factor takes of the law. None where \p contact has no K there.
+/// d log K/d log p of \p curve, which has its states, over the pressures below each: what the loss factor takes of the law. None
+/// where \p contact has no K there.
 inline void grow(const Scene& scene, const AnyContact& contact, Curve& curve) {
     if (!scene.loss_factor) return;
     constexpr double share = 0.6;

@@ -55,7 +55,7 @@ TEST_CASE("load, work and loss of an unloading belong together") {
     CHECK(std::abs(loss_factor(PowerUnloading<double>{1 / 3.0}, 1e6) - 4 / pi) < 1e-5);  // a slider of Coulomb
     CHECK(std::abs(loss_factor(FlowedUnloading<double>{}, 1e6) - 4 / pi) < 1e-5);
     CHECK(loss_factor(PowerUnloading<double>{1}, 0.0) == 0);
-    CHECK(std::abs(loss_factor(PowerUnloading<double>{0}, 0.9)) < 1e-14);  // K that does not fall slips nowhere, then all at once
+    CHECK(std::abs(loss_factor(PowerUnloading<double>{0}, 0.9)) < 1e-14);  // slips nowhere, then all at once
 }
 
 TEST_CASE("the loss of one sphere is that of Mindlin and Deresiewicz, and an exponential law's is its own") {

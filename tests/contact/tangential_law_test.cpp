@@ -163,8 +163,8 @@ private:
     std::vector<Vector> drag_;
 };
 
-/// The largest departure from springs over mu p on a random path in steps of up to \p size of mu/k p/K, which turn by up
-/// to \p turn.
+/// The largest departure from springs over mu p, on a random path in steps of up to \p size times mu/k p/K that turn
+/// by up to \p turn.
 template <int Directions>
 double departure(double size, double turn, int steps) {
     const Friction friction(hertz(), mu, ratio);
@@ -182,7 +182,8 @@ double departure(double size, double turn, int steps) {
         slip[0] = length * (Directions == 1 ? std::copysign(1, std::cos(angle)) : std::cos(angle));
         if constexpr (Directions == 2) slip[1] = length * std::sin(angle);
         const double before = state.separation;
-        const double d = std::clamp(before + uniform(-0.3, 0.3) * size * u0, law.separation(1e8), law.separation(1e6));
+        const double d =
+            std::clamp(before + uniform(-0.3, 0.3) * size * u0, law.separation(1e8), law.separation(1e6));
         const auto found = friction.step(state, d, slip, state);
         const double p = law.pressure_at_separation(d);
         CHECK(found.pressure == p);
@@ -244,7 +245,8 @@ TEST_CASE("the tangent is the derivative of what is returned") {
     int compared = 0;
     for (int n = 0; n < 300; ++n) {
         const Friction::Vector<2> slip(uniform(-1, 1) * 0.2 * u0, uniform(-1, 1) * 0.2 * u0);
-        const double d = std::clamp(state.separation + uniform(-0.1, 0.1) * u0, law.separation(1e8), law.separation(1e6));
+        const double d =
+            std::clamp(state.separation + uniform(-0.1, 0.1) * u0, law.separation(1e8), law.separation(1e6));
         for (int input = 0; input < 3; ++input) {
             const auto at = [&](double by) {
                 Friction::Vector<2> moved = slip;

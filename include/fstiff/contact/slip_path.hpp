@@ -213,7 +213,8 @@ private:
         if (i + 1 == count_) return (point.drag - a.drag).norm();
         const Point& b = points_[i + 1];
         const T length = b.level - a.level;
-        return length > 0 ? (point.drag - a.drag - (b.drag - a.drag) * ((point.level - a.level) / length)).norm() : T(0);
+        if (!(length > 0)) return 0;
+        return (point.drag - a.drag - (b.drag - a.drag) * ((point.level - a.level) / length)).norm();
     }
     void drop_straight() {
         int kept = 1;

@@ -23,8 +23,8 @@
 /// Reference   Jaeger, Arch. Appl. Mech. 65 (1995) 478; Ciavarella, J. Mech. Phys. Solids 46 (1998) 2349; levels as
 ///             springs: Popov, Hess, Method of Dimensionality Reduction in Contact Mechanics and Friction (2015), ch. 5
 /// Units       d, s [m], p, q [Pa], E, W [J/m^2], tangents [Pa/m]
-/// Valid       bodies of like elastic constants (else the coupling of normal and tangential motion is left out), Coulomb
-///             friction, a law whose K is -dp/dd: not peaks that flow as they are loaded (contact/microslip)
+/// Valid       bodies of like elastic constants (of others the coupling of normal and tangential motion is left out),
+///             Coulomb friction, a law whose K is -dp/dd: not peaks that flow as they are loaded (contact/microslip)
 /// Accuracy    that of the law, and 1e-15 mu p (tests/contact/tangential_law_test.cpp, which also says what paths that
 ///             turn in a plane cost)
 /// Threads     as ContactLaw; a state belongs to whoever holds it. No call allocates
@@ -62,7 +62,10 @@ public:
 
     /// \throws domain_error for an empty law, one whose K is not -dp/dd, and numbers that are not positive.
     TangentialLaw(const ContactLaw<T>& law, T friction, T ratio)
-        : law_(law.empty() ? law : law.with(OutsideRange::extrapolate)), friction_(friction), ratio_(ratio), widening_(ratio / friction) {
+        : law_(law.empty() ? law : law.with(OutsideRange::extrapolate)),
+          friction_(friction),
+          ratio_(ratio),
+          widening_(ratio / friction) {
         require_positive("friction", friction);
         require_positive("ratio", ratio);
         if (law.empty() || !law.stiffness_is_slope())
@@ -91,9 +94,8 @@ public:
         return {lost, traction > 0 && lost > 0 ? lost / (std::numbers::pi_v<T> * traction * amplitude) : T(0)};
     }
 
-    /// State and derivatives after a straight path from \p before to \p separation and by \p slip. \p after, which may be
-    /// \p before itself, is what the contact then remembers; of a contact that has not slipped it is the separation
-    /// alone. \throws domain_error for a number that is not finite.
+    /// State and derivatives after a straight path from \p before to \p separation and by \p slip. \p after, which may
+    /// be \p before itself, is what the contact then remembers; before any slip that is the separation alone. \throws domain_error for a number that is not finite.
     template <int Directions>
     Response<Directions> step(const SlipState<T, Directions>& before, T separation,
                               const std::type_identity_t<Vector<Directions>>& slip,

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loss factor of a scene with friction, against the tangential law of the same contact, and what is refused.
+#include "scene/results.hpp"
+#include "scene/result_rows.hpp"
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/microslip.hpp>
+#include <fstiff/contact/tangential_law.hpp>
+#include <fstiff/core/error.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace friction_test {
+
+namespace {
+
+namespace scene = fstiff::scene;
+using enum scene::CurveQuantity;
+using scene::Statistic;
+
+const std::string surface = "material = { upper = \"steel\" }\n[surface]\nrms_height = \"0.8 um\"\n"
+                            "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
+                  contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n",
+                  friction = "[friction]\ncoefficient = 0.3\namplitude = \"20 nm\"\n";
+
+scene::Results results(const std::string& text) { return scene::compute(scene::read_scene(text, {.name = "s.toml"})); }
+
+double at(const scene::Curve& curve, std::size_t i, scene::CurveQuantity quantity,
+          Statistic statistic = Statistic::value) {
+    const auto value = curve.value_at(i, quantity, statistic);
+    REQUIRE(value);
+    return *value;
+}
+
+std::string refusal(const std::string& text) {
+    try {
+        (void)scene::read_scene(text, {.name = "s.toml"});
+    } catch (const fstiff::domain_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("The loss factor of a law is that of its tangential law") {
+    const auto found = results(surface + contact + "laws = [\"greenwood_williamson\"]\n" + friction);
+    const fstiff::Roughness<double> same{.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 5e8};
+    const auto law = fstiff::ContactLaw<double>::tabulate(
+        fstiff::GreenwoodWilliamson<double>(same, found.modulus), {1e4, 1e9});
+    const fstiff::TangentialLaw<double> slips(law, 0.3, found.tangential_ratio);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& curve = found.curves.front();
+        const double truth = slips.cycle(law.separation(at(curve, i, pressure)), 20e-9).loss_factor;
+        CHECK(test::relative_error(at(curve, i, loss_factor), truth) < 0.01);  // K is no power of p
+        CHECK(truth > 0.01);
+    }
+}
+
+TEST_CASE("The band of the loss factor is that of K, and of flowed peaks it holds both limits") {
+    const std::string numbers = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n";
+    const auto elastic = results("material = { upper = \"steel\" }\n" + numbers + contact + friction);
+    const auto flowed =
+        results("material.upper = { name = \"steel\", hardness = \"2 GPa\" }\n" + numbers + contact + friction);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const scene::Curve& a = elastic.answer->curve;
+        const double p = at(a, i, pressure);
+        for (const Statistic end : {Statistic::p05, Statistic::value, Statistic::p95}) {
+            const double x = at(a, i, tangential_stiffness, end) * 20e-9 / (0.3 * p);
+            CHECK(test::relative_error(
+                      at(a, i, loss_factor, end),
+                      fstiff::parts::loss_factor(fstiff::parts::PowerUnloading<double>{a.growth[i]}, x)) < 1e-14);
+        }
+        CHECK(std::abs(a.growth[i] - 0.9) < 0.15);
+        const scene::Curve& b = flowed.answer->curve;
+        const double x = at(b, i, tangential_stiffness) * 20e-9 / (0.3 * p);
+        const double least = fstiff::parts::loss_factor(fstiff::parts::FlowedUnloading<double>{}, x),
+                     most = fstiff::parts::loss_factor(fstiff::parts::PowerUnloading<double>{b.growth[i]}, x);
+        CHECK(test::relative_error(at(b, i, loss_factor), std::sqrt(least * most)) < 1e-12);
+        CHECK(at(b, i, loss_factor, Statistic::p05) < least);
+        CHECK(at(b, i, loss_factor, Statistic::p95) > most);
+    }
+}
+
+TEST_CASE("Friction is shown where it is written, and refused where it lacks a number") {
+    CHECK(results(surface + contact).answer->curve.value_at(0, tangential_stiffness) == std::nullopt);
+    const auto without = results(surface + contact + "[friction]\ncoefficient = 0.3\n").answer->curve;
+    CHECK(without.value_at(0, tangential_stiffness));
+    CHECK_FALSE(without.value_at(0, loss_factor));
+    const std::string text = surface + contact;
+    CHECK(refusal(text + "[output]\nquantities = [\"loss_factor\"]\n") ==
+          "s.toml:8: output.quantities: needs friction.amplitude for \"loss_factor\"");
+    CHECK(refusal(text + "[friction]\namplitude = \"1 um\"\n") == "s.toml:7: friction.coefficient: is missing");
+    CHECK(refusal(text + "[friction]\ncoefficient = -0.1\n") ==
+          "s.toml:8: friction.coefficient = -0.1: must be greater than 0 and 10 at most");
+    CHECK(refusal(text + "[friction]\ncoefficient = \"0.1\"\n").starts_with("s.toml:8: friction.coefficient"));
+    CHECK(refusal(text + "[friction]\ncoefficient = 0.1\namplitude = 1e-6\n")
+              .starts_with("s.toml:9: friction.amplitude"));
+    CHECK(refusal(text + "[friction]\nmu = 0.1\n").starts_with("s.toml:8: friction.mu: unknown key"));
+}
+
+}  // namespace friction_test
