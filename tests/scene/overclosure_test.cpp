@@ -53,10 +53,10 @@ double largest_error(const scene::PressureTable& table, const Contact& contact) 
 }  // namespace
 
 TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
-    std::vector<Row> points;
-    for (int i = 0; i <= 7000; ++i) points.push_back({std::exp(1e-3 * i), 1e-3 * i});
+    scene::Line points;
+    for (int i = 0; i <= 7000; ++i) points.push_back({1e-3 * i, std::exp(1e-3 * i)});
     for (const double tolerance : {0.1, 0.01, 0.001}) {
-        const auto rows = scene::rows_within(points, tolerance);
+        const auto rows = scene::rows_within({points}, tolerance);
         double length = 0;  // the longest chord, in steps of the points
         while (error_of_chord(length + 1e-3) <= tolerance) length += 1e-3;
         CHECK(rows.front() == 0);
