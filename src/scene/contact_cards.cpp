@@ -60,7 +60,7 @@ std::string comment_of_heat(const LawInModel& law, const CardRows& rows) {
            std::to_string(rows.count) + " rows, at most " + rounded(100 * rows.error, 3) + " % off between them\n";
 }
 
-/// The tangential stiffness at \p pressure [Pa], by a power law between two points of the fine grid.
+/// The tangential stiffness at \p pressure [Pa], by a power law between two points of the fine grid: to six digits or so.
 double tangential_at(const LawColumns& columns, double pressure) {
     const auto& p = columns.pressure;
     const auto above = std::clamp(std::lower_bound(p.begin(), p.end(), pressure), p.begin() + 2, p.end() - 1);
@@ -100,7 +100,7 @@ std::string calculix_friction(const LawInModel& law) {
     const auto slope = [&](double p) { return law.units.stiffness(tangential_at(law.table.columns, p)); };
     return "** friction  the stick slope, the tangential stiffness, " +
            where_it_holds(law, law.units.of_stiffness(), slope) + "\n*FRICTION\n" + number(*law.friction) + ", " +
-           number(slope(law.at)) + "\n";
+           rounded(slope(law.at), 6) + "\n";
 }
 
 /// A card of Abaqus with conductances against the pressure.
@@ -127,7 +127,7 @@ std::string abaqus_friction(const LawInModel& law) {
         return *law.friction * p / tangential_at(law.table.columns, p) * law.units.metre;
     };
     return "** friction  the elastic slip, mu p over the tangential stiffness, " +
-           where_it_holds(law, law.units.length, slip) + "\n*Friction, elastic slip=" + number(slip(law.at)) + "\n" +
+           where_it_holds(law, law.units.length, slip) + "\n*Friction, elastic slip=" + rounded(slip(law.at), 6) + "\n" +
            number(*law.friction) + ",\n";
 }
 
