@@ -26,7 +26,7 @@ def block(first, bottom):
 
 
 def model(law, material=()):
-    """Two blocks with the contact of the file `law` between them, up to the first step; `material` are more of its cards."""
+    """Two blocks with the contact of the file `law` between them, up to the first step; `material` are more cards."""
     lower_nodes, lower = block(1, 0.0)
     upper_nodes, upper = block(11, HEIGHT)
     return [
@@ -82,7 +82,7 @@ def export_law(given, law, file, until, *more):
 
 
 def solved(given, name, lines):
-    """Runs CalculiX on `lines`; the tables of the .dat file in their order, each the mean and the sum of its columns."""
+    """Runs CalculiX on `lines`; the tables of the .dat file in their order: set, first word of the title, rows."""
     with open(f"{name}.inp", "w", encoding="ascii") as file:
         file.write("\n".join(lines) + "\n")
     output_of(given.ccx, name)

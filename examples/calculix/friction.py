@@ -4,11 +4,11 @@
 
     python3 friction.py [--fstiff COMMAND] [--ccx COMMAND] [SCENE]
 
-The upper of the blocks of two_blocks.py carries the pressure p, the middle one of the scene, and its lower face is pushed
-sideways. While it sticks, the shear stress is K_t, the tangential stiffness that `fstiff run` prints at p, times the way of
-the two faces past each other; then it slips at mu p. The script writes friction.inp and friction_law.inp into the current
-folder, runs CalculiX, and prints the stress of both along the way. It ends with exit code 1 where they differ by more than
-1 %. Where CalculiX is missing it says SKIPPED.
+The upper of the blocks of two_blocks.py carries the pressure p, the middle one of the scene, and its lower face is
+pushed sideways. While it sticks, the shear stress is K_t, the tangential stiffness that `fstiff run` prints at p, times
+the way of the two faces past each other; then it slips at mu p. The script writes friction.inp and friction_law.inp
+into the current folder, runs CalculiX, and prints the stress of both along the way. It ends with exit code 1 where they
+differ by more than 1 %. Where CalculiX is missing it says SKIPPED.
 """
 import json
 import pathlib
@@ -20,7 +20,7 @@ WAYS = (0.25, 0.5, 0.75, 1.5, 3.0)  # of the pushed face, in mu p/K_t, at which 
 
 
 def deck(pressure, closing, slip):
-    """The input of CalculiX: the faces are closed by `closing` [mm], pressed [MPa], and pushed in steps of `slip` [mm]."""
+    """The input of CalculiX: the faces are closed by `closing` [mm], pressed [MPa], pushed by WAYS of `slip` [mm]."""
     lines = model("friction_law.inp") + ["*BOUNDARY", *HELD]
     lines += ["*STEP", "*STATIC", "1, 1", "*BOUNDARY", f"TOP, 3, 3, {-closing:.12g}", "*END STEP"]
     held = ["BASE, 1, 3", "BELOW, 1, 2", "ABOVE, 2, 2"]

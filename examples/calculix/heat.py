@@ -4,10 +4,11 @@
 
     python3 heat.py [--fstiff COMMAND] [--ccx COMMAND] [SCENE]
 
-The blocks of two_blocks.py carry the pressure p; the top is kept 100 K hotter than the base. The heat that flows, over the
-jump of the temperature between the two faces, is the conductance of the contact: of the spots, and of what fills the gap.
-The script writes heat.inp and heat_law.inp into the current folder, runs CalculiX, and prints this and what `fstiff run`
-says at the pressures of the scene, joint.toml by default. It ends with exit code 1 where they differ by more than 1 %.
+The blocks of two_blocks.py carry the pressure p; the top is kept 100 K hotter than the base. The heat that flows, over
+the jump of the temperature between the two faces, is the conductance of the contact: of the spots, and of what fills
+the gap. The script writes heat.inp and heat_law.inp into the current folder, runs CalculiX, and prints this and what
+`fstiff run` says at the pressures of the scene, joint.toml by default. It ends with exit code 1 where they differ by
+more than 1 %.
 Where CalculiX is missing it says SKIPPED.
 """
 import pathlib
@@ -19,7 +20,7 @@ CONDUCTIVITY = 50.0  # of the blocks [mW/(mm K)]
 
 
 def deck(pressures, closing):
-    """The input of CalculiX: one step for each of `pressures` [MPa], after one that closes the faces by `closing` [mm]."""
+    """The input of CalculiX: a step for each of `pressures` [MPa], and one before that closes the faces, [mm]."""
     lines = model("heat_law.inp", ["*CONDUCTIVITY", f"{CONDUCTIVITY:g}"])
     lines += ["*INITIAL CONDITIONS, TYPE=TEMPERATURE", "ALL, 293", "*BOUNDARY", *HELD]
     # without NLGEOM CalculiX looks for the conductance where the faces were drawn
@@ -53,7 +54,8 @@ def main():
         found = 1e3 * 4 * mean / AREA / (hot - cold)  # four nodes; 1 mW/(mm^2 K) is 1000 W/(m^2 K)
         expected = sum(float(row[key]) for key in columns)
         worst = max(worst, abs(found / expected - 1))
-        print(f"{pressure:10.4g} {hot - cold:9.3f} {found:21.1f} {expected:19.1f} {100 * (found / expected - 1):9.3f} %")
+        difference = 100 * (found / expected - 1)
+        print(f"{pressure:10.4g} {hot - cold:9.3f} {found:21.1f} {expected:19.1f} {difference:9.3f} %")
     print(f"largest difference {100 * worst:.3f} %")
     return 0 if worst <= 0.01 else 1
 

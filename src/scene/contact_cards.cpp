@@ -60,7 +60,7 @@ std::string comment_of_heat(const LawInModel& law, const CardRows& rows) {
            std::to_string(rows.count) + " rows, at most " + rounded(100 * rows.error, 3) + " % off between them\n";
 }
 
-/// The tangential stiffness at \p pressure [Pa], by a power law between two points of the fine grid: to six digits or so.
+/// The tangential stiffness at \p pressure [Pa], by a power law between two points of the fine grid: to six digits.
 double tangential_at(const LawColumns& columns, double pressure) {
     const auto& p = columns.pressure;
     const auto above = std::clamp(std::lower_bound(p.begin(), p.end(), pressure), p.begin() + 2, p.end() - 1);
@@ -83,8 +83,8 @@ std::vector<double> exponentials_of(const LawColumns& columns) {
     return converted(columns.overclosure, [=](double x) { return std::pow(100, x / last); });
 }
 
-/// CalculiX looks conductances up by the pressure of an exponential law, whichever law the contact has: one of our own, which
-/// rises from 1 to 100 and stands before the table, makes a table over the overclosure of them.
+/// CalculiX looks conductances up by the pressure of an exponential law, whichever law the contact has: one of our own,
+/// which rises from 1 to 100 and stands before the table, makes a table over the overclosure of them.
 std::string calculix_heat(const LawInModel& law) {
     if (law.table.columns.heat.empty()) return {};
     const CardRows rows = card_rows(law, heat_of(law), exponentials_of(law.table.columns), ", 293");
@@ -127,8 +127,8 @@ std::string abaqus_friction(const LawInModel& law) {
         return *law.friction * p / tangential_at(law.table.columns, p) * law.units.metre;
     };
     return "** friction  the elastic slip, mu p over the tangential stiffness, " +
-           where_it_holds(law, law.units.length, slip) + "\n*Friction, elastic slip=" + rounded(slip(law.at), 6) + "\n" +
-           number(*law.friction) + ",\n";
+           where_it_holds(law, law.units.length, slip) + "\n*Friction, elastic slip=" +
+           rounded(slip(law.at), 6) + "\n" + number(*law.friction) + ",\n";
 }
 
 /// A column of a table, by the name of what it holds.

@@ -20,8 +20,8 @@ struct ModelUnits {
     [[nodiscard]] double current(double h) const { return h / (metre * metre); }
 };
 
-/// Reads length, force and pressure, such as "mm,N,MPa". \throws domain_error, which names the option \p name, for what is no
-/// unit and for units that are not consistent.
+/// Reads length, force and pressure, such as "mm,N,MPa". \throws domain_error, which names the option \p name, for what
+/// is no unit and for units that are not consistent.
 [[nodiscard]] ModelUnits model_units(const std::string& list, const std::string& name);
 
 }  // namespace fstiff::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heat, current and friction in what fstiff export writes, read back as each program reads it. Truth: the columns of fstiff
-// run at pressures between the rows.
+// Heat, current and friction in what fstiff export writes, read back as each program reads it. Truth: the columns of
+// fstiff run at pressures between the rows.
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
 
@@ -152,6 +152,21 @@ TEST_CASE("Where the faces touch without a pressure what fills the gap conducts 
     const std::string without = bodies_and_law + "[output]\nquantities = [\"thermal_conductance\"]\n";
     cards = cards_of(test::run_fstiff("export - --to abaqus --units m,N,Pa", without).out);
     CHECK(cards["*Gap Conductance, pressure"][0][0] == 0);
+}
+
+TEST_CASE("A film on the spots and radiation are in the conductances of the file") {
+    const std::string film = bodies_and_law +
+                             "[gap]\nemissivity = 0.3\ntemperature = \"600 K\"\nthermal_film = \"1 mm^2 K/W\"\n"
+                             "electrical_film = \"1 ohm um^2\"\n[output]\nquantities = [\"thermal_conductance\", "
+                             "\"electrical_conductance\"]\n";
+    auto cards = cards_of(test::run_fstiff("export - --to abaqus --units m,N,Pa", film).out);
+    const test::Csv run(test::run_fstiff("run - --format csv", film).out);
+    const std::size_t last = run.size() - 1;  // of the law, after the rows of the answer
+    CHECK(test::relative_error(cards["*Gap Conductance, pressure"][0].back(),
+                               run.number(last, "thermal_conductance_W_per_m2K") +
+                                   run.number(last, "thermal_conductance_gap_W_per_m2K")) < 1e-6);
+    CHECK(test::relative_error(cards["*Gap Electrical Conductance, pressure"][0].back(),
+                               run.number(last, "electrical_conductance_S_per_m2")) < 1e-6);
 }
 
 TEST_CASE("The cards of friction stick with the tangential stiffness at one pressure") {
