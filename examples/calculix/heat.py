@@ -20,7 +20,7 @@ CONDUCTIVITY = 50.0  # of the blocks [mW/(mm K)]
 
 
 def deck(pressures, closing):
-    """The input of CalculiX: a step for each of `pressures` [MPa], and one before that closes the faces, [mm]."""
+    """The input: one step for each of `pressures` [MPa], after one that closes the faces by `closing` [mm]."""
     lines = model("heat_law.inp", ["*CONDUCTIVITY", f"{CONDUCTIVITY:g}"])
     lines += ["*INITIAL CONDITIONS, TYPE=TEMPERATURE", "ALL, 293", "*BOUNDARY", *HELD]
     # without NLGEOM CalculiX looks for the conductance where the faces were drawn
