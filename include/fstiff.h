@@ -283,8 +283,8 @@ FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, co
  * the curve. Numbers: "fits.0.parameters.0.value", "fits.0.chi_squared", "fits.0.covariance" ... */
 FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve,
                                const char* options, fstiff_document** made);
-/** The law of a scene (as above) for a finite-element program: its text is the file. Options: to (calculix, abaqus, law), units,
- * tolerance, from, until, law, peaks. It has no numbers. */
+/** The law of a scene (as above) for a finite-element program: its text is the file. Options: to (calculix, abaqus, moose, comsol,
+ * law), units, tolerance, from, until, law, peaks, at. It has no numbers. */
 FSTIFF_API int fstiff_export(const char* scene, size_t length, const char* name, const char* options,
                              fstiff_document** made);
 

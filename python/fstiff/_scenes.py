@@ -221,13 +221,14 @@ class Export(str):
 
 def export(
     scene: Scene | str | os.PathLike[str] | None = None,
-    to: Literal["calculix", "abaqus", "law"] = "calculix",
+    to: Literal["calculix", "abaqus", "moose", "comsol", "law"] = "calculix",
     *,
     units: str | None = None,
     tolerance: float | str | None = None,
     pressures: tuple[float | str, float | str] | None = None,
     law: str | None = None,
     peaks: int = 1,
+    at: float | str | None = None,
     surface: str | os.PathLike[str] | Measurement | None = None,
 ) -> Export:
     """The law of a scene as the contact law of a finite-element program, as `fstiff export` writes it.
@@ -239,8 +240,9 @@ def export(
     pressures  from and until which the table reaches [Pa]; the least and the greatest of the scene by default
     law        of the scene, its first that gives a separation by default
     peaks      which of contact.peaks, from 1 on
+    at         pressure whose tangential stiffness a card of friction holds [Pa]; the middle of the range in decades by default
     """
-    given: dict[str, Any] = {"to": to, "units": units, "law": law, "peaks": peaks}
+    given: dict[str, Any] = {"to": to, "units": units, "law": law, "peaks": peaks, "at": at}
     given["tolerance"] = repr(tolerance) if isinstance(tolerance, (int, float)) else tolerance
     given["from"], given["until"] = pressures or (None, None)
     made, warnings, doubtful = _core.export(scene_of(scene, surface)._core, options_of(given))

@@ -2,6 +2,7 @@
 #include "scene/exported_law.hpp"
 
 #include "document/file.hpp"
+#include "scene/contact_cards.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/units.hpp>
@@ -11,35 +12,6 @@
 
 namespace fstiff::scene {
 namespace {
-
-/// The units of a model.
-struct ModelUnits {
-    std::string length, force, pressure;
-    double metre = 1, pascal = 1;  ///< one of them in these units
-};
-
-ModelUnits units_of(const ExportRequest& request) {
-    const std::string &list = request.units, name = option_name(request.prefix, "units");
-    const std::size_t first = list.find(','), second = list.find(',', first + 1);
-    if (first == std::string::npos || second == std::string::npos)
-        throw domain_error(name + " = \"" + list +
-                           "\": must be length, force and pressure, such as mm,N,MPa or m,N,Pa");
-    ModelUnits units{.length = list.substr(0, first),
-                .force = list.substr(first + 1, second - first - 1),
-                .pressure = list.substr(second + 1)};
-    const double length = io::parse_quantity("1 " + units.length, io::Dimension::length, name);
-    const double pressure = io::parse_quantity("1 " + units.pressure, io::Dimension::pressure, name);
-    if (!io::is_unit(units.force, io::Dimension::force))
-        throw domain_error(name + " = \"" + list + "\": " + units.force + " is no unit of force; must be one of " +
-                           io::accepted_units(io::Dimension::force));
-    const double force = io::unit_factor(units.force, io::Dimension::force);
-    if (std::abs(force / (length * length) / pressure - 1) > 1e-9)
-        throw domain_error(name + " = \"" + list + "\": must be consistent: 1 " + units.force + "/" + units.length +
-                           "^2 is " + shortest(force / (length * length) / pressure) + " " + units.pressure);
-    units.metre = 1 / length;
-    units.pascal = 1 / pressure;
-    return units;
-}
 
 double share_of(const ExportRequest& request) {
     const std::string& text = request.tolerance;
@@ -64,45 +36,73 @@ std::string slope_of(const PressureTable& table) {
     return "-dp/dd, " + least + (least == greatest ? "" : " to " + greatest) + " of K of law " + table.law;
 }
 
-std::string document_of(const Scene& scene, const PressureTable& table, const ExportRequest& request,
-                        const ModelUnits& units) {
-    const bool calculix = request.to == Solver::calculix;
-    const auto pressure = [&](double p) { return rounded(p * units.pascal, 10); };
-    const auto length = [&](double x) { return rounded(x * units.metre, 10); };
+ModelUnits units_of(const ExportRequest& request) {
+    return model_units(request.units, option_name(request.prefix, "units"));
+}
+
+/// What begins a comment of the program.
+std::string comment_of(Solver to) { return to == Solver::moose ? "# " : to == Solver::comsol ? "% " : "** "; }
+
+/// What the program makes of an overclosure above that of the last row.
+std::string beyond(Solver to) {
+    switch (to) {
+        case Solver::calculix: return "the pressure stays what it is: choose --until above every pressure of the model";
+        case Solver::abaqus: return "Abaqus goes on along the last line";
+        case Solver::moose: return "PiecewiseLinear stays at the last value, unless extrap = true";
+        default: return "as the interpolation function is told, a constant by default";
+    }
+}
+
+/// The comments on where the law comes from, how close the table of its pressures is, and what lies outside of it.
+std::string heading_of(const Scene& scene, const LawInModel& law, const ExportRequest& request) {
+    const PressureTable& table = law.table;
+    const ModelUnits& units = law.units;
     std::string text;
-    const auto say = [&](const std::string& line) { text += "** " + printable(line) + "\n"; };
+    const auto say = [&](const std::string& line) { text += comment_of(request.to) + printable(line) + "\n"; };
     say("fstiff " FSTIFF_VERSION ": contact law for " + std::string(name_of(request.to)) +
         ", pressure against overclosure; its slope is " + slope_of(table));
     say("scene     " + scene.name + " (" + scene.file + "), SHA-256 " + scene.sha256);
     for (const auto& [name, face] : measured_faces(scene))
         say(std::string(name) + "   " + face->measured->file + ", SHA-256 " + face->measured->sha256);
     say("law       " + table.title);
-    const auto slope = [&](double K) { return rounded(K * units.pascal / units.metre, 4); };
-    for (const auto& [p, K, low, high, law] : table.answer)
-        say("answer    at " + pressure(p) + " " + units.pressure + " K is " + slope(K) + " " + units.pressure + "/" +
-            units.length + ", 90 % band " + slope(low) + " to " + slope(high) + ", by " + law +
-            (law == "boundary_elements" ? ", which has no table" : ""));
+    const auto slope = [&](double K) { return rounded(units.stiffness(K), 4); };
+    for (const auto& [p, K, low, high, by] : table.answer)
+        say("answer    at " + law.pressure(p) + " " + units.pressure + " K is " + slope(K) + " " +
+            units.of_stiffness() + ", 90 % band " + slope(low) + " to " + slope(high) + ", by " + by +
+            (by == "boundary_elements" ? ", which has no table" : ""));
     say("units     " + units.length + ", " + units.force + ", " + units.pressure + "; pressure [" + units.pressure +
         "] against overclosure [" + units.length + "]");
-    say("range     " + pressure(table.from) + " to " + pressure(table.to) + " " + units.pressure);
-    say("rows      " + std::to_string(table.rows.size()) +
-        "; between them the pressure is linear in the overclosure, at most " + rounded(100 * table.error, 3) +
-        " % off the law");
-    say("          at " + std::to_string(table.compared) + " pressures in the range (tolerance " +
-        rounded(100 * share_of(request), 3) + " %)");
+    say("range     " + law.pressure(table.from) + " to " + law.pressure(table.to) + " " + units.pressure);
+    if (request.to == Solver::calculix || request.to == Solver::abaqus) text += comment_of_pressure(law);
     say("zero      faces drawn in touch have overclosure 0: the mean planes of the roughness are then");
-    say("          " + length(table.zero_separation) + " " + units.length +
+    say("          " + law.length(table.zero_separation) + " " + units.length +
         " apart, and come closer by the overclosure.");
     say("          There the line of the first rows of the law meets pressure 0; below the range the table");
     say("          is that line, while the law falls to 0 as the faces part.");
-    say("beyond    the last row " +
-        std::string(calculix ? "the pressure stays what it is: choose --until above every pressure of the model"
-                             : "Abaqus goes on along the last line"));
-    if (calculix) say("contact   *CONTACT PAIR, INTERACTION=FSTIFF, TYPE=NODE TO SURFACE");
-    text += calculix ? "*SURFACE INTERACTION, NAME=FSTIFF\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n"
-                     : "*Surface Interaction, name=FSTIFF\n1.,\n*Surface Behavior, pressure-overclosure=TABULAR\n";
-    for (const auto& [p, x] : table.rows) text += pressure(p) + ", " + length(x) + "\n";
+    say("beyond    the last row " + beyond(request.to));
+    if (request.to == Solver::calculix) say("contact   *CONTACT PAIR, INTERACTION=FSTIFF, TYPE=NODE TO SURFACE");
     return text;
+}
+
+std::string body_of(const LawInModel& law, Solver to) {
+    switch (to) {
+        case Solver::calculix: return calculix_cards(law);
+        case Solver::abaqus: return abaqus_cards(law);
+        case Solver::moose: return moose_columns(law);
+        default: return comsol_columns(law);
+    }
+}
+
+/// The pressure of the one stiffness that a card of friction holds [Pa].
+double pressure_of_friction(const Scene& scene, const PressureTable& table, const ExportRequest& request) {
+    if (request.at.empty()) return std::sqrt(table.from * table.to);
+    const std::string name = option_name(request.prefix, "at");
+    if (!scene.friction) throw domain_error(name + " is for a scene with [friction]; this scene has none");
+    const double at = request.at.positive(io::Dimension::pressure, name);
+    constexpr double rounding = 1e-9;
+    require(at >= table.from * (1 - rounding) && at <= table.to * (1 + rounding), name, at,
+            "from " + rounded(table.from) + " Pa to " + rounded(table.to) + " Pa, the range of the table");
+    return at;
 }
 
 PressureTableOptions options_of(const ExportRequest& request) {
@@ -119,6 +119,16 @@ PressureTableOptions options_of(const ExportRequest& request) {
             .progress = request.progress};
 }
 
+/// The most rows of numbers below one card of \p text.
+std::size_t longest_table(std::string_view text) {
+    std::size_t longest = 0, rows = 0;
+    for (; !text.empty(); text.remove_prefix(text.find('\n') + 1)) {
+        rows = text.front() == '*' ? 0 : rows + 1;
+        longest = std::max(longest, rows);
+    }
+    return longest;
+}
+
 }  // namespace
 
 void check(const ExportRequest& request) {
@@ -131,11 +141,18 @@ ExportedLaw export_law(const Scene& scene, const ExportRequest& request) {
     const PressureTableOptions wanted = options_of(request);
     if (request.to == Solver::law) return {.text = law_text(scene, wanted)};
     const PressureTable table = pressure_table(scene, wanted);
-    ExportedLaw made{.text = document_of(scene, table, request, units),
+    LawInModel law{.table = table, .units = units, .tolerance = wanted.tolerance};
+    law.at = pressure_of_friction(scene, table, request);
+    if (scene.friction) law.friction = scene.friction->coefficient;
+    ExportedLaw made{.text = heading_of(scene, law, request) + body_of(law, request.to),
                      .warnings = table.warnings,
                      .doubtful = table.doubtful};
     if (!is_stiffness(table.slope_over_stiffness))
         made.warnings.push_back("the slope of the table is " + slope_of(table) + ", which fstiff run prints");
+    constexpr std::size_t kept = 200;
+    if (request.to == Solver::calculix && longest_table(made.text) > kept)
+        made.warnings.push_back("CalculiX takes a table of more than " + std::to_string(kept) +
+                                " rows at as many equal steps, so that the tolerance does not hold at small pressures");
     return made;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The law of a scene as the table of a contact in a finite-element program, or as the text of a tabulated law.
+// The law of a scene as the contact of a finite-element program, or as the text of a tabulated law.
 
 #include "scene/overclosure.hpp"
 #include "surface/request.hpp"
@@ -12,7 +12,7 @@
 namespace fstiff::scene {
 
 /// The program whose input is written; law: the tabulated law itself.
-enum class Solver { calculix, abaqus, law };
+enum class Solver { calculix, abaqus, moose, comsol, law };
 
 }  // namespace fstiff::scene
 
@@ -21,6 +21,8 @@ namespace fstiff {
 template <>
 inline constexpr auto names<scene::Solver> = name_list<scene::Solver>({{scene::Solver::calculix, "calculix"},
                                                                        {scene::Solver::abaqus, "abaqus"},
+                                                                       {scene::Solver::moose, "moose"},
+                                                                       {scene::Solver::comsol, "comsol"},
                                                                        {scene::Solver::law, "law"}});
 
 }  // namespace fstiff
@@ -35,6 +37,7 @@ struct ExportRequest {
     std::string law{};                 ///< of the scene; empty: that of the answer, or its first that has a separation
     int peaks = 1;                   ///< which of contact.peaks, from 1 on
     std::string_view prefix{};       ///< of the names of options in messages: "--" on a command line
+    Amount at{};                     ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
     ProgressHook progress{};
 
     template <class Take>
@@ -48,6 +51,7 @@ struct ExportRequest {
         take("until", until, "greatest pressure of the table; the default is that of the scene");
         take("law", law, "law of the scene; the default is that of the answer, or where laws are named the first that gives a separation");
         take("peaks", peaks, "which of the scene's contact.peaks, from 1 on", {.shows_default = true});
+        take("at", at, "pressure whose tangential stiffness a card of friction holds; the default is the middle of the range, in decades");
     }
 };
 

@@ -16,20 +16,6 @@
 namespace fstiff::scene {
 namespace {
 
-using Row = PressureTable::Row;
-
-/// The largest relative error of the pressure on the line from the first to the last of \p points.
-double error_of_line(std::span<const Row> points) {
-    const Row a = points.front(), b = points.back();
-    double worst = 0;
-    for (const Row& at : points) {
-        const double on_line =
-            a.pressure + (b.pressure - a.pressure) * (at.overclosure - a.overclosure) / (b.overclosure - a.overclosure);
-        worst = std::max(worst, std::abs(on_line / at.pressure - 1));
-    }
-    return worst;
-}
-
 bool has_separation(const Law& law) { return parts::has(law.quantities, Quantity::separation); }
 
 const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
@@ -72,7 +58,8 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     fine.best = fine.solves_map = false;
     fine.separation = true;
     fine.stiffness = fine.loading_stiffness = true;
-    fine.real_area = fine.contacts = fine.tangential_stiffness = false;
+    fine.real_area = fine.contacts = false;
+    fine.tangential_stiffness = scene.tangential_stiffness || scene.friction;
     fine.reflection = fine.shear_reflection = fine.loss_factor = fine.at_separations = false;
     // the chord of an exponential is off by (log ratio)^2/8
     const double decades = std::log(to / from), between_rows = std::sqrt(8 * options.tolerance);
@@ -112,17 +99,57 @@ std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve) {
     return range;
 }
 
+/// The pressures of \p curve over the way that the faces have come closer since its first state.
+Line points_of(const Curve& curve) {
+    Line points;
+    for (const auto& state : curve.states) {
+        points.push_back({curve.states.front().separation.value - state.separation.value, state.pressure.value});
+        if (points.size() > 1 && !(points.back().x > points[points.size() - 2].x))
+            throw domain_error("law " + std::string(curve.law->name) + ": the separation does not fall at " +
+                               shortest(state.pressure.value) +
+                               " Pa; a table needs one that falls as the pressure rises");
+    }
+    if (points.size() < 2)
+        throw domain_error("law " + std::string(curve.law->name) + ": has no range of pressures there");
+    return points;
+}
+
+/// The values of \p quantity along \p curve behind \p at_zero; empty where it has none.
+std::vector<double> values_behind(double at_zero, const Curve& curve, CurveQuantity quantity) {
+    for (const Column& column : curve.columns)
+        if (column.quantity == quantity && column.statistic == Statistic::value && !column.values.empty()) {
+            std::vector<double> values{at_zero};
+            values.insert(values.end(), column.values.begin(), column.values.end());
+            return values;
+        }
+    return {};
+}
+
+/// \p points, where the overclosure 0 is at \p foot, and what \p curve has beside them.
+LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& points, double foot,
+                        double zero_separation) {
+    LawColumns columns{.overclosure = {0}, .pressure = {0}};
+    for (const LinePoint& point : points) {
+        columns.overclosure.push_back(point.x - foot);
+        columns.pressure.push_back(point.y);
+    }
+    columns.tangential = values_behind(0, curve, CurveQuantity::tangential_stiffness);
+    columns.current = values_behind(0, curve, CurveQuantity::electrical_conductance);
+    columns.heat = values_behind(0, curve, CurveQuantity::thermal_conductance);
+    if (columns.heat.empty() || !scene.thermal_conductance_gap) return columns;
+    const Conduction& by = scene.conduction;
+    const double open = parts::gap_conductance(*by.gap, zero_separation) + by.radiation;
+    const std::vector<double> gap = values_behind(open, curve, CurveQuantity::thermal_conductance_gap);
+    for (std::size_t i = 0; i < columns.heat.size(); ++i) columns.heat[i] += gap[i];
+    return columns;
+}
+
 }  // namespace
 
-std::vector<std::size_t> rows_within(std::span<const Row> points, double tolerance) {
-    std::vector<std::size_t> rows{0};
-    while (rows.back() + 1 < points.size()) {
-        const std::size_t begin = rows.back();
-        std::size_t end = begin + 1;
-        while (end + 1 < points.size() && error_of_line(points.subspan(begin, end + 2 - begin)) <= tolerance) ++end;
-        rows.push_back(end);
-    }
-    return rows;
+Line LawColumns::line(const std::vector<double>& x, const std::vector<double>& y) {
+    Line points;
+    for (std::size_t i = 1; i < x.size(); ++i) points.push_back({x[i], y[i]});
+    return points;
 }
 
 std::string law_text(const Scene& scene, const PressureTableOptions& options) {
@@ -139,40 +166,27 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
             "between 0.001 % and 20 %");
     const Results results = compute(fine_scene(scene, options), options.progress);
     const Curve& curve = results.curves.front();
-    std::vector<Row> points;
-    for (const auto& state : curve.states) {
-        points.push_back({state.pressure.value, curve.states.front().separation.value - state.separation.value});
-        if (points.size() > 1 && !(points.back().overclosure > points[points.size() - 2].overclosure))
-            throw domain_error("law " + std::string(curve.law->name) + ": the separation does not fall at " +
-                               shortest(state.pressure.value) +
-                               " Pa; a table needs one that falls as the pressure rises");
-    }
-    if (points.size() < 2)
-        throw domain_error("law " + std::string(curve.law->name) + ": has no range of pressures there");
+    const Line points = points_of(curve);
+    const std::vector<std::size_t> chosen = rows_within({points}, fine_tolerance(options.tolerance));
+    const LinePoint first = points.front(), second = points[chosen[1]];
+    const double foot = -first.y * second.x / (second.y - first.y);
 
     PressureTable table{.title = title(curve),
                         .law = std::string(curve.law->name),
-                        .from = points.front().pressure,
-                        .to = points.back().pressure,
-                        .compared = points.size(),
+                        .from = points.front().y,
+                        .to = points.back().y,
+                        .zero_separation = curve.states.front().separation.value - foot,
+                        .error = error_of_rows({points}, chosen),
                         .answer = scene.best && options.law.empty()
-                                      ? answer_between(scene, points.front().pressure, points.back().pressure,
-                                                       options.progress)
+                                      ? answer_between(scene, points.front().y, points.back().y, options.progress)
                                       : std::vector<PressureTable::Answer>(),
                         .slope_over_stiffness = slope_over_stiffness(curve),
                         .warnings = results.warnings,
                         .doubtful = results.doubtful};
-    // between the points of the fine grid the error is up to 1/16^2 larger than at them
-    const std::vector<std::size_t> chosen = rows_within(points, options.tolerance * (1 - 1.0 / 256));
-    const Row first = points.front(), second = points[chosen[1]];
-    const double foot = -first.pressure * second.overclosure / (second.pressure - first.pressure);
-    table.zero_separation = curve.states.front().separation.value - foot;
+    table.columns = columns_from(scene, curve, points, foot, table.zero_separation);
     table.rows.push_back({0, 0});
-    for (std::size_t i = 1; i < chosen.size(); ++i) {
-        table.rows.push_back({points[chosen[i]].pressure, points[chosen[i]].overclosure - foot});
-        table.error = std::max(table.error,
-                               error_of_line(std::span(points).subspan(chosen[i - 1], chosen[i] - chosen[i - 1] + 1)));
-    }
+    for (std::size_t i = 1; i < chosen.size(); ++i)
+        table.rows.push_back({points[chosen[i]].y, points[chosen[i]].x - foot});
     return table;
 }
 

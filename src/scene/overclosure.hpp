@@ -9,13 +9,13 @@
 // is as long as the tolerance allows. The line of the first two of the law is prolonged to zero pressure: there the overclosure
 // is 0, and the separation of the mean planes is zero_separation. Below `from` the table is that line and not the law.
 
+#include "scene/chords.hpp"
 #include "scene/scene.hpp"
 
 #include <fstiff/core/progress.hpp>
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +32,19 @@ struct PressureTableOptions {
     ProgressHook progress{};
 };
 
+/// The tolerance at the points of the fine grid: between them the error is up to 1/16^2 larger.
+[[nodiscard]] inline double fine_tolerance(double tolerance) { return tolerance * (1 - 1.0 / 256); }
+
+/// A law at the overclosure 0 and at many pressures after it. Empty: not asked for, or not known to the law.
+struct LawColumns {
+    std::vector<double> overclosure{}, pressure{};  ///< [m, Pa]; both rise
+    std::vector<double> tangential{};               ///< stiffness [Pa/m], where the scene has friction or asks for it
+    std::vector<double> heat{}, current{};  ///< conductances, that of heat with what fills the gap [W/(m^2 K), S/m^2]
+
+    /// \p y over \p x without the overclosure 0, where it may be 0.
+    [[nodiscard]] static Line line(const std::vector<double>& x, const std::vector<double>& y);
+};
+
 struct PressureTable {
     struct Row {
         double pressure;     ///< [Pa]
@@ -46,7 +59,7 @@ struct PressureTable {
     double zero_separation = 0;  ///< of the mean planes at overclosure 0 [m]
     std::vector<Row> rows{};     ///< both rise from row to row
     double error = 0;            ///< the largest relative one of the interpolated pressure between `from` and `to`
-    std::size_t compared = 0;    ///< pressures at which it was measured
+    LawColumns columns{};        ///< of the fine grid that the rows are chosen from
     struct Answer {
         double pressure, stiffness, low, high;  ///< [Pa, Pa/m]; the ends of the 90 % band
         std::string law;
@@ -56,10 +69,6 @@ struct PressureTable {
     std::vector<std::string> warnings{};
     bool doubtful = false;  ///< as Results::doubtful
 };
-
-/// Which of \p points, from the first to the last, keep the straight lines between them within \p tolerance of the pressures
-/// of all points; as few as a search from one to the next finds. \p points rise in both numbers.
-[[nodiscard]] std::vector<std::size_t> rows_within(std::span<const PressureTable::Row> points, double tolerance);
 
 /// \throws domain_error where the scene has no such law or no separation, for a range without two pressures, and where the
 /// separation does not fall with the pressure; as compute().

@@ -116,7 +116,7 @@ def test_identification_is_that_of_the_command(command, root):
 
 def test_an_export_is_the_file_of_the_command(command, root):
     scene = root / "data/sand_blasted_fine.toml"
-    for to in ("calculix", "abaqus", "law"):
+    for to in ("calculix", "abaqus", "moose", "comsol", "law"):
         text = command("export", scene, "--to", to, "--from", "1 MPa", "--until", "50 MPa", "--tolerance", "0.05")
         made = fstiff.export(scene, to, pressures=(1e6, "50 MPa"), tolerance=0.05)
         assert made == text

@@ -53,10 +53,10 @@ double largest_error(const scene::PressureTable& table, const Contact& contact) 
 }  // namespace
 
 TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
-    std::vector<Row> points;
-    for (int i = 0; i <= 7000; ++i) points.push_back({std::exp(1e-3 * i), 1e-3 * i});
+    scene::Line points;
+    for (int i = 0; i <= 7000; ++i) points.push_back({1e-3 * i, std::exp(1e-3 * i)});
     for (const double tolerance : {0.1, 0.01, 0.001}) {
-        const auto rows = scene::rows_within(points, tolerance);
+        const auto rows = scene::rows_within({points}, tolerance);
         double length = 0;  // the longest chord, in steps of the points
         while (error_of_chord(length + 1e-3) <= tolerance) length += 1e-3;
         CHECK(rows.front() == 0);
@@ -64,6 +64,13 @@ TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
         CHECK(rows.size() == 1 + static_cast<std::size_t>(std::ceil(7.0 / length)));
         for (std::size_t i = 1; i + 1 < rows.size(); ++i)
             CHECK(std::abs(1e-3 * static_cast<double>(rows[i] - rows[i - 1]) - length) < 2e-3);
+        // a straight line asks for no rows of its own, and takes those of the other
+        scene::Line straight;
+        for (const auto& [x, y] : points) straight.push_back({x, 1 + x});
+        CHECK(scene::rows_within({straight}, tolerance).size() == 2);
+        CHECK(scene::rows_within({straight, points}, tolerance) == rows);
+        CHECK(scene::rows_within({points, straight}, tolerance) == rows);
+        CHECK(std::abs(scene::error_of_rows({straight, points}, rows) - tolerance) < 0.01 * tolerance);
     }
 }
 

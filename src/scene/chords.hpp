@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Rows of a table that keep the straight lines between them close to a finer one.
+
+#include <cstddef>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// A point of a line y(x).
+struct LinePoint {
+    double x, y;
+};
+using Line = std::vector<LinePoint>;  ///< x rises, y is not 0
+
+/// Which points of \p lines, from the first to the last, keep the chords between them within \p tolerance of y at all
+/// points; as few as a search from one to the next finds. The lines have equally many points; a row is one of each.
+[[nodiscard]] std::vector<std::size_t> rows_within(const std::vector<Line>& lines, double tolerance);
+
+/// The largest relative error of y on the chords between \p rows of \p lines.
+[[nodiscard]] double error_of_rows(const std::vector<Line>& lines, const std::vector<std::size_t>& rows);
+
+}  // namespace fstiff::scene
