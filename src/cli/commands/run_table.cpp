@@ -197,6 +197,7 @@ std::string full_table(const Scene& scene, const Results& results) {
 }
 
 std::string label_of(const Curve& curve) {
+    if (!curve.by.empty()) return laws_of(curve);
     return std::string(curve.law->name) +
            (curve.theta ? ", theta " + rounded(*curve.theta, 4) + ", r " + rounded(*curve.r, 4) : "");
 }
@@ -248,7 +249,8 @@ private:
             rows.push_back({label_of(curve)});
             for (const std::size_t i : points_) rows.back().push_back(cell(curve, i));
         }
-        for (auto& row : rows) row[0] += std::string(first_ - std::min(first_, shown_width(row[0])), ' ');
+        const std::size_t first = std::max(first_, shown_width(rows[0][0]));
+        for (auto& row : rows) row[0] += std::string(first - shown_width(row[0]), ' ');
         return TextTable(std::move(rows)).str();
     }
 
