@@ -121,6 +121,7 @@
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mean_over_shifts.hpp>
+#include <fstiff/contact/microslip.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/contact/peak_sums.hpp>
@@ -130,8 +131,10 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
+#include <fstiff/contact/slip_path.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/contact/tangential_law.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/contact/tensor_nodes.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
