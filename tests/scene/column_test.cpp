@@ -31,6 +31,7 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
         {loading_stiffness, "loading_stiffness_Pa_per_m", "loading_stiffness_p05_Pa_per_m", "Pa/m", "-dp/dd [GPa/µm]"},
         {tangential_stiffness, "tangential_stiffness_Pa_per_m", "tangential_stiffness_p05_Pa_per_m", "Pa/m",
          "Kt/A0 [GPa/µm]"},
+        {loss_factor, "loss_factor", "loss_factor_p05", "", "loss factor"},
         {reflection, "reflection", "reflection_p05", "", "|R|"},
         {shear_reflection, "shear_reflection", "shear_reflection_p05", "", "shear |R|"},
         {thermal_conductance, "thermal_conductance_W_per_m2K", "thermal_conductance_p05_W_per_m2K", "W/(m^2 K)", "h [W/(m² K)]"},

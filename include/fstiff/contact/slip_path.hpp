@@ -27,6 +27,7 @@ namespace fstiff {
 template <Real T = double, int Directions = 2>
 struct SlipState {
     static constexpr int capacity = 16;  ///< of nodes; of more, those go that change the traction least
+    /// How far one level is dragged.
     struct Node {
         T level{};                         ///< x [m]
         std::array<T, Directions> drag{};  ///< u [m]

@@ -44,6 +44,7 @@ public:
     template <int Directions>
     using Vector = Eigen::Matrix<T, Directions, 1>;
 
+    /// State and derivatives at the end of a step.
     template <int Directions>
     struct Response {
         T pressure;                   ///< [Pa]
@@ -51,10 +52,12 @@ public:
         /// d(p, q)/d(-d, s) [Pa/m] of the numbers returned, for Newton's method; where something slips not symmetric.
         Eigen::Matrix<T, Directions + 1, Directions + 1> tangent;
     };
+    /// On the curve of a first displacement.
     struct FirstSlip {
         T traction;   ///< q [Pa]
         T stiffness;  ///< dq/ds [Pa/m]
     };
+    /// Of a cycle between two displacements of one size.
     struct Cycle {
         T lost;         ///< W [J/m^2]
         T loss_factor;  ///< W/(pi q s), W over 2 pi times q s/2; 4/pi where all slips, 0 where nothing does
