@@ -79,7 +79,7 @@ int fstiff_friction_first_slip(const fstiff_friction* friction, double separatio
                                double* stiffness) {
     return guarded([&]() -> int {
         const auto at = not_null(friction, "friction").law.first_slip(separation, slip);
-        if (const int status = finite(at.traction, at.stiffness)) return status;
+        if (const int status = all_finite(at.traction, at.stiffness)) return status;
         put(traction, at.traction), put(stiffness, at.stiffness);
         return FSTIFF_OK;
     });
@@ -89,7 +89,7 @@ int fstiff_friction_cycle(const fstiff_friction* friction, double separation, do
                           double* loss_factor) {
     return guarded([&]() -> int {
         const auto of = not_null(friction, "friction").law.cycle(separation, amplitude);
-        if (const int status = finite(of.lost, of.loss_factor)) return status;
+        if (const int status = all_finite(of.lost, of.loss_factor)) return status;
         put(lost, of.lost), put(loss_factor, of.loss_factor);
         return FSTIFF_OK;
     });
@@ -117,7 +117,7 @@ int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* bef
 int fstiff_friction_stored_energy(const fstiff_friction* friction, const fstiff_slip* slip, double* energy) {
     return guarded([&]() -> int {
         const double found = not_null(friction, "friction").law.stored_energy(state_of(slip, "slip"));
-        if (const int status = finite(found)) return status;
+        if (const int status = all_finite(found)) return status;
         not_null(energy, "energy") = found;
         return FSTIFF_OK;
     });

@@ -60,7 +60,7 @@ inline int handed_on(bool finite) {
     set_message("a result is beyond the range of double");
     return FSTIFF_OUT_OF_NUMBERS;
 }
-int finite(auto... results) { return handed_on((std::isfinite(results) && ...)); }
+int all_finite(auto... results) { return handed_on((std::isfinite(results) && ...)); }
 /// To where a result is wanted.
 inline void put(double* to, double value) {
     if (to) *to = value;

@@ -120,7 +120,7 @@ int fstiff_law_at_separation(const fstiff_law* law, double separation, double* p
     return guarded([&]() -> int {
         const auto at = not_null(law, "law").law.at_separation(separation);
         const double minus_dp_dd = slope ? law->law.slope_at_separation(separation) : 0;
-        if (const int status = finite(at.pressure, at.stiffness, minus_dp_dd)) return status;
+        if (const int status = all_finite(at.pressure, at.stiffness, minus_dp_dd)) return status;
         put(pressure, at.pressure), put(stiffness, at.stiffness), put(slope, minus_dp_dd);
         return FSTIFF_OK;
     });
@@ -133,7 +133,7 @@ int fstiff_law_at_pressure(const fstiff_law* law, double pressure, double* separ
         const double d = separation ? of.separation(pressure) : 0;
         const double k = stiffness || !(separation || stiffness_slope) ? of.stiffness(pressure) : 0;
         const double slope = stiffness_slope ? of.stiffness_slope(pressure) : 0;
-        if (const int status = finite(d, k, slope)) return status;
+        if (const int status = all_finite(d, k, slope)) return status;
         put(separation, d), put(stiffness, k), put(stiffness_slope, slope);
         return FSTIFF_OK;
     });
@@ -142,7 +142,7 @@ int fstiff_law_at_pressure(const fstiff_law* law, double pressure, double* separ
 int fstiff_law_energy(const fstiff_law* law, double separation, double* energy) {
     return guarded([&]() -> int {
         const double found = not_null(law, "law").law.energy(separation);
-        if (const int status = finite(found)) return status;
+        if (const int status = all_finite(found)) return status;
         not_null(energy, "energy") = found;
         return FSTIFF_OK;
     });
@@ -151,7 +151,7 @@ int fstiff_law_energy(const fstiff_law* law, double separation, double* energy) 
 int fstiff_law_touch(const fstiff_law* law, double* separation) {
     return guarded([&]() -> int {
         const double found = not_null(law, "law").law.touch();
-        if (const int status = finite(found)) return status;
+        if (const int status = all_finite(found)) return status;
         not_null(separation, "separation") = found;
         return FSTIFF_OK;
     });
