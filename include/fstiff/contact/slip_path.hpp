@@ -220,7 +220,8 @@ private:
     void drop_straight() {
         int kept = 1;
         for (int i = 1; i < count_; ++i)
-            if (bend(kept - 1, i) > straight * bound(points_[i].level)) points_[kept++] = points_[i];
+            if (points_[i].level > points_[kept - 1].level && bend(kept - 1, i) > straight * bound(points_[i].level))
+                points_[kept++] = points_[i];  // far apart the cone is narrower than the rounding of its levels
         count_ = kept;
     }
     template <class Pressure>
