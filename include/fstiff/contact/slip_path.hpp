@@ -154,8 +154,8 @@ private:
         }
         Point from = a;
         for (const T t : {first, second})
-            if (t > 0 && t < 1) {
-                Point to = tried_at(a, b, t);
+            if (t > -straight && t < 1 + straight) {  // at an end too: a loop that closes there has slid up to it
+                Point to = tried_at(a, b, std::clamp(t, T(0), T(1)));
                 meet_cone(to, rise / length);
                 turn(from, to, a, b);
                 from = add(to);
