@@ -32,7 +32,7 @@
 !
 ! A linear perturbation step, such as *FREQUENCY, takes the stiffness at the first of them, in friction that of a contact that
 ! sticks; without it the step is refused. SED is the elastic energy of the contact, of law 4 the work that closed it, SFD what an
-! increment loses in friction, by Simpson's rule.
+! increment loses in friction, by Simpson's rule: a cycle in four increments to 1e-3, in eighty to 1e-8.
 !
 ! The law of a set of properties is made at the first call that brings it, and kept. Programs that call from several threads at
 ! once must compile this file with OpenMP: the search for the law is a critical section.
