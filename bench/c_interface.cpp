@@ -8,6 +8,7 @@
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/tangential_law.hpp>
 
 #include <algorithm>
 #include <array>
@@ -108,6 +109,36 @@ int main() {
                                        nullptr,       nullptr, nullptr, nullptr};
             fstiff_contact_at_pressures(contact, pressures.data(), count, &points);
         });
+    const fstiff::TangentialLaw<double> friction(law, 0.3, 0.8);
+    fstiff_friction* c_friction = nullptr;
+    if (fstiff_friction_make(c_law, 0.3, 0.8, &c_friction)) return 1;
+    good &= compare(
+        "first slip",
+        [&](Numbers& k) {
+            for (std::size_t i = 0; i < count; ++i) k[i] = friction.first_slip(separations[i], 1e-7).stiffness;
+        },
+        [&](Numbers& k) {
+            for (std::size_t i = 0; i < count; ++i)
+                fstiff_friction_first_slip(c_friction, separations[i], 1e-7, nullptr, &k[i]);
+        });
+    good &= compare(
+        "step in friction",
+        [&](Numbers& k) {
+            fstiff::SlipState<double, 2> after;
+            for (std::size_t i = 0; i < count; ++i)
+                k[i] = friction.step({.separation = separations[i]}, separations[i], {1e-7, 0}, after).tangent(1, 1);
+        },
+        [&](Numbers& k) {
+            double tangent[9];
+            const double slip[2]{1e-7, 0};
+            fstiff_slip before{.size = sizeof before, .separation = 0, .levels = {}, .drags = {}, .count = 0}, after = before;
+            for (std::size_t i = 0; i < count; ++i) {
+                before.separation = separations[i];
+                fstiff_friction_step(c_friction, &before, separations[i], slip, &after, nullptr, nullptr, tangent);
+                k[i] = tangent[4];
+            }
+        });
+    fstiff_friction_free(c_friction);
     fstiff_law_free(c_law);
     fstiff_contact_free(contact);
     return good ? 0 : 1;

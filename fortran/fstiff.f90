@@ -36,6 +36,7 @@ module fstiff
         enumerator :: FSTIFF_FILTER_GAUSSIAN = 0, FSTIFF_FILTER_ROBUST
     end enum
     real(c_double), parameter :: FSTIFF_NO_CUT_OFF = -1
+    integer, parameter :: FSTIFF_SLIP_LEVELS = 16
 
     ! The sizes are those of the C structs on every platform where a double, a pointer and a size_t have 8 bytes; the test of
     ! this module compares them with c_sizeof.
@@ -59,6 +60,12 @@ module fstiff
         integer(c_size_t) :: size = 56
         real(c_double) :: min_pressure = 0, max_pressure = 0, min_separation = 0, max_separation = 0, relative_error = 0
         integer(c_int) :: stiffness_is_slope = 0, outside = 0
+    end type
+    ! drags(:, i) is that of levels(i).
+    type, bind(c) :: fstiff_slip
+        integer(c_size_t) :: size = 408
+        real(c_double) :: separation = 0, levels(FSTIFF_SLIP_LEVELS) = 0, drags(2, FSTIFF_SLIP_LEVELS) = 0
+        integer(c_int) :: count = 0
     end type
     type, bind(c) :: fstiff_measure_options
         integer(c_size_t) :: size = 80
@@ -172,6 +179,19 @@ module fstiff
             real(c_double), intent(out) :: separation, stiffness, stiffness_slope
             integer(c_int) :: status
         end function
+        function fstiff_law_energy(law, separation, energy) bind(c) result(status)
+            import
+            type(c_ptr), value :: law
+            real(c_double), value :: separation
+            real(c_double), intent(inout) :: energy
+            integer(c_int) :: status
+        end function
+        function fstiff_law_touch(law, separation) bind(c) result(status)
+            import
+            type(c_ptr), value :: law
+            real(c_double), intent(inout) :: separation
+            integer(c_int) :: status
+        end function
         function fstiff_law_at_separations(law, separations, count, pressures, stiffnesses, statuses) bind(c) result(status)
             import
             type(c_ptr), value :: law, statuses
@@ -186,6 +206,56 @@ module fstiff
             real(c_double), intent(in) :: pressures(*)
             integer(c_size_t), value :: count
             real(c_double), intent(out) :: separations(*), stiffnesses(*)
+            integer(c_int) :: status
+        end function
+        function fstiff_tangential_ratio(modulus1, poisson1, modulus2, poisson2, ratio) bind(c) result(status)
+            import
+            real(c_double), value :: modulus1, poisson1, modulus2, poisson2
+            real(c_double), intent(inout) :: ratio
+            integer(c_int) :: status
+        end function
+        function fstiff_friction_make(law, friction, ratio, made) bind(c) result(status)
+            import
+            type(c_ptr), value :: law
+            real(c_double), value :: friction, ratio
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        subroutine fstiff_friction_free(friction) bind(c)
+            import
+            type(c_ptr), value :: friction
+        end subroutine
+        function fstiff_friction_first_slip(friction, separation, slip, traction, stiffness) bind(c) result(status)
+            import
+            type(c_ptr), value :: friction
+            real(c_double), value :: separation, slip
+            real(c_double), intent(inout) :: traction, stiffness
+            integer(c_int) :: status
+        end function
+        function fstiff_friction_cycle(friction, separation, amplitude, lost, loss_factor) bind(c) result(status)
+            import
+            type(c_ptr), value :: friction
+            real(c_double), value :: separation, amplitude
+            real(c_double), intent(inout) :: lost, loss_factor
+            integer(c_int) :: status
+        end function
+        ! tangent(j, i) is the derivative of result i by input j, as C has it by rows. before and after are two variables.
+        function fstiff_friction_step(friction, before, separation, slip, after, pressure, traction, tangent) bind(c) &
+            result(status)
+            import
+            type(c_ptr), value :: friction
+            type(fstiff_slip), intent(in) :: before
+            real(c_double), value :: separation
+            real(c_double), intent(in) :: slip(2)
+            type(fstiff_slip), intent(inout) :: after
+            real(c_double), intent(inout) :: pressure, traction(2), tangent(3, 3)
+            integer(c_int) :: status
+        end function
+        function fstiff_friction_stored_energy(friction, slip, energy) bind(c) result(status)
+            import
+            type(c_ptr), value :: friction
+            type(fstiff_slip), intent(in) :: slip
+            real(c_double), intent(inout) :: energy
             integer(c_int) :: status
         end function
         function fstiff_measure_profile(heights, count, spacing, options, surface) bind(c) result(status)

@@ -173,6 +173,55 @@ FSTIFF_API int fstiff_law_at_separations(const fstiff_law* law, const double* se
 FSTIFF_API int fstiff_law_at_pressures(const fstiff_law* law, const double* pressures, size_t count,
                                        double* separations, double* stiffnesses, int* status);
 
+/** Work per area that closes the contact from infinity to a separation [J/m^2], the integral of p, which an elastic contact
+ * stores; beyond the table that of a law with FSTIFF_OUTSIDE_EXTRAPOLATE, for other laws FSTIFF_REFUSED. */
+FSTIFF_API int fstiff_law_energy(const fstiff_law* law, double separation, double* energy);
+/** The separation of first touch [m]: where the line through the loosest state of the table meets p = 0. The approach since then is
+ * this less the separation at a pressure; since a preload, the separation there less the other. */
+FSTIFF_API int fstiff_law_touch(const fstiff_law* law, double* separation);
+
+/* ---- Friction: tangential traction, microslip and loss (contact/tangential_law.hpp) ---- */
+
+/** A tabulated law with friction. Only elastic laws have one. */
+typedef struct fstiff_friction fstiff_friction;
+
+enum { FSTIFF_SLIP_LEVELS = 16 };
+
+/** What one place of the contact remembers of its slip: plain numbers, to be kept with the other variables of a step. Before the
+ * first slip the separation alone. */
+typedef struct fstiff_slip {
+    size_t size;                         /**< sizeof(fstiff_slip) */
+    double separation;                   /**< d [m] */
+    double levels[FSTIFF_SLIP_LEVELS];   /**< separations of first touch [m], rising from d on */
+    double drags[FSTIFF_SLIP_LEVELS][2]; /**< how far what first touched there is dragged, in both directions [m] */
+    int count;                           /**< of levels in use */
+} fstiff_slip;
+
+/** K_t/K_n of elastic contacts that stick, by Mindlin, from Young's moduli [Pa] and Poisson's ratios of both bodies. */
+FSTIFF_API int fstiff_tangential_ratio(double modulus1, double poisson1, double modulus2, double poisson2,
+                                       double* ratio);
+/** law with the coefficient of friction `friction` and K_t/K_n `ratio`, both > 0. It does not need the law again, and continues it
+ * outside its range as FSTIFF_OUTSIDE_EXTRAPOLATE. */
+FSTIFF_API int fstiff_friction_make(const fstiff_law* law, double friction, double ratio, fstiff_friction** made);
+FSTIFF_API void fstiff_friction_free(fstiff_friction* friction);
+
+/** At one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor of a cycle between
+ * -amplitude and amplitude [m]. Results that are not wanted may be NULL; a call that fails leaves all of them alone. */
+FSTIFF_API int fstiff_friction_first_slip(const fstiff_friction* friction, double separation, double slip,
+                                          double* traction, double* stiffness);
+FSTIFF_API int fstiff_friction_cycle(const fstiff_friction* friction, double separation, double amplitude, double* lost,
+                                     double* loss_factor);
+
+/** A straight path from what `before` remembers to a separation [m] and by a slip [m]; a plane model has slip[1] = 0. `after`, which
+ * may be `before`, has its size set. pressure and traction [Pa] are those at the end, tangent [Pa/m] their derivatives
+ * d(p, q1, q2)/d(-d, s1, s2), row after row, not symmetric where something slips. Results that are not wanted may be NULL; a call
+ * that fails leaves all of them alone. Nothing is allocated. */
+FSTIFF_API int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* before, double separation,
+                                    const double slip[2], fstiff_slip* after, double* pressure, double traction[2],
+                                    double tangent[9]);
+/** What the contact stores by its tangential displacement [J/m^2], beside fstiff_law_energy(). */
+FSTIFF_API int fstiff_friction_stored_energy(const fstiff_friction* friction, const fstiff_slip* slip, double* energy);
+
 /* ---- Measurement of profiles and maps ---- */
 
 /** Cut-off: none. 0 leaves lambda_s to the table of the standards. */

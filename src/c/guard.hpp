@@ -6,6 +6,7 @@
 
 #include <fstiff/core/error.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -51,6 +52,19 @@ T& sized(T* pointer, const char* name) {
 }
 /// \throws argument_error for an array that is null, empty or longer than memory.
 void require_array(const double* array, std::size_t count, const char* name);
+
+/// Whether results may be handed on: those that are no numbers are refused like those that the law has not.
+inline int handed_on(bool finite) {
+    if (finite) [[likely]]
+        return FSTIFF_OK;
+    set_message("a result is beyond the range of double");
+    return FSTIFF_OUT_OF_NUMBERS;
+}
+int all_finite(auto... results) { return handed_on((std::isfinite(results) && ...)); }
+/// To where a result is wanted.
+inline void put(double* to, double value) {
+    if (to) *to = value;
+}
 
 /// \p text and its closing 0 into a buffer of the caller, as fstiff_law_text() describes it.
 int text_into(const std::string& text, char* buffer, std::size_t capacity, std::size_t* length);

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tabulated laws.
 #include "c/contact.hpp"
-
-#include <fstiff/contact/contact_law.hpp>
+#include "c/law.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <string>
 #include <string_view>
-
-struct fstiff_law {
-    fstiff::ContactLaw<double> law;
-};
 
 namespace fstiff::c {
 namespace {
@@ -21,18 +15,6 @@ namespace {
 using Law = ContactLaw<double>;
 using In = Eigen::Map<const Eigen::ArrayXd>;
 using Out = Eigen::Map<Eigen::ArrayXd>;
-
-/// Whether every number may be handed on: a result that is no number is refused like one that the law has not.
-int finite(double a, double b, double c) {
-    if (std::isfinite(a) && std::isfinite(b) && std::isfinite(c)) [[likely]]
-        return FSTIFF_OK;
-    set_message("a result is beyond the range of double");
-    return FSTIFF_OUT_OF_NUMBERS;
-}
-
-void put(double* to, double value) {
-    if (to) *to = value;
-}
 
 /// \p one(x, first, second) for every point, with its status.
 template <class One>
@@ -138,7 +120,7 @@ int fstiff_law_at_separation(const fstiff_law* law, double separation, double* p
     return guarded([&]() -> int {
         const auto at = not_null(law, "law").law.at_separation(separation);
         const double minus_dp_dd = slope ? law->law.slope_at_separation(separation) : 0;
-        if (const int status = finite(at.pressure, at.stiffness, minus_dp_dd)) return status;
+        if (const int status = all_finite(at.pressure, at.stiffness, minus_dp_dd)) return status;
         put(pressure, at.pressure), put(stiffness, at.stiffness), put(slope, minus_dp_dd);
         return FSTIFF_OK;
     });
@@ -151,8 +133,26 @@ int fstiff_law_at_pressure(const fstiff_law* law, double pressure, double* separ
         const double d = separation ? of.separation(pressure) : 0;
         const double k = stiffness || !(separation || stiffness_slope) ? of.stiffness(pressure) : 0;
         const double slope = stiffness_slope ? of.stiffness_slope(pressure) : 0;
-        if (const int status = finite(d, k, slope)) return status;
+        if (const int status = all_finite(d, k, slope)) return status;
         put(separation, d), put(stiffness, k), put(stiffness_slope, slope);
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_law_energy(const fstiff_law* law, double separation, double* energy) {
+    return guarded([&]() -> int {
+        const double found = not_null(law, "law").law.energy(separation);
+        if (const int status = all_finite(found)) return status;
+        not_null(energy, "energy") = found;
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_law_touch(const fstiff_law* law, double* separation) {
+    return guarded([&]() -> int {
+        const double found = not_null(law, "law").law.touch();
+        if (const int status = all_finite(found)) return status;
+        not_null(separation, "separation") = found;
         return FSTIFF_OK;
     });
 }

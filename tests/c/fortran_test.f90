@@ -9,7 +9,8 @@ program fortran_test
     type(fstiff_law_facts) :: facts
     type(fstiff_measure_options) :: options
     type(fstiff_surface) :: surface
-    type(c_ptr) :: contact, law, same, document
+    type(c_ptr) :: contact, law, same, document, friction
+    type(fstiff_slip) :: before, after
     type(fstiff_heights), target :: array
     type(fstiff_curve) :: curve
     real(c_double), allocatable, target :: generated(:)
@@ -17,7 +18,7 @@ program fortran_test
     real(c_double), allocatable :: pressures(:), wanted(:), heights(:)
     real(c_double), target :: stiffness(7), separation(7)
     integer(c_int), target :: status(7)
-    real(c_double) :: p, k, slope, batch_p(1), batch_k(1)
+    real(c_double) :: p, k, slope, batch_p(1), batch_k(1), traction(2), tangent(3, 3)
     character(1024) :: numbers, law_file
     character(:), allocatable :: text
     character(*), parameter :: scene = "surface = { rms_height = '1 um', rms_gradient = 0.1, alpha = 5 }"//achar(10)// &
@@ -30,7 +31,7 @@ program fortran_test
     call get_command_argument(2, law_file)
     call check(fine%size == c_sizeof(fine) .and. body%size == c_sizeof(body) .and. points%size == c_sizeof(points) .and. &
         facts%size == c_sizeof(facts) .and. options%size == c_sizeof(options) .and. surface%size == c_sizeof(surface) .and. &
-        array%size == c_sizeof(array) .and. curve%size == c_sizeof(curve), "sizes")
+        array%size == c_sizeof(array) .and. curve%size == c_sizeof(curve) .and. before%size == c_sizeof(before), "sizes")
 
     fine = fstiff_roughness(rms_height=0.832d-6, peak_radius=40d-6, peak_density=500d6, r=0.5d0, theta=1d0)
     body = fstiff_body(effective_modulus=112.6d9)
@@ -56,6 +57,36 @@ program fortran_test
     call check(fstiff_law_at_separations(same, wanted(2:2), 1_c_size_t, batch_p, batch_k, c_null_ptr) == FSTIFF_OK, "batch")
     call check(abs(batch_p(1)/p - 1) < 1d-13 .and. abs(batch_k(1)/k - 1) < 1d-13, "batch is the scalar call")
     call check(fstiff_law_facts_of(same, facts) == FSTIFF_OK .and. facts%max_pressure >= 1d8, "facts")
+
+    call read_numbers("friction", wanted)
+    call check(fstiff_tangential_ratio(205d9, 0.3d0, 70d9, 0.33d0, k) == FSTIFF_OK, "ratio")
+    call check(bits(k) == bits(wanted(1)), "ratio of C++")
+    call check(fstiff_friction_make(same, 0.3d0, k, friction) == FSTIFF_OK, "friction")
+    call check(fstiff_friction_first_slip(friction, wanted(2), 1d-7, p, k) == FSTIFF_OK, "first slip")
+    call check(all(bits([p, k]) == bits(wanted(3:4))), "first slip of C++")
+    call check(fstiff_friction_cycle(friction, wanted(2), 1d-7, p, k) == FSTIFF_OK, "cycle")
+    call check(all(bits([p, k]) == bits(wanted(5:6))), "cycle of C++")
+    call check(fstiff_law_energy(same, wanted(2), p) == FSTIFF_OK, "energy")
+    call check(fstiff_law_touch(same, k) == FSTIFF_OK, "touch")
+    call check(all(bits([p, k]) == bits(wanted(7:8))), "energy and touch of C++")
+    after = fstiff_slip(separation=wanted(2))
+    do i = 1, 40
+        before = after
+        text = "friction/"
+        if (i > 10) text = text//achar(iachar("0") + (i - 1)/10)
+        call read_numbers(text//achar(iachar("0") + mod(i - 1, 10)), wanted)
+        call check(fstiff_friction_step(friction, before, wanted(1), wanted(2:3), after, p, traction, tangent) == FSTIFF_OK, "step")
+        call check(all(bits([p, traction, tangent(:, 1), tangent(:, 2), tangent(:, 3)]) == bits(wanted(4:15))), "step of C++")
+        call check(fstiff_friction_stored_energy(friction, after, k) == FSTIFF_OK, "stored")
+        call check(bits(k) == bits(wanted(16)) .and. after%count == nint(wanted(17)), "stored energy of C++")
+        call check(all(bits(after%levels(:after%count)) == bits(wanted(18::3))) .and. &
+            all(bits(after%drags(1, :after%count)) == bits(wanted(19::3))) .and. &
+            all(bits(after%drags(2, :after%count)) == bits(wanted(20::3))), "slip")
+    end do
+    before%count = 17
+    call check(fstiff_friction_step(friction, before, 1d-6, traction, after, p, traction, tangent) == FSTIFF_REFUSED, "count")
+    call check(index(fstiff_message(), "count of a slip = 17: must be 0 to 16") > 0, "message of a count")
+    call fstiff_friction_free(friction)
     call fstiff_law_free(law)
     call fstiff_law_free(same)
     call fstiff_contact_free(contact)

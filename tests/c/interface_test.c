@@ -25,6 +25,12 @@ static int failures = 0;
         }                                                                                                       \
     } while (0)
 
+#define REFUSES(wanted, words, call)                         \
+    do {                                                     \
+        CHECK((call) == (wanted));                           \
+        CHECK(strstr(fstiff_last_message(), words) != NULL); \
+    } while (0)
+
 static char* read_file(const char* name, size_t* length) {
     FILE* file = fopen(name, "rb");
     char* text = NULL;
@@ -172,6 +178,153 @@ static void test_scene(const char* file) {
     free(text);
 }
 
+/* ---- Friction ---- */
+
+static void check_friction(const fstiff_law* law) {
+    size_t count;
+    double* w = numbers_of("friction", &count);
+    double ratio = 0, a = 0, b = 0;
+    CHECK(fstiff_tangential_ratio(205e9, 0.3, 70e9, 0.33, &ratio) == FSTIFF_OK && ratio == w[0]);
+    fstiff_friction* friction = NULL;
+    CHECK(fstiff_friction_make(law, 0.3, ratio, &friction) == FSTIFF_OK);
+    CHECK(fstiff_friction_first_slip(friction, w[1], 1e-7, &a, &b) == FSTIFF_OK && a == w[2] && b == w[3]);
+    CHECK(fstiff_friction_cycle(friction, w[1], 1e-7, &a, &b) == FSTIFF_OK && a == w[4] && b == w[5]);
+    CHECK(fstiff_friction_cycle(friction, w[1], 1e-7, NULL, NULL) == FSTIFF_OK);
+    CHECK(fstiff_law_energy(law, w[1], &a) == FSTIFF_OK && a == w[6]);
+    CHECK(fstiff_law_touch(law, &a) == FSTIFF_OK && a == w[7]);
+
+    fstiff_slip state = {.size = sizeof state, .separation = w[1]};
+    free(w);
+    for (int i = 0; i < 40; ++i) {
+        char key[64];
+        sprintf(key, "friction/%d", i);
+        w = numbers_of(key, &count);
+        fstiff_slip other = {.size = sizeof other};
+        double p, q[2], tangent[9], stored;
+        CHECK(fstiff_friction_step(friction, &state, w[0], w + 1, &other, NULL, NULL, NULL) == FSTIFF_OK);
+        CHECK(fstiff_friction_step(friction, &state, w[0], w + 1, &state, &p, q, tangent) == FSTIFF_OK);
+        CHECK(memcmp(&state, &other, sizeof state) == 0);
+        CHECK(p == w[3] && q[0] == w[4] && q[1] == w[5]);
+        for (int j = 0; j < 9; ++j) CHECK(tangent[j] == w[6 + j]);
+        CHECK(fstiff_friction_stored_energy(friction, &state, &stored) == FSTIFF_OK && stored == w[15]);
+        CHECK(state.separation == w[0] && state.count == (int)w[16] && count == 17 + 3 * (size_t)state.count);
+        for (int j = 0; j < state.count; ++j)
+            CHECK(state.levels[j] == w[17 + 3 * j] && state.drags[j][0] == w[18 + 3 * j] &&
+                  state.drags[j][1] == w[19 + 3 * j]);
+        free(w);
+    }
+
+    /* One monotone path in many steps is the difference of two normal states, q = mu (p(d) - p(d + k s/mu)). */
+    double p, p_stuck, q[2];
+    CHECK(fstiff_law_at_pressure(law, 1e7, &a, NULL, NULL) == FSTIFF_OK);
+    state = (fstiff_slip){.size = sizeof state, .separation = a};
+    for (int i = 1; i <= 50; ++i) {
+        CHECK(fstiff_friction_step(friction, &state, a, (const double[]){1.2e-8, 1.6e-8}, &state, &p, q, NULL) == FSTIFF_OK);
+        CHECK(fstiff_law_at_separation(law, a + ratio / 0.3 * 2e-8 * i, &p_stuck, NULL, NULL) == FSTIFF_OK);
+        CHECK(fabs(q[0] - 0.6 * 0.3 * (p - p_stuck)) < 1e-12 * p && fabs(q[1] - 0.8 * 0.3 * (p - p_stuck)) < 1e-12 * p);
+    }
+    fstiff_friction_free(friction);
+}
+
+/* Whatever a host has kept: a status, and numbers or nothing. */
+static void test_random_slips(const fstiff_friction* friction, double closest) {
+    const double sizes[] = {0, 1e-12, 1e-7, 1e-6, 1, 1e200, 1e308};
+    for (int n = 0; n < 20000; ++n) {
+        fstiff_slip before = {.size = sizeof before, .separation = closest + 1e-9 * (n % 300), .count = n % 17};
+        for (int i = 0; i < before.count; ++i) {
+            const double length = sizes[n % 7] * ((1 + i) / 16.0), angle = 2.1 * i + n;
+            before.levels[i] = before.separation + (1 + i) * (n % 3 ? 1e-7 : 1e300);
+            before.drags[i][0] = length * cos(angle), before.drags[i][1] = length * sin(angle);
+        }
+        fstiff_slip after = {.size = sizeof after, .separation = -7};
+        const double slip[2] = {sizes[(n / 7) % 7], -sizes[(n / 49) % 7]};
+        double numbers[12], *const p = numbers, *const q = numbers + 1, *const tangent = numbers + 3;
+        for (int i = 0; i < 12; ++i) numbers[i] = -7;
+        const int status = fstiff_friction_step(friction, &before, closest + sizes[n % 6], slip, &after, p, q, tangent);
+        CHECK(status == FSTIFF_OK || status == FSTIFF_OUT_OF_NUMBERS);
+        for (int i = 0; i < 12; ++i) CHECK(status == FSTIFF_OK ? isfinite(numbers[i]) : numbers[i] == -7);
+        if (status != FSTIFF_OK)
+            CHECK(after.separation == -7 && after.count == 0);
+        else /* what a step remembers is what a step takes */
+            CHECK(fstiff_friction_step(friction, &after, closest, (const double[]){0, 0}, NULL, NULL, NULL, NULL) !=
+                  FSTIFF_REFUSED);
+        if (failures > 5) break;
+    }
+}
+
+static void test_refusals_of_friction(void) {
+    fstiff_contact* hertz = contact_of("hertz");
+    fstiff_law *law, *plastic;
+    CHECK(fstiff_law_make(hertz, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    fstiff_contact_free(hertz);
+    fstiff_friction *friction = NULL, *none = (fstiff_friction*)&friction;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "law", fstiff_friction_make(NULL, 0.3, 0.8, &none));
+    CHECK(none == NULL);
+    REFUSES(FSTIFF_BAD_ARGUMENT, "made", fstiff_friction_make(law, 0.3, 0.8, NULL));
+    REFUSES(FSTIFF_REFUSED, "friction = 0", fstiff_friction_make(law, 0, 0.8, &none));
+    REFUSES(FSTIFF_REFUSED, "ratio = nan", fstiff_friction_make(law, 0.3, (double)NAN, &none));
+    fstiff_contact* flowing = contact_of("fractal");
+    CHECK(fstiff_law_make(flowing, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &plastic) == FSTIFF_OK);
+    fstiff_contact_free(flowing);
+    REFUSES(FSTIFF_REFUSED, "must be elastic", fstiff_friction_make(plastic, 0.3, 0.8, &none));
+    fstiff_law_free(plastic);
+    REFUSES(FSTIFF_REFUSED, "poisson_ratio", fstiff_tangential_ratio(1, 0.6, 1, 0.3, &(double){0}));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "ratio", fstiff_tangential_ratio(1, 0.3, 1, 0.3, NULL));
+    CHECK(fstiff_friction_make(law, 0.3, 0.8, &friction) == FSTIFF_OK);
+
+    double d, a = -7, b = -7;
+    CHECK(fstiff_law_at_pressure(law, 1e7, &d, NULL, NULL) == FSTIFF_OK);
+    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_energy(law, 1, &a));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "energy", fstiff_law_energy(law, d, NULL));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "separation", fstiff_law_touch(law, NULL));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "law", fstiff_law_touch(NULL, &a));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "friction", fstiff_friction_first_slip(NULL, d, 1e-7, &a, &b));
+    REFUSES(FSTIFF_REFUSED, "slip = -1", fstiff_friction_first_slip(friction, d, -1, &a, &b));
+    REFUSES(FSTIFF_REFUSED, "separation", fstiff_friction_first_slip(friction, (double)NAN, 1e-7, &a, &b));
+    REFUSES(FSTIFF_REFUSED, "amplitude", fstiff_friction_cycle(friction, d, (double)NAN, &a, &b));
+    CHECK(a == -7 && b == -7);
+    CHECK(fstiff_friction_first_slip(friction, d, 1e-7, NULL, &b) == FSTIFF_OK && b > 0);
+
+    const fstiff_slip good = {.size = sizeof good, .separation = d, .levels = {d + 1e-7, d + 2e-7}, .drags = {{1e-9, 0}},
+                              .count = 2};
+    fstiff_slip bad = good, after = {.size = sizeof after};
+    const double slip[2] = {1e-8, 0}, no_number[2] = {0, (double)NAN};
+    a = -7;
+#define STEP(before, to, by) fstiff_friction_step(friction, before, to, by, &after, &a, NULL, NULL)
+    REFUSES(FSTIFF_BAD_ARGUMENT, "before", STEP(NULL, d, slip));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "slip", STEP(&good, d, NULL));
+    REFUSES(FSTIFF_REFUSED, "separation = inf", STEP(&good, (double)INFINITY, slip));
+    REFUSES(FSTIFF_REFUSED, "slip = nan", STEP(&good, d, no_number));
+    bad.size = 8;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "before->size = 8", STEP(&bad, d, slip));
+    const int counts[] = {-1, 17, 2147483647};
+    for (size_t i = 0; i < 3; ++i) {
+        bad = good, bad.count = counts[i];
+        REFUSES(FSTIFF_REFUSED, "count of a slip", STEP(&bad, d, slip));
+    }
+    bad = good, bad.levels[1] = bad.levels[0];
+    REFUSES(FSTIFF_REFUSED, "further than the one before it", STEP(&bad, d, slip));
+    bad = good, bad.levels[0] = d;
+    REFUSES(FSTIFF_REFUSED, "further than the one before it", STEP(&bad, d, slip));
+    bad = good, bad.levels[1] = (double)INFINITY;
+    REFUSES(FSTIFF_REFUSED, "level of a slip = inf: must be finite", STEP(&bad, d, slip));
+    bad = good, bad.drags[1][1] = (double)NAN;
+    REFUSES(FSTIFF_REFUSED, "drag of a slip", STEP(&bad, d, slip));
+    REFUSES(FSTIFF_REFUSED, "drag of a slip", fstiff_friction_stored_energy(friction, &bad, &a));
+    bad = good, bad.separation = (double)NAN;
+    REFUSES(FSTIFF_REFUSED, "separation of a slip", STEP(&bad, d, slip));
+    CHECK(a == -7 && after.separation == 0);
+    after.size = 0;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "after->size = 0", STEP(&good, d, slip));
+    CHECK(a == -7);
+    test_random_slips(friction, d);
+    fstiff_friction_free(friction);
+    fstiff_friction_free(NULL);
+    fstiff_law_free(law);
+}
+
+/* ---- Laws ---- */
+
 static void check_law(const fstiff_law* law) {
     double p[7], d[7], k[7], in_place[7], stiffness[7];
     int status[7];
@@ -214,6 +367,8 @@ static void test_law(const char* file) {
     CHECK(memcmp(buffer, text, length + 1) == 0);
     CHECK(fstiff_law_of_text(text, length, &read) == FSTIFF_OK);
     check_law(read);
+    check_friction(made);
+    check_friction(read);
     fstiff_law_facts facts = {.size = sizeof facts};
     CHECK(fstiff_law_facts_of(read, &facts) == FSTIFF_OK);
     CHECK(facts.min_pressure == 1e5 && facts.max_pressure == 1e8 && facts.stiffness_is_slope == 1);
@@ -382,12 +537,6 @@ static void test_conductance(void) {
 }
 
 /* ---- Refusals ---- */
-
-#define REFUSES(wanted, words, call)                         \
-    do {                                                     \
-        CHECK((call) == (wanted));                           \
-        CHECK(strstr(fstiff_last_message(), words) != NULL); \
-    } while (0)
 
 static void test_refusals(void) {
     fstiff_roughness fine = fine_surface();
@@ -680,7 +829,7 @@ int main(int argc, char** argv) {
         test_conductance();
         free(text);
     } else if (strcmp(part, "refusals") == 0)
-        test_refusals();
+        test_refusals(), test_refusals_of_friction();
     else if (strcmp(part, "threads") == 0)
         test_threads();
     else if (strcmp(part, "random") == 0 && argc > 2)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What interface_test.c compares with: numbers of the C++ library, made without the C interface and without scenes but for one.
 // Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
+#include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/tangential_law.hpp>
 #include <fstiff/measured/measure.hpp>
 #include <fstiff/profile/level.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -10,6 +12,7 @@
 
 #include "scene/results.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <vector>
@@ -51,6 +54,29 @@ void print_measured(const char* key, const parts::SurfaceParameters<double>& fou
     print(key, all);
 }
 
+/// A path of closing, opening and turning: of each step d and s, p, q, the tangent, and what is remembered and stored.
+void print_friction(const ContactLaw<double>& law) {
+    const double ratio = tangential_ratio<double>({205e9, 0.3}, {70e9, 0.33}), d = law.separation(1e7);
+    const TangentialLaw<double> rough(law, 0.3, ratio);
+    const auto first = rough.first_slip(d, 1e-7);
+    const auto cycle = rough.cycle(d, 1e-7);
+    print("friction", {ratio, d, first.traction, first.stiffness, cycle.lost, cycle.loss_factor, law.energy(d), law.touch()});
+    SlipState<double, 2> state{.separation = d};
+    for (int i = 0; i < 40; ++i) {
+        const Eigen::Vector2d slip(2e-7 * std::sin(3 * i), i < 10 ? 0 : 1e-7 * std::cos(5 * i));
+        const double to = law.separation(1e7 * (1.5 + std::sin(i)));
+        const auto at = rough.step(state, to, slip, state);
+        std::vector<double> all{to, slip[0], slip[1], at.pressure, at.traction[0], at.traction[1]};
+        for (int j = 0; j < 9; ++j) all.push_back(at.tangent(j / 3, j % 3));
+        all.insert(all.end(), {rough.stored_energy(state), double(state.count)});
+        for (int j = 0; j < state.count; ++j) {
+            const auto& node = state.nodes[static_cast<std::size_t>(j)];
+            all.insert(all.end(), {node.level, node.drag[0], node.drag[1]});
+        }
+        print(("friction/" + std::to_string(i)).c_str(), all);
+    }
+}
+
 }  // namespace
 
 int main(int, char** argv) {
@@ -75,6 +101,8 @@ int main(int, char** argv) {
         print(("law/" + std::to_string(i)).c_str(),
               {p, d, law.stiffness(p), law.stiffness_slope(p), at.pressure, at.stiffness, law.slope_at_separation(d)});
     }
+
+    print_friction(law);
 
     const std::string text = std::string(scene::builtin_scene) +  // which ends with [contact]
                              "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n"

@@ -266,6 +266,38 @@ TEST_CASE("the tangent is the derivative of what is returned") {
     CHECK(compared > 850);
 }
 
+TEST_CASE("the tangent is that of the first slip where a cycle turns round, in whatever steps it got there") {
+    const Friction friction(hertz(), mu, ratio);
+    const double d = friction.normal().separation(1e7), most = 2e-7, wanted = friction.first_slip(d, most).stiffness;
+    for (const int quarter : {1, 2, 5, 20}) {
+        SlipState<double, 2> state{.separation = d};
+        for (int i = 1; i <= 5 * quarter; ++i) {
+            const double step = (i <= quarter || i > 3 * quarter ? most : -most) / quarter;
+            const auto tangent = friction.step(state, d, {step, 0}, state).tangent;
+            if (i % (2 * quarter) == quarter) CHECK(test::relative_error(tangent(1, 1), wanted) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("any state is room enough for its points") {
+    const Friction friction(hertz(), mu, ratio);
+    const double d = friction.normal().separation(1e7), step = 1e-8;
+    for (const double over : {1.1, 2.0, 10.0})
+        for (double turn = 0.3; turn < 3.2; turn += 0.1) {  // 16 levels outside the cone of friction
+            SlipState<double, 2> state{.separation = d, .count = 16}, after;
+            for (int i = 0; i < 16; ++i) {
+                const double length = over * mu / ratio * step * (i + 1);
+                state.nodes[std::size_t(i)] = {d + step * (i + 1), {length * std::cos(turn * i), length * std::sin(turn * i)}};
+            }
+            const auto at = friction.step(state, d, {0, 0}, after);
+            CHECK(at.traction.norm() <= mu * at.pressure);
+            CHECK(at.tangent.allFinite());
+        }
+    SlipState<double, 2> apart{.separation = d};
+    CHECK(friction.step(apart, 1e30, {1e-3, 0}, apart).traction.norm() == 0);
+    CHECK(apart.count == 0);  // no level is that close to the edge
+}
+
 TEST_CASE("Newton's method finds the displacements of given loads, and squares its error") {
     const Friction friction(hertz(), mu, ratio);
     SlipState<double, 2> state{.separation = friction.normal().separation(1e7)}, tried;

@@ -81,7 +81,9 @@ public:
     }
 
 private:
-    static constexpr int most_tried = State::capacity + 2, most = 4 * most_tried;
+    static constexpr int most_tried = State::capacity + 2;
+    /// Of points: of each tried one itself and two where its way to the next meets the cone, and some where that turns.
+    static constexpr int most = 5 * most_tried, most_turned = most - 3 * most_tried;
     static constexpr T rounding = 64 * std::numeric_limits<T>::epsilon(), straight = 16 * rounding;
 
     /// The trial: where each level would be if none slipped.
@@ -153,8 +155,8 @@ private:
         }
         Point from = a;
         for (const T t : {first, second})
-            if (t > 0 && t < 1) {
-                Point to = tried_at(a, b, t);
+            if (t > -straight && t < 1 + straight) {  // at an end too: a loop that closes there has slid up to it
+                Point to = tried_at(a, b, std::clamp(t, T(0), T(1)));
                 meet_cone(to, rise / length);
                 turn(from, to, a, b);
                 from = add(to);
@@ -178,7 +180,7 @@ private:
             const T middle = (from.level + to.level) / 2;
             if (!slips(tried_at(a, b, (middle - a.level) / (b.level - a.level)))) return;
             const int parts = static_cast<int>(std::acos((std::max)(cosine, T(-1))) / angle) + 1;
-            for (int i = 1; i < parts && count_ < most - 2 * most_tried; ++i) {
+            for (int i = 1; i < parts && count_ < most_turned; ++i) {
                 const T share = T(i) / T(parts), level = from.level + share * (to.level - from.level);
                 Point point = tried_at(a, b, (level - a.level) / (b.level - a.level));
                 point.level_by = (1 - share) * from.level_by + share * to.level_by;
@@ -220,7 +222,8 @@ private:
     void drop_straight() {
         int kept = 1;
         for (int i = 1; i < count_; ++i)
-            if (bend(kept - 1, i) > straight * bound(points_[i].level)) points_[kept++] = points_[i];
+            if (points_[i].level > points_[kept - 1].level && bend(kept - 1, i) > straight * bound(points_[i].level))
+                points_[kept++] = points_[i];  // far apart the cone is narrower than the rounding of its levels
         count_ = kept;
     }
     template <class Pressure>

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Friction of tabulated laws.
+#include "c/law.hpp"
+
+#include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/contact/tangential_law.hpp>
+
+#include <algorithm>
+#include <limits>
+
+struct fstiff_friction {
+    fstiff::TangentialLaw<double> law;
+};
+
+namespace fstiff::c {
+namespace {
+
+using Law = TangentialLaw<double>;
+using State = SlipState<double, 2>;
+static_assert(State::capacity == FSTIFF_SLIP_LEVELS);
+
+void require_finite(const char* name, double value) {
+    require(std::abs(value) <= std::numeric_limits<double>::max(), name, value, "finite");
+}
+
+/// What the caller kept, which may be anything.
+State state_of(const fstiff_slip* kept, const char* name) {
+    const fstiff_slip& from = sized(kept, name);
+    State to{.separation = from.separation, .count = from.count};
+    require_finite("separation of a slip", from.separation);
+    require(from.count >= 0 && from.count <= FSTIFF_SLIP_LEVELS, "count of a slip", from.count, "0 to 16");
+    double closer = from.separation;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(from.count); ++i) {
+        const double level = from.levels[i];
+        require_finite("level of a slip", level);
+        require(level > closer, "level of a slip", level, "further than the one before it");
+        for (const double drag : from.drags[i]) require_finite("drag of a slip", drag);
+        to.nodes[i] = {level, {from.drags[i][0], from.drags[i][1]}};
+        closer = level;
+    }
+    return to;
+}
+
+bool is_finite(const State& state) {
+    return std::all_of(state.nodes.begin(), state.nodes.begin() + state.count, [](const State::Node& node) {
+        return std::isfinite(node.level) && std::isfinite(node.drag[0]) && std::isfinite(node.drag[1]);
+    });
+}
+
+/// Levels that are not in use become 0.
+void keep(const State& state, fstiff_slip& to) {
+    to = {.size = sizeof to, .separation = state.separation, .levels = {}, .drags = {}, .count = state.count};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(state.count); ++i) {
+        to.levels[i] = state.nodes[i].level;
+        std::copy_n(state.nodes[i].drag.begin(), 2, to.drags[i]);
+    }
+}
+
+}  // namespace
+}  // namespace fstiff::c
+
+using namespace fstiff::c;
+
+int fstiff_tangential_ratio(double modulus1, double poisson1, double modulus2, double poisson2, double* ratio) {
+    return guarded([&] {
+        not_null(ratio, "ratio") =
+            fstiff::tangential_ratio<double>({modulus1, poisson1}, {modulus2, poisson2});
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_friction_make(const fstiff_law* law, double friction, double ratio, fstiff_friction** made) {
+    return made_by(made, [&] { return new fstiff_friction{Law(not_null(law, "law").law, friction, ratio)}; });
+}
+
+void fstiff_friction_free(fstiff_friction* friction) { delete friction; }
+
+int fstiff_friction_first_slip(const fstiff_friction* friction, double separation, double slip, double* traction,
+                               double* stiffness) {
+    return guarded([&]() -> int {
+        const auto at = not_null(friction, "friction").law.first_slip(separation, slip);
+        if (const int status = all_finite(at.traction, at.stiffness)) return status;
+        put(traction, at.traction), put(stiffness, at.stiffness);
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_friction_cycle(const fstiff_friction* friction, double separation, double amplitude, double* lost,
+                          double* loss_factor) {
+    return guarded([&]() -> int {
+        const auto of = not_null(friction, "friction").law.cycle(separation, amplitude);
+        if (const int status = all_finite(of.lost, of.loss_factor)) return status;
+        put(lost, of.lost), put(loss_factor, of.loss_factor);
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* before, double separation,
+                         const double slip[2], fstiff_slip* after, double* pressure, double traction[2],
+                         double tangent[9]) {
+    return guarded([&]() -> int {
+        const Law& law = not_null(friction, "friction").law;
+        State state = state_of(before, "before");
+        if (after) sized(after, "after");
+        not_null(slip, "slip");
+        const auto at = law.step(state, separation, {slip[0], slip[1]}, state);
+        const bool good = std::isfinite(at.pressure) && at.traction.allFinite() && at.tangent.allFinite();
+        if (const int status = handed_on(good && is_finite(state))) return status;
+        if (after) keep(state, *after);
+        put(pressure, at.pressure);
+        if (traction) std::copy_n(at.traction.data(), 2, traction);
+        for (int i = 0; tangent && i < 9; ++i) tangent[i] = at.tangent(i / 3, i % 3);
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_friction_stored_energy(const fstiff_friction* friction, const fstiff_slip* slip, double* energy) {
+    return guarded([&]() -> int {
+        const double found = not_null(friction, "friction").law.stored_energy(state_of(slip, "slip"));
+        if (const int status = all_finite(found)) return status;
+        not_null(energy, "energy") = found;
+        return FSTIFF_OK;
+    });
+}
