@@ -8,6 +8,8 @@
 #include "support/catch.hpp"
 #include "support/paper.hpp"
 
+#include <Eigen/LU>
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -46,7 +48,7 @@ struct Sphere {
     /// A line goes on where the sphere does not touch any more.
     parts::LogSlope<double> log_pressure(double eta) const {
         const double x = std::max(10 - eta, 1e-3);
-        return {1.5 * (std::log(x) + (10 - eta) / x - 1), -1.5 / x};
+        return {1.5 * (std::log(x) + (10 - eta) / x - 1), -1.5 / x, 0};
     }
     Estimate<double> log_stiffness(double eta) const { return {std::log(1.5 * std::sqrt(10 - eta)), 0}; }
     Interaction<double> interaction() const { return {}; }

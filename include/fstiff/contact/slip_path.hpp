@@ -29,13 +29,13 @@ struct SlipState {
     static constexpr int capacity = 16;  ///< of nodes; of more, those go that change the traction least
     /// How far one level is dragged.
     struct Node {
-        T level{};                         ///< x [m]
-        std::array<T, Directions> drag{};  ///< u [m]
+        T level{};                                      ///< x [m]
+        std::array<T, std::size_t{Directions}> drag{};  ///< u [m]
     };
 
-    T separation{};                      ///< d [m], where the drag is 0
-    int count = 0;                       ///< of nodes
-    std::array<Node, capacity> nodes{};  ///< from the closest level on; beyond the last one the drag is constant
+    T separation{};  ///< d [m], where the drag is 0
+    int count = 0;   ///< of nodes
+    std::array<Node, std::size_t{capacity}> nodes{};  ///< from the closest on; beyond the last the drag is constant
 };
 
 namespace detail {
@@ -63,8 +63,8 @@ public:
         }
     }
 
-    [[nodiscard]] const Point* begin() const { return points_.data(); }
-    [[nodiscard]] const Point* end() const { return points_.data() + count_; }
+    [[nodiscard]] const Point* begin() const { return points_; }
+    [[nodiscard]] const Point* end() const { return points_ + count_; }
 
     /// Writes the nodes that are needed. Of too many those go first that \p pressure says weigh least.
     template <class Pressure>
@@ -111,7 +111,7 @@ private:
         return edge;
     }
     Point& moved(T level, const Vector& drag) {
-        Point& point = tried_[static_cast<std::size_t>(tries_++)];
+        Point& point = tried_[tries_++];
         point.level = level, point.drag = drag;
         point.level_by.setZero();
         point.drag_by.col(0).setZero();
@@ -125,7 +125,7 @@ private:
     [[nodiscard]] bool slips(const Point& tried) const {
         return tried.drag.norm() > bound(tried.level) * (1 + rounding);
     }
-    Point& add(const Point& point) { return points_[static_cast<std::size_t>(count_++)] = point; }
+    Point& add(const Point& point) { return points_[count_++] = point; }
 
     /// \p tried, or the point of the cone below it.
     void slide(const Point& tried) {
@@ -166,7 +166,8 @@ private:
     /// The trial at the part \p t of the way from \p a to \p b, with its derivatives at constant level.
     [[nodiscard]] static Point tried_at(const Point& a, const Point& b, T t) {
         const Vector slope = (b.drag - a.drag) / (b.level - a.level);
-        Point point{.level = a.level + t * (b.level - a.level), .drag = a.drag + t * (b.drag - a.drag)};
+        Point point;
+        point.level = a.level + t * (b.level - a.level), point.drag = a.drag + t * (b.drag - a.drag);
         point.level_by.setZero();
         point.drag_by = (1 - t) * (a.drag_by - slope * a.level_by) + t * (b.drag_by - slope * b.level_by);
         return point;
@@ -235,14 +236,13 @@ private:
             const T weight = bend(i - 1, i) * (pressure(points_[i - 1].level) - further);
             if (weight < least) least = weight, lightest = i;
         }
-        std::move(points_.begin() + lightest + 1, points_.begin() + count_, points_.begin() + lightest);
+        std::move(points_ + lightest + 1, points_ + count_, points_ + lightest);
         --count_;
     }
 
     T separation_, cone_;
     int tries_ = 0, count_ = 0;
-    std::array<Point, most_tried> tried_;
-    std::array<Point, most> points_;
+    Point tried_[std::size_t{most_tried}], points_[std::size_t{most}];
 };
 
 }  // namespace detail
