@@ -165,7 +165,8 @@ private:
     /// The trial at the part \p t of the way from \p a to \p b, with its derivatives at constant level.
     [[nodiscard]] static Point tried_at(const Point& a, const Point& b, T t) {
         const Vector slope = (b.drag - a.drag) / (b.level - a.level);
-        Point point{.level = a.level + t * (b.level - a.level), .drag = a.drag + t * (b.drag - a.drag)};
+        Point point;
+        point.level = a.level + t * (b.level - a.level), point.drag = a.drag + t * (b.drag - a.drag);
         point.level_by.setZero();
         point.drag_by = (1 - t) * (a.drag_by - slope * a.level_by) + t * (b.drag_by - slope * b.level_by);
         return point;

@@ -126,8 +126,8 @@ public:
 private:
     template <int Directions>
     [[nodiscard]] Response<Directions> response(const detail::SlipPath<T, Directions>& path) const {
-        Response<Directions> sum{.traction = Vector<Directions>::Zero()};
-        sum.tangent.setZero();
+        Response<Directions> sum;
+        sum.traction.setZero(), sum.tangent.setZero();
         auto at = law_.tangent_at_separation(path.begin()->level);
         sum.pressure = at.pressure;
         sum.tangent(0, 0) = at.slope;
