@@ -307,10 +307,9 @@ static void check_path(const double* props, const fstiff_law* law, const fstiff_
               hypot(same.stress[1], same.stress[2]) > 0.1,
           "DROT turns what is remembered", turned.stress[1]);
 
-    const double home = of.rdisp[0], far = -1e36 - home;
-    go(&of, far, 1e-3, 0);
+    const double far = -1e36 - of.rdisp[0];
+    of.at = moved(&of, far, 1e-3, 0);
     check(of.at.stress[0] == 0 && of.at.stress[1] == 0, "no partner, no stress", of.at.stress[1]);
-    of.rdisp[0] = home; /* where adding would round it away */
     const double back[3] = {-far, 0, 0};
     const point again = call(uinter_, of.at, props, of.rdisp, back);
     check(again.stress[0] > 1 && fabs(again.stress[1]) < 1e-12, "who comes back has not slipped", again.stress[1]);
