@@ -59,7 +59,7 @@ int main() {
         separations[i] = law.separation(pressures[i]);
     }
     const std::string text = law.to_text();
-    fstiff_roughness surface{sizeof surface, 0.832e-6, 40e-6, 500e6, 0, 0.5, 1, 0, 0};
+    fstiff_roughness surface{sizeof surface, 0.832e-6, 40e-6, 500e6, 0, 0.5, 1, 0, 0, 0, 0};
     fstiff_body body{sizeof body, 112.6e9, 0, 0, 0, 0, FSTIFF_NO_INTERACTION};
     fstiff_contact* contact = nullptr;
     fstiff_law* c_law = nullptr;
@@ -131,7 +131,8 @@ int main() {
         [&](Numbers& k) {
             double tangent[9];
             const double slip[2]{1e-7, 0};
-            fstiff_slip before{.size = sizeof before, .separation = 0, .levels = {}, .drags = {}, .count = 0}, after = before;
+            fstiff_slip before{}, after{};
+            before.size = after.size = sizeof before;
             for (std::size_t i = 0; i < count; ++i) {
                 before.separation = separations[i];
                 fstiff_friction_step(c_friction, &before, separations[i], slip, &after, nullptr, nullptr, tangent);

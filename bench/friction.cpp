@@ -52,7 +52,8 @@ const std::vector<Slip>& slips() {
             const auto [forth, traction] = slip_to(2);
             const auto [half_back, half_fall] = slip_to(1);
             if (half_fall > 0.1 * coefficient * at[0].pressure)  // else p itself is not known that well
-                out.push_back({at[0].separation, at[0].pressure, forth, 2 * half_back, traction, traction - 2 * half_fall});
+                out.push_back({at[0].separation, at[0].pressure, forth, 2 * half_back, traction,
+                               traction - 2 * half_fall});
         }
         return out;
     }();

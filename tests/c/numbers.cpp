@@ -60,7 +60,8 @@ void print_friction(const ContactLaw<double>& law) {
     const TangentialLaw<double> rough(law, 0.3, ratio);
     const auto first = rough.first_slip(d, 1e-7);
     const auto cycle = rough.cycle(d, 1e-7);
-    print("friction", {ratio, d, first.traction, first.stiffness, cycle.lost, cycle.loss_factor, law.energy(d), law.touch()});
+    print("friction", {ratio, d, first.traction, first.stiffness, cycle.lost, cycle.loss_factor, law.energy(d),
+                       law.touch()});
     SlipState<double, 2> state{.separation = d};
     for (int i = 0; i < 40; ++i) {
         const Eigen::Vector2d slip(2e-7 * std::sin(3 * i), i < 10 ? 0 : 1e-7 * std::cos(5 * i));

@@ -4,6 +4,8 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/tangential_law.hpp>
 
+#include <Eigen/LU>
+
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/paper.hpp"
@@ -288,8 +290,8 @@ TEST_CASE("any state is room enough for its points") {
         for (double turn = 0.3; turn < 3.2; turn += 0.1) {  // 16 levels outside the cone of friction
             SlipState<double, 2> state{.separation = d, .count = 16}, after;
             for (int i = 0; i < 16; ++i) {
-                const double length = over * mu / ratio * step * (i + 1);
-                state.nodes[std::size_t(i)] = {d + step * (i + 1), {length * std::cos(turn * i), length * std::sin(turn * i)}};
+                const double level = step * (i + 1), length = over * mu / ratio * level;
+                state.nodes[std::size_t(i)] = {d + level, {length * std::cos(turn * i), length * std::sin(turn * i)}};
             }
             const auto at = friction.step(state, d, {0, 0}, after);
             CHECK(at.traction.norm() <= mu * at.pressure);

@@ -150,7 +150,8 @@ private:
         T first = -1, second = -1;
         if (root > 0) {
             const T q = -(half + std::copysign(std::sqrt(root), half));
-            first = q / square, second = rest / q;
+            second = rest / q;
+            if (square != 0) first = q / square;  // else the way is as steep as the cone
             if (second < first) std::swap(first, second);
         }
         Point from = a;
@@ -176,8 +177,9 @@ private:
     void turn(const Point& from, const Point& to, const Point& a, const Point& b) {
         if constexpr (Directions > 1) {
             constexpr T angle = T(0.15);
-            const T cosine = from.drag.dot(to.drag) / (from.drag.norm() * to.drag.norm());
-            if (!(cosine < 1 - angle * angle / 2)) return;  // or one of them is not dragged at all
+            const T lengths = from.drag.norm() * to.drag.norm();
+            const T cosine = lengths > 0 ? from.drag.dot(to.drag) / lengths : T(1);
+            if (!(cosine < 1 - angle * angle / 2)) return;
             const T middle = (from.level + to.level) / 2;
             if (!slips(tried_at(a, b, (middle - a.level) / (b.level - a.level)))) return;
             const int parts = static_cast<int>(std::acos((std::max)(cosine, T(-1))) / angle) + 1;
