@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/library.hpp"
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/measured/height_shape.hpp>
@@ -39,14 +40,7 @@ std::vector<double> stiffnesses(const scene::Scene& scene) {
     return all;
 }
 std::vector<double> stiffnesses(const std::string& surface) { return stiffnesses(read(surface)); }
-std::string refusal(const std::string& surface) {
-    try {
-        (void)read(surface);
-    } catch (const domain_error& error) {
-        return error.what();
-    }
-    return "";
-}
+std::string refusal(const std::string& surface) { return test::refused_scene(surface + rest, "s.toml"); }
 double largest_change(const std::vector<double>& a, const std::vector<double>& b) {
     REQUIRE(a.size() == b.size());
     double most = 0;

@@ -5,6 +5,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/library.hpp"
 #include "support/files.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -31,14 +32,7 @@ double at(const scene::Results& found, scene::CurveQuantity quantity, scene::Sta
     return *value;
 }
 
-std::string refusal(const std::string& text) {
-    try {
-        (void)scene::read_scene(text, {.name = "s.toml"});
-    } catch (const fstiff::domain_error& error) {
-        return error.what();
-    }
-    return "";
-}
+std::string refusal(const std::string& text) { return test::refused_scene(text, "s.toml"); }
 
 }  // namespace
 

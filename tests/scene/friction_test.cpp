@@ -5,6 +5,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/library.hpp"
 
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
@@ -37,14 +38,7 @@ double at(const scene::Curve& curve, std::size_t i, scene::CurveQuantity quantit
     return *value;
 }
 
-std::string refusal(const std::string& text) {
-    try {
-        (void)scene::read_scene(text, {.name = "s.toml"});
-    } catch (const fstiff::domain_error& error) {
-        return error.what();
-    }
-    return "";
-}
+std::string refusal(const std::string& text) { return test::refused_scene(text, "s.toml"); }
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/library.hpp"
 
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/math/random.hpp>
@@ -43,14 +44,7 @@ std::vector<double> stiffnesses(const std::string& surface, const std::string& l
         for (const auto& state : curve.states) all.push_back(state.stiffness.value);
     return all;
 }
-std::string refusal(const std::string& surface) {
-    try {
-        (void)read(surface);
-    } catch (const domain_error& error) {
-        return error.what();
-    }
-    return "";
-}
+std::string refusal(const std::string& surface) { return test::refused_scene(text_of(surface), "s.toml"); }
 std::string number(double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.17g", value);
