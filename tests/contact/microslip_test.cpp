@@ -11,6 +11,7 @@
 #include "support/paper.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace microslip_test {
@@ -54,6 +55,8 @@ TEST_CASE("load, work and loss of an unloading belong together") {
     for (const double x : {0.05, 0.3, 0.9, 1.2}) check_one(FlowedUnloading<double>{}, x);
     CHECK(std::abs(loss_factor(PowerUnloading<double>{1 / 3.0}, 1e6) - 4 / pi) < 1e-5);  // a slider of Coulomb
     CHECK(std::abs(loss_factor(FlowedUnloading<double>{}, 1e6) - 4 / pi) < 1e-5);
+    const double endless = std::numeric_limits<double>::infinity();
+    CHECK(std::abs(loss_factor(PowerUnloading<double>{0.9}, endless) - 4 / pi) < 1e-14);
     CHECK(loss_factor(PowerUnloading<double>{1}, 0.0) == 0);
     CHECK(std::abs(loss_factor(PowerUnloading<double>{0}, 0.9)) < 1e-14);  // slips nowhere, then all at once
 }

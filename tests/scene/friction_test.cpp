@@ -14,6 +14,7 @@
 #include <fstiff/core/error.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace friction_test {
@@ -93,6 +94,8 @@ TEST_CASE("Friction is shown where it is written, and refused where it lacks a n
     CHECK(refusal(text + "[friction]\ncoefficient = -0.1\n") ==
           "s.toml:9: friction.coefficient = -0.1: must be greater than 0 and 10 at most");
     CHECK(refusal(text + "[friction]\ncoefficient = \"0.1\"\n").starts_with("s.toml:9: friction.coefficient"));
+    CHECK(std::abs(at(results(text + "[friction]\ncoefficient = 0.1\namplitude = \"1e300 m\"\n").answer->curve, 0,
+                      loss_factor, Statistic::p95) - 4 / std::numbers::pi) < 1e-14);
     CHECK(refusal(text + "[friction]\ncoefficient = 0.1\namplitude = 1e-6\n")
               .starts_with("s.toml:10: friction.amplitude"));
     CHECK(refusal(text + "[friction]\nmu = 0.1\n").starts_with("s.toml:9: friction.mu: unknown key"));

@@ -68,6 +68,7 @@ private:
 /// Loss factor of a cycle between -x and x, \p x >= 0.
 template <Real T, class Unloading>
 [[nodiscard]] T loss_factor(const Unloading& contact, T x) {
+    x = (std::min)(x, T(1e15));  // all slips long before
     const T load = contact.load(x);
     T excess = (1 + load) * x - 2 * contact.work(x);
     if (x < T(0.1)) {  // which cancels: the integral of t (x - t) P'' by four points of Gauss
