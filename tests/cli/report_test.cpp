@@ -164,15 +164,15 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    // K, area, contacts, separation; profile, bearing curve, structure function, λs, λc
-    REQUIRE(seen.at("figures").size() == 4 + 5);
+    // K, area, separation; profile, bearing curve, structure function, λs, λc
+    REQUIRE(seen.at("figures").size() == 3 + 5);
     CHECK(seen["figures"][0]["bands"].get<int>() > 0);
+    CHECK(seen["figures"][3]["lines"] == 1);
     CHECK(seen["figures"][4]["lines"] == 1);
+    CHECK(seen["figures"][5]["points"] > 20);
     CHECK(seen["figures"][5]["lines"] == 1);
-    CHECK(seen["figures"][6]["points"] > 20);
-    CHECK(seen["figures"][6]["lines"] == 1);
-    CHECK(seen["figures"][6]["windows"] == 1);
-    CHECK(seen["figures"][7]["lines"].get<int>() >= 5);  // K, sigma, gradient, R, D_p behind other cut-offs
+    CHECK(seen["figures"][5]["windows"] == 1);
+    CHECK(seen["figures"][6]["lines"].get<int>() >= 5);  // K, sigma, gradient, R, D_p behind other cut-offs
     CHECK(contains(page, "Influence of the cut-offs"));
     CHECK(contains(page, "Structure function of second differences"));
     CHECK(contains(page, "share of peaks counted, which differs where heights are not Gaussian"));
@@ -207,13 +207,13 @@ TEST_CASE("The report of a measured map shows it in colours") {
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 4 + 7);  // map, bearing curve, structure, islands and their radius; λs, λc
-    CHECK(seen["figures"][4]["images"] == 2);
+    REQUIRE(seen.at("figures").size() == 3 + 7);  // map, bearing curve, structure, islands and their radius; λs, λc
+    CHECK(seen["figures"][3]["images"] == 2);
     REQUIRE(seen["sizes"].size() == 2);
     CHECK(seen["sizes"][0] == 200 * 160);
     CHECK(seen["sizes"][1] == 255);
-    CHECK(seen["figures"][6]["windows"].get<int>() >= 1);
-    CHECK(seen["figures"][7]["lines"] == 1);
+    CHECK(seen["figures"][5]["windows"].get<int>() >= 1);
+    CHECK(seen["figures"][6]["lines"] == 1);
 }
 
 TEST_CASE("report refuses what run refuses, and leaves no folder then") {

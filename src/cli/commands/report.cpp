@@ -226,6 +226,11 @@ void other_figures(Page& page, const Scene& scene, const Results& results) {
     panels[0].title = "Real area";
     panels[1].title = "Contacts";
     panels[2].title = "Separation of the mean planes";
+    std::erase_if(panels, [](const Panel& panel) {  // the law does not count contacts
+        return panel.y.logarithmic && std::all_of(panel.lines.begin(), panel.lines.end(), [](const PlotLine& line) {
+                   return std::all_of(line.y.begin(), line.y.end(), [](double y) { return !(y > 0); });
+               });
+    });
     for (Panel& panel : panels) show(page, {std::move(panel)});
     page.end("div");
     if (!scene.ultrasound) page.paragraph("The scene has no section [ultrasound]: no reflection is computed.");
