@@ -200,6 +200,15 @@ module fstiff
             real(c_double), intent(out) :: pressures(*), stiffnesses(*)
             integer(c_int) :: status
         end function
+        function fstiff_law_tangents_at_separations(law, separations, count, pressures, slopes, statuses) bind(c) &
+            result(status)
+            import
+            type(c_ptr), value :: law, statuses
+            real(c_double), intent(in) :: separations(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(out) :: pressures(*), slopes(*)
+            integer(c_int) :: status
+        end function
         function fstiff_law_at_pressures(law, pressures, count, separations, stiffnesses, statuses) bind(c) result(status)
             import
             type(c_ptr), value :: law, statuses

@@ -170,6 +170,9 @@ FSTIFF_API int fstiff_law_at_pressure(const fstiff_law* law, double pressure, do
  * FSTIFF_OK. Results may be written where the arguments were. */
 FSTIFF_API int fstiff_law_at_separations(const fstiff_law* law, const double* separations, size_t count,
                                          double* pressures, double* stiffnesses, int* status);
+/** The same of slopes -dp/dd [Pa/m] in place of K: the tangents of Newton's method, which are K only where stiffness_is_slope. */
+FSTIFF_API int fstiff_law_tangents_at_separations(const fstiff_law* law, const double* separations, size_t count,
+                                                  double* pressures, double* slopes, int* status);
 FSTIFF_API int fstiff_law_at_pressures(const fstiff_law* law, const double* pressures, size_t count,
                                        double* separations, double* stiffnesses, int* status);
 

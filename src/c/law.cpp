@@ -169,6 +169,18 @@ int fstiff_law_at_separations(const fstiff_law* law, const double* separations, 
     });
 }
 
+int fstiff_law_tangents_at_separations(const fstiff_law* law, const double* separations, size_t count,
+                                       double* pressures, double* slopes, int* status) {
+    return guarded([&] {
+        const Law& of = not_null(law, "law").law;
+        require_array(separations, count, "separations");
+        return in_parts(
+            separations, count, pressures, slopes, status,
+            [&](const In& d, Out& p, Out& k) { of.tangent_at_separation(d, p, k); },
+            [&](double d, double* p, double* k) { return fstiff_law_at_separation(law, d, p, nullptr, k); });
+    });
+}
+
 int fstiff_law_at_pressures(const fstiff_law* law, const double* pressures, size_t count, double* separations,
                             double* stiffnesses, int* status) {
     return guarded([&] {

@@ -56,6 +56,9 @@ program fortran_test
     call check(all(bits([p, k, slope]) == bits(wanted(5:7))), "law at separation")
     call check(fstiff_law_at_separations(same, wanted(2:2), 1_c_size_t, batch_p, batch_k, c_null_ptr) == FSTIFF_OK, "batch")
     call check(abs(batch_p(1)/p - 1) < 1d-13 .and. abs(batch_k(1)/k - 1) < 1d-13, "batch is the scalar call")
+    call check(fstiff_law_tangents_at_separations(same, wanted(2:2), 1_c_size_t, batch_p, batch_k, c_null_ptr) == &
+        FSTIFF_OK, "batch of tangents")
+    call check(abs(batch_p(1)/p - 1) < 1d-13 .and. abs(batch_k(1)/slope - 1) < 1d-13, "tangents are the scalar call")
     call check(fstiff_law_facts_of(same, facts) == FSTIFF_OK .and. facts%max_pressure >= 1d8, "facts")
 
     call read_numbers("friction", wanted)

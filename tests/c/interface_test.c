@@ -355,6 +355,32 @@ static void check_law(const fstiff_law* law) {
     for (size_t i = 0; i < 7; ++i) CHECK(fabs(in_place[i] - d[i]) < 1e-9 * 0.832e-6);
 }
 
+/* Of a law whose K is not -dp/dd: 300 points, so that two parts and a rest are computed, and one that is refused. */
+static void test_tangents(void) {
+    fstiff_contact* contact = contact_of("fractal");
+    fstiff_law* law;
+    CHECK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    fstiff_contact_free(contact);
+    fstiff_law_facts facts = {.size = sizeof facts};
+    CHECK(fstiff_law_facts_of(law, &facts) == FSTIFF_OK && facts.stiffness_is_slope == 0);
+    double d[300], p[300], slope[300];
+    int status[300];
+    for (int i = 0; i < 300; ++i)
+        d[i] = facts.min_separation + (facts.max_separation - facts.min_separation) * i / 299;
+    d[299] = 1;
+    CHECK(fstiff_law_tangents_at_separations(law, d, 300, p, slope, status) == FSTIFF_REFUSED);
+    CHECK(status[299] == FSTIFF_REFUSED && strstr(fstiff_last_message(), "separation"));
+    for (int i = 0; i < 299; ++i) {
+        double a = 0, K = 0, b = 0;
+        CHECK(fstiff_law_at_separation(law, d[i], &a, &K, &b) == FSTIFF_OK && status[i] == FSTIFF_OK);
+        CHECK(fabs(p[i] / a - 1) < 200 * 2.3e-16 && fabs(slope[i] / b - 1) < 200 * 2.3e-16);
+        CHECK(fabs(slope[i] / K - 1) > 0.1);
+    }
+    CHECK(p[299] == 0 && slope[299] == 0);
+    CHECK(fstiff_law_tangents_at_separations(NULL, d, 1, p, slope, NULL) == FSTIFF_BAD_ARGUMENT);
+    fstiff_law_free(law);
+}
+
 static void test_law(const char* file) {
     size_t length, written = 0;
     char* text = read_file(file, &length);
@@ -827,6 +853,7 @@ int main(int argc, char** argv) {
         test_contacts();
         test_scene(scene);
         test_law(argv[3]);
+        test_tangents();
         test_law_of_a_map();
         test_measurement();
         test_documents();
