@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Names of files are texts of UTF-8; a path made of a plain text would have the code page of Windows.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace fstiff::io::detail {
+
+[[nodiscard]] inline std::filesystem::path path_of(std::string_view name) {
+    return std::u8string(name.begin(), name.end());
+}
+[[nodiscard]] inline std::string name_of_path(const std::filesystem::path& path) {
+    const std::u8string name = path.u8string();
+    return {name.begin(), name.end()};
+}
+
+}  // namespace fstiff::io::detail
