@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "document/system.hpp"
 
-#include "io/file_name.hpp"
-
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -85,7 +83,10 @@ std::vector<std::string> arguments(int, char**) {  // which have lost what is no
     int count = 0;
     wchar_t** const words = CommandLineToArgvW(GetCommandLineW(), &count);
     std::vector<std::string> texts;
-    for (int i = 1; i < count; ++i) texts.push_back(io::detail::name_of_path(words[i]));
+    for (int i = 1; i < count; ++i) {
+        const std::u8string word = Path(words[i]).u8string();
+        texts.emplace_back(word.begin(), word.end());
+    }
     LocalFree(words);
     return texts;
 }

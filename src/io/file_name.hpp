@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Names of files are texts of UTF-8; a path made of a plain text would have the code page of Windows.
+// Names of files are texts of UTF-8 with / between folders, on Windows too, where a path that is made of a plain text would
+// have its code page.
 
 #include <filesystem>
 #include <string>
@@ -12,7 +13,7 @@ namespace fstiff::io::detail {
     return std::u8string(name.begin(), name.end());
 }
 [[nodiscard]] inline std::string name_of_path(const std::filesystem::path& path) {
-    const std::u8string name = path.u8string();
+    const std::u8string name = path.generic_u8string();
     return {name.begin(), name.end()};
 }
 

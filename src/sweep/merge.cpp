@@ -75,7 +75,9 @@ std::vector<std::string> problems_of(const std::vector<Part>& parts) {
 
 Merged merge(std::vector<std::string> files, const std::string& output) {
     std::error_code none;
-    const auto is_output = [&](const std::string& file) { return std::filesystem::equivalent(scene::path_of(file), scene::path_of(output), none); };
+    const auto is_output = [&, target = scene::path_of(output)](const std::string& file) {
+        return std::filesystem::equivalent(scene::path_of(file), target, none);
+    };
     const bool own_output = std::any_of(files.begin(), files.end(), is_output);
     std::erase_if(files, [&](const std::string& file) {
         return file.ends_with(".sweep") || is_output(file);  // of a merge before
