@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff: normal contact stiffness of rough surfaces. Exit codes are listed in output.hpp and at the end of --help.
 #include "commands/commands.hpp"
+#include "document/system.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/units.hpp>
 
-#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -53,7 +56,7 @@ constexpr Listed listed[] = {
     {add_fit, ""},                 {add_islands, ""},          {add_peaks, ""},           {add_spectrum, ""},
     {add_merge, ""}};
 
-int run_main(int argc, char** argv) {
+int run(std::vector<std::string> words) {
     Program program(
         "fstiff", "fstiff " FSTIFF_VERSION,
         "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
@@ -69,7 +72,7 @@ int run_main(int argc, char** argv) {
     for (const char* shown : {"fit", "islands", "peaks", "spectrum"})
         program.forward("measure", {"--show", shown}, shown);
     program.forward("sweep", {"--merge"}, "merge");
-    const CLI::App* chosen = program.parse(argc, argv);
+    const CLI::App* chosen = program.parse(std::move(words));
     for (const Command& command : commands)
         if (command.app == chosen) return execute(command);
     deliver("", "");  // refuses when the help could not be written
@@ -79,9 +82,9 @@ int run_main(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is then an error of writing, with its reason
+    const fstiff::scene::os::Surroundings surroundings;
     try {
-        return run_main(argc, argv);
+        return run(fstiff::scene::os::arguments(argc, argv));
     } catch (const Usage& error) {
         say(error.what());
         return usage_error;

@@ -39,7 +39,7 @@ std::string without_small_exponent(std::string text) {
 std::filesystem::path output_target(const std::string& file) {
     namespace fs = std::filesystem;
     std::error_code error;
-    fs::path at = fs::absolute(file);
+    fs::path at = fs::absolute(path_of(file));
     for (int links = 0; !fs::exists(at, error) && fs::is_symlink(fs::symlink_status(at, error)); ++links) {
         if (links == 40)
             throw file_error(file, "cannot be written: " +
@@ -56,13 +56,14 @@ std::string read_all(const std::string& file) {
         io::detail::append_bytes(std::cin, "standard input", bytes);
     } else {
         std::error_code error;
-        if (!std::filesystem::exists(file, error))
+        const std::filesystem::path path = path_of(file);
+        if (!std::filesystem::exists(path, error))
             throw file_error(file, "no such file; the input must be an existing file");
-        if (std::filesystem::is_directory(file, error)) throw file_error(file, "is a folder; the input must be a file");
-        std::ifstream stream(file, std::ios::binary);
+        if (std::filesystem::is_directory(path, error)) throw file_error(file, "is a folder; the input must be a file");
+        std::ifstream stream(path, std::ios::binary);
         if (!stream) throw file_error(file, "cannot be read; the input must be a readable file");
         const std::uintmax_t size =
-            std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
+            std::filesystem::is_regular_file(path, error) ? std::filesystem::file_size(path, error) : 0;
         if (!error && size <= io::detail::most_bytes) bytes.reserve(static_cast<std::size_t>(size));
         io::detail::append_bytes(stream, file, bytes);
     }

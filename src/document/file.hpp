@@ -2,6 +2,8 @@
 #pragma once
 // Files that a scene names, and the texts of numbers and lists in its messages.
 
+#include "io/file_name.hpp"
+
 #include <fstiff/core/error.hpp>
 
 #include <filesystem>
@@ -14,6 +16,9 @@ enum class Dimension;
 }
 
 namespace fstiff::scene {
+
+using io::detail::name_of_path;
+using io::detail::path_of;
 
 /// Options of reading a file that do not fit together, or have no meaning: the fault of the caller, not of the file.
 class option_error : public domain_error {

@@ -11,32 +11,18 @@ namespace fstiff::scene {
 
 namespace {
 
-/// The first 32 bits of the fractional part of the \p root-th root (2 or 3) of \p prime, by bisection on integers.
-constexpr std::uint32_t root_fraction(std::uint64_t prime, int root) {
-    __extension__ using Wide = unsigned __int128;
-    // The largest x with (x / 2^32)^root <= prime; x < 2^37 for the primes up to 311.
-    Wide low = 0, high = Wide(1) << 37;
-    while (high - low > 1) {
-        const Wide x = (low + high) / 2;
-        // x^3 has up to 111 bits, prime * 2^96 up to 105.
-        const bool fits = root == 2 ? x * x <= Wide(prime) << 64 : x * x * x <= Wide(prime) << 96;
-        (fits ? low : high) = x;
-    }
-    return static_cast<std::uint32_t>(low);
-}
-
-/// Square roots (2) or cube roots (3) of the first \p N primes: the constants of the standard.
-template <std::size_t N>
-constexpr std::array<std::uint32_t, N> root_fractions(int root) {
-    std::array<std::uint32_t, N> result{};
-    std::size_t found = 0;
-    for (std::uint64_t n = 2; found < N; ++n) {
-        bool prime = true;
-        for (std::uint64_t d = 2; d * d <= n; ++d) prime = prime && n % d != 0;
-        if (prime) result[found++] = root_fraction(n, root);
-    }
-    return result;
-}
+// The first 32 bits of the fractional parts of the square roots of the first 8 primes, and of the cube roots of the first 64.
+constexpr std::array<std::uint32_t, 8> first_state{
+    0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+constexpr std::array<std::uint32_t, 64> round_constants{
+    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
+    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
+    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
+    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
+    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
+    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
+    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
+    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
 /// One round: \p d and \p h change, and are called e and a in the next. \p added is its constant and its word.
 inline void one_round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t& d, std::uint32_t e,
@@ -51,8 +37,7 @@ inline void one_round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::ui
 }  // namespace
 
 std::string sha256(std::string_view text) {
-    constexpr auto round_constants = root_fractions<64>(3);
-    auto state = root_fractions<8>(2);
+    auto state = first_state;
 
     const std::size_t whole =
         text.size() - text.size() % 64;  // without a copy: the text may be as long as memory allows

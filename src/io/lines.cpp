@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines.hpp"
 
+#include "io/file_name.hpp"
+
 namespace fstiff::io::detail {
 
 void refuse_line(const std::string& name, std::size_t line, std::initializer_list<Part> parts) {
@@ -43,7 +45,7 @@ NamedBytes read_bytes(std::istream& input, std::string_view name) {
 }
 
 NamedBytes read_bytes(const std::filesystem::path& path, std::string_view what) {
-    const std::string name = path.string();
+    const std::string name = name_of_path(path);
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         throw file_error(name, "is a folder; must be a file of " + std::string(what));

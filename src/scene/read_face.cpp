@@ -21,7 +21,7 @@ Measured measured_from(const MeasureOptions& options, const std::vector<std::str
                        const parts::Place& place, const ProgressHook& progress) {
     return std::make_shared<const MeasuredSurface>(parts::located(place, [&] {
         std::error_code none;
-        if (files.size() > 1 || std::filesystem::is_directory(files.front(), none))
+        if (files.size() > 1 || std::filesystem::is_directory(path_of(files.front()), none))
             return measure_files(options, files, progress);
         const std::string& file = files.front();
         std::string bytes = read_all(file);
@@ -38,9 +38,9 @@ Measured measured_from(const MeasureOptions& options, const std::vector<std::str
 }
 
 /// \p file, which the scene names relative to itself; "-" is standard input.
-std::string beside_scene(Source& source, const std::filesystem::path& file) {
-    const std::filesystem::path scene(source.file);
-    return source.files.emplace_back((file == "-" ? file : scene.parent_path() / file).string());
+std::string beside_scene(Source& source, const std::string& file) {
+    return source.files.emplace_back(
+        file == "-" ? file : name_of_path(path_of(source.file).parent_path() / path_of(file)));
 }
 
 /// The files that \p from names, relative to the scene.

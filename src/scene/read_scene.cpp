@@ -152,7 +152,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
     else
-        scene.name = std::filesystem::path(file).stem().string();
+        scene.name = name_of_path(path_of(file).stem());
     const bool replaced = from.measured || !surface.empty();
     if (from.surface_of) {
         scene.face = from.surface_of->face;
@@ -166,7 +166,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
         // no longer what the scene was named for
         const std::string& measured = scene.face.measured->file;
         scene.name =
-            measured.find(',') == std::string::npos ? std::filesystem::path(measured).filename().string() : measured;
+            measured.find(',') == std::string::npos ? name_of_path(path_of(measured).filename()) : measured;
     }
     for (const auto& [name, face] : measured_faces(scene))
         scene.has_lay = scene.has_lay || is_profile_with_lay(*face->measured);

@@ -104,7 +104,7 @@ Reflected at_one(const ReflectionRequest& request, const Impedances<double>& med
 /// The curve in \p file.
 MeasuredCurve curve_of(const std::string& file, const std::string& name) {
     std::error_code ignored;
-    if (file != "-" && !std::filesystem::exists(file, ignored))
+    if (file != "-" && !std::filesystem::exists(path_of(file), ignored))
         throw domain_error(name + " = \"" + file + "\": must be a number or an existing file of measured reflections");
     return read_measured_curve(file);
 }

@@ -17,15 +17,15 @@ std::vector<std::string> without_folders(const std::vector<std::string>& names) 
     std::vector<std::string> files;
     for (const std::string& name : names) {
         std::error_code none;
-        if (!std::filesystem::is_directory(name, none)) {
+        if (!std::filesystem::is_directory(path_of(name), none)) {
             files.push_back(name);
             continue;
         }
         std::vector<std::string> inside;
         std::error_code unreadable;
-        for (const auto& entry : std::filesystem::directory_iterator(name, unreadable))
-            if (entry.is_regular_file(none) && !entry.path().filename().string().starts_with('.'))
-                inside.push_back(entry.path().string());
+        for (const auto& entry : std::filesystem::directory_iterator(path_of(name), unreadable))
+            if (entry.is_regular_file(none) && !name_of_path(entry.path().filename()).starts_with('.'))
+                inside.push_back(name_of_path(entry.path()));
         if (unreadable) throw file_error(name, "cannot be read: " + unreadable.message());
         if (inside.empty()) throw domain_error(name + ": is a folder without files; must hold files of one surface");
         std::sort(inside.begin(), inside.end());

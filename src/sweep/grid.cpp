@@ -297,13 +297,13 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Found>& found
 
 /// Appends the sha256 of \p file to \p text, and of the files of a folder.
 void add_hash(std::string& text, const std::filesystem::path& file) {
-    const auto hash = [](const auto& one) { return scene::sha256(scene::read_all(one.string())) + "\n"; };
+    const auto hash = [](const auto& one) { return scene::sha256(scene::read_all(scene::name_of_path(one))) + "\n"; };
     if (!std::filesystem::is_directory(file)) return void(text += hash(file));
     std::set<std::filesystem::path> inside;
     for (const auto& entry : std::filesystem::directory_iterator(file))
         if (entry.is_regular_file()) inside.insert(entry.path());
     for (const auto& one : inside)
-        text += one.filename().string() + " " + hash(one);
+        text += scene::name_of_path(one.filename()) + " " + hash(one);
 }
 
 /// Appends the files that \p node names at the keys from and mask to \p files.
@@ -316,10 +316,10 @@ void add_files(const Source& source, const toml::node& node, bool is_file, std::
     } else if (const auto* list = node.as_array()) {
         for (const toml::node& item : *list) add_files(source, item, is_file, files);
     } else if (is_file && node.is_string()) {
-        const std::filesystem::path file = scene::written(node), beside(source.file);
+        const std::string file = scene::written(node);
         if (file == "-")
             throw domain_error(source.at(node) + ": is standard input, which only one scene can read; must be a file");
-        files.push_back((beside.parent_path() / file).string());
+        files.push_back(scene::name_of_path(scene::path_of(source.file).parent_path() / scene::path_of(file)));
     }
 }
 

@@ -5,8 +5,6 @@
 
 #include <fstiff/core/error.hpp>
 
-#include <fcntl.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -23,12 +21,13 @@ struct Part {
 
 /// The name of another shard's file, by that of one which has the number of its shard in it.
 std::string name_like(const Part& known, std::uint64_t number) {
-    const std::filesystem::path path(known.file);
-    std::string name = path.filename().string();
+    const std::filesystem::path path = scene::path_of(known.file);
+    std::string name = scene::name_of_path(path.filename());
     const std::string own = std::to_string(known.description.shard.number);
     const std::size_t found = name.rfind(own, name.rfind('.'));
     if (found == std::string::npos) return "part-" + std::to_string(number) + ".jsonl";
-    return (path.parent_path() / name.replace(found, own.size(), std::to_string(number))).string();
+    name.replace(found, own.size(), std::to_string(number));
+    return scene::name_of_path(path.parent_path() / scene::path_of(name));
 }
 
 /// How to compute the shard \p number.
@@ -76,7 +75,9 @@ std::vector<std::string> problems_of(const std::vector<Part>& parts) {
 
 Merged merge(std::vector<std::string> files, const std::string& output) {
     std::error_code none;
-    const auto is_output = [&](const std::string& file) { return std::filesystem::equivalent(file, output, none); };
+    const auto is_output = [&, target = scene::path_of(output)](const std::string& file) {
+        return std::filesystem::equivalent(scene::path_of(file), target, none);
+    };
     const bool own_output = std::any_of(files.begin(), files.end(), is_output);
     std::erase_if(files, [&](const std::string& file) {
         return file.ends_with(".sweep") || is_output(file);  // of a merge before
@@ -96,11 +97,11 @@ Merged merge(std::vector<std::string> files, const std::string& output) {
     Description whole = parts.front().description;
     whole.shard = {};
     whole.bytes = whole.failed = 0;
-    replace_file(scene::output_target(output).string(), [&](const OpenFile& to) {
+    replace_file(scene::name_of_path(scene::output_target(output)), [&](const OpenFile& to) {
         for (const Part& part : parts) {
             const Description& of = part.description;
             const std::uint64_t first = of.shard.first(of.scenes), end = of.shard.end(of.scenes);
-            const OpenFile from(part.file, O_RDONLY, "cannot be read");
+            const OpenFile from(part.file, scene::os::Opening::read, "cannot be read");
             const Scan scan = scan_results(from, first, true, [&](std::string_view bytes) {
                 if (merged.problems.empty()) to.write(bytes);
             });

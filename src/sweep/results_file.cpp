@@ -3,15 +3,12 @@
 
 #include "document/file.hpp"
 #include "document/json.hpp"
+#include "document/system.hpp"
 #include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>
 
 #include <nlohmann/json.hpp>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
@@ -25,24 +22,10 @@
 namespace fstiff::sweep {
 namespace {
 
+namespace os = scene::os;
+
 [[noreturn]] void fail(const std::string& file, const std::string& what) {
     throw file_error(file, what + ": " + std::generic_category().message(errno));
-}
-
-int sync_data(int descriptor) {
-#ifdef __APPLE__
-    return fsync(descriptor);
-#else
-    return fdatasync(descriptor);
-#endif
-}
-
-/// So that a new name in \p folder stays after a loss of power.
-void sync_folder(const std::filesystem::path& folder) {
-    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY);
-    if (descriptor < 0) return;  // no more can be done
-    fsync(descriptor);
-    close(descriptor);
 }
 
 /// Looks at the lines of a file one after the other.
@@ -86,17 +69,16 @@ private:
 
 }  // namespace
 
-OpenFile::OpenFile(std::string name, int flags, const char* what)
-    : name_(std::move(name)), descriptor_(::open(name_.c_str(), flags | O_CLOEXEC, 0666)) {
+OpenFile::OpenFile(std::string name, os::Opening how, const char* what)
+    : name_(std::move(name)), descriptor_(os::open_file(scene::path_of(name_), how)) {
     if (descriptor_ < 0) fail(name_, what);
 }
 
-OpenFile::~OpenFile() { close(descriptor_); }
+OpenFile::~OpenFile() { os::close_file(descriptor_); }
 
 void OpenFile::write(std::string_view bytes) const {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
+        const std::ptrdiff_t written = os::write_some(descriptor_, bytes.data(), bytes.size());
         if (written < 0) fail(name_, "cannot be written");
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
@@ -104,19 +86,22 @@ void OpenFile::write(std::string_view bytes) const {
 
 void replace_file(const std::string& target, const std::function<bool(const OpenFile&)>& write) {
     const std::string partial = target + ".partial";
-    const OpenFile file(partial, O_WRONLY | O_CREAT | O_TRUNC);
     try {
-        if (!write(file)) {
-            unlink(partial.c_str());
-            return;
+        bool is_wanted = false;
+        {  // closed before it is renamed or removed, as Windows wants it
+            const OpenFile file(partial, os::Opening::replace);
+            is_wanted = write(file);
+            if (is_wanted && !os::sync_all(file.descriptor())) fail(target, "cannot be written");
         }
-        if (fsync(file.descriptor()) != 0 || std::rename(partial.c_str(), target.c_str()) != 0)
-            fail(target, "cannot be written");
+        if (!is_wanted) return os::remove_file(scene::path_of(partial).c_str());
+        std::error_code error;
+        std::filesystem::rename(scene::path_of(partial), scene::path_of(target), error);
+        if (error) throw file_error(target, "cannot be written: " + error.message());
     } catch (...) {
-        unlink(partial.c_str());
+        os::remove_file(scene::path_of(partial).c_str());
         throw;
     }
-    sync_folder(std::filesystem::path(target).parent_path());
+    os::sync_folder(scene::path_of(target).parent_path());
 }
 
 void require_lines(const std::string& results) {
@@ -129,7 +114,7 @@ std::string description_file(const std::string& results) { return results + ".sw
 
 Description read_description(const std::string& results) {
     const std::string file = description_file(results);
-    std::ifstream stream(file, std::ios::binary);
+    std::ifstream stream(scene::path_of(file), std::ios::binary);
     if (!stream)
         throw file_error(results,
                          "the file " + file +
@@ -178,10 +163,9 @@ Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished,
     std::string rest;  // of a line that goes on in the next piece
     bool whole = true;
     std::uint64_t bytes = 0;
-    if (lseek(file.descriptor(), 0, SEEK_SET) < 0) fail(file.name(), "cannot be read");
+    if (!os::go_to(file.descriptor(), 0)) fail(file.name(), "cannot be read");
     while (true) {
-        const ssize_t got = read(file.descriptor(), buffer.data(), buffer.size());
-        if (got < 0 && errno == EINTR) continue;
+        const std::ptrdiff_t got = os::read_some(file.descriptor(), buffer.data(), buffer.size());
         if (got < 0) fail(file.name(), "cannot be read");
         if (got == 0) break;
         bytes += static_cast<std::uint64_t>(got);
@@ -205,16 +189,16 @@ Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished,
 }
 
 ResultsFile::ResultsFile(std::string file, Description description)
-    : file_(std::move(file), O_RDWR | O_CREAT), description_(std::move(description)) {
+    : file_(std::move(file), os::Opening::extend), description_(std::move(description)) {
     lock();
     take_up();
 }
 
 void ResultsFile::lock() {
     const std::string& name = file_.name();
-    if (!std::filesystem::is_regular_file(name))
+    if (!std::filesystem::is_regular_file(scene::path_of(name)))
         throw file_error(name, "is no regular file; results of a sweep must be one, to go on after an interruption");
-    if (flock(file_.descriptor(), LOCK_EX | LOCK_NB) == 0) return;
+    if (os::lock(file_.descriptor())) return;
     if (errno == EWOULDBLOCK)
         throw file_error(name, "is being written by another process; give every shard a file of its own");
     fail(name, "cannot be locked");
@@ -222,10 +206,10 @@ void ResultsFile::lock() {
 
 void ResultsFile::take_up() {
     const std::string& name = file_.name();
-    const std::uint64_t bytes = std::filesystem::file_size(name);
+    const std::uint64_t bytes = std::filesystem::file_size(scene::path_of(name));
     const std::uint64_t first = description_.shard.first(description_.scenes);
     next_ = first;
-    if (!std::filesystem::exists(description_file(name))) {
+    if (!std::filesystem::exists(scene::path_of(description_file(name)))) {
         if (bytes > 0) static_cast<void>(read_description(name));  // refuses
         write_description(name, description_);
         return;
@@ -252,23 +236,23 @@ void ResultsFile::take_up() {
     size_ = scan.kept;
     description_.failed = scan.failed;
     dropped_ = bytes - scan.kept;
-    if (dropped_ > 0 && ftruncate(file_.descriptor(), static_cast<off_t>(size_)) != 0) fail(name, "cannot be cut");
-    if (lseek(file_.descriptor(), static_cast<off_t>(size_), SEEK_SET) < 0) fail(name, "cannot be written");
+    if (dropped_ > 0 && !os::cut(file_.descriptor(), size_)) fail(name, "cannot be cut");
+    if (!os::go_to(file_.descriptor(), size_)) fail(name, "cannot be written");
 }
 
 void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64_t failed) {
     const auto keep = [&](std::size_t bytes) {
-        static_cast<void>(ftruncate(file_.descriptor(), static_cast<off_t>(size_ + bytes)));
+        static_cast<void>(os::cut(file_.descriptor(), size_ + bytes));
     };
     try {
         file_.write(lines);
     } catch (...) {  // no room: the lines that found some stay
-        const off_t at = lseek(file_.descriptor(), 0, SEEK_CUR);
-        const std::size_t written = at > static_cast<off_t>(size_) ? static_cast<std::size_t>(at) - size_ : 0;
+        const std::int64_t at = os::position(file_.descriptor());
+        const std::size_t written = at > static_cast<std::int64_t>(size_) ? static_cast<std::size_t>(at) - size_ : 0;
         keep(lines.substr(0, written).rfind('\n') + 1);  // of none, npos + 1 is 0
         throw;
     }
-    if (sync_data(file_.descriptor()) != 0) {
+    if (!os::sync_data(file_.descriptor())) {
         const int reason = errno;
         keep(0);
         errno = reason;

@@ -10,6 +10,7 @@
 //
 // merge() joins the shards of one grid, into the very bytes that a sweep without shards writes.
 
+#include "document/system.hpp"
 #include "sweep/shard.hpp"
 
 #include <cstdint>
@@ -44,7 +45,7 @@ void write_description(const std::string& results, const Description& descriptio
 class OpenFile {
 public:
     /// \throws file_error: \p what, and the reason that the system gives.
-    OpenFile(std::string name, int flags, const char* what = "cannot be written");
+    OpenFile(std::string name, scene::os::Opening how, const char* what = "cannot be written");
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile();

@@ -87,7 +87,7 @@ std::optional<std::uint64_t> index_of_line(std::string_view line) {
 
 void for_each_line(const std::string& file,
                    const std::function<bool(std::string_view line, std::uint64_t index)>& call) {
-    std::ifstream stream(file, std::ios::binary);
+    std::ifstream stream(scene::path_of(file), std::ios::binary);
     if (!stream) throw file_error(file, "cannot be read");
     std::string line;
     std::optional<std::uint64_t> last;

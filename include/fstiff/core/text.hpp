@@ -44,8 +44,8 @@ inline bool begins_number(const char* first, const char* last, bool hexadecimal)
     return first != last && (hexadecimal ? is_hexadecimal_digit(*first) : is_decimal_digit(*first));
 }
 
-#if defined(_LIBCPP_VERSION)
-template <class T>  // libc++ writes a long double as the double nearest to it
+#if defined(_LIBCPP_VERSION) || defined(__MINGW32__)
+template <class T>  // of a long double libc++ writes the double nearest to it, MinGW the decimal comma of the locale
 inline constexpr bool has_to_chars = FSTIFF_HAS_FLOAT_TO_CHARS && !std::is_same_v<T, long double>;
 #else
 template <class T>

@@ -315,7 +315,7 @@ std::string page_of(const Scene& scene, const Results& results) {
 
 Report execute(const Options& options) {
     refuse_standard_output(options.folder, "a folder");
-    const std::string file = (std::filesystem::path(options.folder) / "report.html").string();
+    const std::string file = name_of_path(path_of(options.folder) / "report.html");
     require_own(file);
     keep_for_output(file);
     Scene scene = read_scene(options.scene);

@@ -139,16 +139,16 @@ std::string json(const Reproduction& all, const std::vector<std::string>& files)
 
 Report execute(const Options& options) {
     refuse_standard_output(options.folder, "a folder");
-    const std::filesystem::path folder(options.folder);
-    const std::string errata = (folder / "errata.md").string(), index = (folder / "index.html").string();
+    const std::filesystem::path folder = path_of(options.folder);
+    const std::string errata = name_of_path(folder / "errata.md"), index = name_of_path(folder / "index.html");
     require_own(errata);
     require_own(index);
     for (const char* name : {"fig2", "fig4", "fig6", "fig7", "fig8", "fig9"})
-        for (const std::string& file : PictureFiles((folder / name).string() + ".svg").all()) require_own(file);
+        for (const std::string& file : PictureFiles(name_of_path(folder / name) + ".svg").all()) require_own(file);
     const Reproduction all = reproduce();
     std::vector<OutputFile> written;
     for (const Picture& picture : all.pictures)
-        for (OutputFile& file : figure_files(picture.figure, (folder / (picture.name + ".svg")).string()))
+        for (OutputFile& file : figure_files(picture.figure, name_of_path(folder / (picture.name + ".svg"))))
             written.push_back(std::move(file));
     written.push_back({errata, std::string(page_mark) + errata_page});
     written.push_back({index, page_mark + page(all)});

@@ -170,7 +170,7 @@ Report execute(const Options& options) {
     if (options.sensitivity) require_draws(grid);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
     const auto make = [&] { require_stiffness(options, maker.emplace(grid)); };
-    if (!std::filesystem::exists(sweep::description_file(file))) make();
+    if (!std::filesystem::exists(path_of(sweep::description_file(file)))) make();
     sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
     Report report;
     if (results.dropped() > 0)

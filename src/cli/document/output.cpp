@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "document/output.hpp"
 
+#include "document/system.hpp"
+
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -21,6 +21,7 @@ namespace fstiff::cli {
 namespace {
 
 namespace fs = std::filesystem;
+namespace os = scene::os;
 
 [[noreturn]] void cannot_write(const std::string& file, int reason) {
     const char* wanted = reason == ENOENT || reason == ENOTDIR ? "; the folder must exist"
@@ -36,7 +37,7 @@ bool written(const std::string& text, std::FILE* stream) {
 }
 
 void write_bytes(const fs::path& path, const std::string& text, const std::string& shown) {
-    std::FILE* const stream = std::fopen(path.c_str(), "wb");
+    std::FILE* const stream = os::open_stream(path);
     if (!stream) cannot_write(shown, errno);
     int reason = written(text, stream) ? 0 : errno;
     if (std::fclose(stream) != 0 && reason == 0) reason = errno;
@@ -45,34 +46,34 @@ void write_bytes(const fs::path& path, const std::string& text, const std::strin
 
 /// Files that are being written and folders that were made for them, for the signal handler, which reads them while
 /// `has_partials` is 1.
-std::vector<std::string> partial_files, made_folders;
+std::vector<fs::path> partial_files, made_folders;
 volatile std::sig_atomic_t has_partials = 0;
 
 extern "C" void remove_partials_and_end(int signal) {
     if (has_partials) {
-        for (const std::string& file : partial_files) unlink(file.c_str());
-        for (const std::string& folder : made_folders) rmdir(folder.c_str());
+        for (const fs::path& file : partial_files) os::remove_file(file.c_str());
+        for (const fs::path& folder : made_folders) os::remove_empty_folder(folder.c_str());
     }
     std::signal(signal, SIG_DFL);
-    raise(signal);
+    std::raise(signal);
 }
 
 /// What is not complete yet: removed when this ends before keep(), be it by an exception or by Ctrl-C and the like.
 class Partials {
 public:
-    Partials(std::vector<std::string> files, std::vector<std::string> folders) {
+    Partials(std::vector<fs::path> files, std::vector<fs::path> folders) {
         partial_files = std::move(files);
         made_folders = std::move(folders);
         has_partials = 1;
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP})  // what the caller ignores (nohup) stays ignored
+        for (const int signal : os::ending_signals())  // what the caller ignores (nohup) stays ignored
             if (std::signal(signal, remove_partials_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
     }
     Partials(const Partials&) = delete;
     Partials& operator=(const Partials&) = delete;
     ~Partials() {
         if (has_partials) {
-            for (const std::string& file : partial_files) unlink(file.c_str());
-            for (const std::string& folder : made_folders) rmdir(folder.c_str());  // where it is empty
+            for (const fs::path& file : partial_files) os::remove_file(file.c_str());
+            for (const fs::path& folder : made_folders) os::remove_empty_folder(folder.c_str());  // where it is empty
         }
         has_partials = 0;
     }
@@ -91,27 +92,27 @@ NamedFiles& named_files() {
 
 void require_apart(const fs::path& output, const std::string& input) {
     std::error_code none;
-    const fs::path file = input == "-" ? "/dev/stdin" : input;
+    const fs::path file = path_of(input == "-" ? "/dev/stdin" : input);
     if (fs::is_regular_file(output, none) &&
         fs::equivalent(fs::is_directory(file, none) ? output.parent_path() : output, file, none))
-        throw file_error(output.string(),
+        throw file_error(name_of_path(output),
                          "is an input of this command and would be written over; give the output another name");
 }
 
 /// \p folder and those above it that are not there, the innermost first.
-std::vector<std::string> missing_folders(const fs::path& folder) {
-    std::vector<std::string> missing;
+std::vector<fs::path> missing_folders(const fs::path& folder) {
+    std::vector<fs::path> missing;
     std::error_code error;
     for (fs::path at = fs::absolute(folder / "."); !fs::exists(at, error) && at.has_relative_path();
          at = at.parent_path())
-        if (at.has_filename() && at.filename() != ".") missing.push_back(at.string());
+        if (at.has_filename() && at.filename() != ".") missing.push_back(at);
     return missing;
 }
 
 }  // namespace
 
 Format OutputOptions::chosen() const {
-    return for_people && target().empty() && isatty(STDOUT_FILENO) != 0 ? Format::table : format;
+    return for_people && target().empty() && os::is_terminal(stdout) ? Format::table : format;
 }
 
 std::string OutputOptions::target() const { return file == "-" ? std::string() : file; }
@@ -152,13 +153,14 @@ void require_writable(const std::string& file) {
     const fs::path target = output_target(file);
     if (fs::is_directory(target, error)) throw file_error(file, "is a folder; the output must be a file");
     if (!fs::is_directory(target.parent_path(), error)) cannot_write(file, ENOENT);
-    if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) cannot_write(file, errno);
+    if (fs::exists(target, error) && !os::is_writable(target)) cannot_write(file, errno);
 }
 
 void require_own(const std::string& file) {
     std::error_code error;
-    if (!fs::is_regular_file(file, error) && fs::exists(file, error)) return;  // a pipe, which nothing is read from
-    std::ifstream stream(file, std::ios::binary);
+    const fs::path path = path_of(file);
+    if (!fs::is_regular_file(path, error) && fs::exists(path, error)) return;  // a pipe, which nothing is read from
+    std::ifstream stream(path, std::ios::binary);
     std::string line(200, '\0');
     if (!stream) return;  // there is none
     stream.read(line.data(), static_cast<std::streamsize>(line.size()));
@@ -182,39 +184,38 @@ void deliver(const std::string& document, const std::string& file) {
 
 void deliver(const std::vector<OutputFile>& files, const std::string& folder) {
     std::error_code error;
-    std::vector<std::string> made;
+    std::vector<fs::path> made;
     if (!folder.empty()) {
-        made = missing_folders(folder);
+        made = missing_folders(path_of(folder));
         for (const OutputFile& file : files) require_own(file.name);
     }
-    std::vector<fs::path> targets;
-    std::vector<std::string> partials;
+    std::vector<fs::path> targets, partials;
     for (const OutputFile& file : files) {
         targets.push_back(output_target(file.name));
         const bool replaces = fs::exists(targets.back(), error);
         if (replaces && !fs::is_regular_file(targets.back(), error) && !fs::is_directory(targets.back(), error))
             partials.emplace_back();  // /dev/stdout, a pipe: written as it is
         else
-            partials.push_back(targets.back().string() + ".partial-" + std::to_string(std::random_device{}()));
+            partials.emplace_back(targets.back()) += ".partial-" + std::to_string(std::random_device{}());
     }
     Partials until_renamed(partials, made);
     if (!folder.empty()) {
-        fs::create_directories(folder, error);
-        if (!fs::is_directory(folder))
+        fs::create_directories(path_of(folder), error);
+        if (!fs::is_directory(path_of(folder)))
             throw file_error(folder, "is no folder and cannot be made one: " +
                                          (error ? error : std::make_error_code(std::errc::not_a_directory)).message());
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (fs::is_directory(targets[i], error))
             throw file_error(files[i].name, "is a folder; the output must be a file");
-        write_bytes(partials[i].empty() ? targets[i] : fs::path(partials[i]), files[i].text, files[i].name);
+        write_bytes(partials[i].empty() ? targets[i] : partials[i], files[i].text, files[i].name);
         if (const auto old = fs::status(targets[i], error); !partials[i].empty() && fs::exists(old))
             fs::permissions(partials[i], old.permissions(), error);
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (partials[i].empty()) continue;
         fs::rename(partials[i], targets[i], error);
-        if (error) cannot_write(files[i].name, error.value());
+        if (error) cannot_write(files[i].name, error.default_error_condition().value());
     }
     until_renamed.keep();
 }

@@ -86,7 +86,7 @@ Usage no_command(const CLI::App& program, const std::string& word) {
 
 bool is_existing_file(const std::string& word) {
     std::error_code none;
-    return std::filesystem::exists(word, none);
+    return std::filesystem::exists(scene::path_of(word), none);
 }
 
 /// The sentence about what CLI11 refused.
@@ -106,14 +106,14 @@ Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
     return Usage(text + "; see " + help + " --help");
 }
 
-void refuse_empty(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
+void refuse_empty(const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
         const bool option_alone = word.starts_with("--") && word.find('=') == word.size() - 1;  // --plot=
         if (!word.empty() && !option_alone) continue;
         throw Usage("the argument " +
                     (option_alone ? word
-                     : i > 1      ? "after " + std::string(argv[i - 1])
+                     : i > 0      ? "after " + words[i - 1]
                                   : "") +
                     " is empty; it must be left out or hold something");
     }
@@ -156,7 +156,7 @@ Option& Option::between(double least, double greatest) {
     option_->check(refusal, "FLOAT in [" + from + " - " + to + "]");
     return *this;
 }
-Option& Option::between(unsigned long least, unsigned long greatest) {
+Option& Option::between(std::uint64_t least, std::uint64_t greatest) {
     option_->check(CLI::Range(least, greatest));
     return *this;
 }
@@ -283,9 +283,8 @@ void Program::print_help() const {
     }
 }
 
-const CLI::App* Program::parse(int argc, char** argv) {
-    refuse_empty(argc, argv);
-    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+const CLI::App* Program::parse(std::vector<std::string> words) {
+    refuse_empty(words);
     add_help();
     if (words.empty()) words = {"--help"};
     redirect(words);

@@ -5,6 +5,7 @@
 #include <fstiff/core/names.hpp>
 
 #include <concepts>
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -32,7 +33,7 @@ public:
     Option& one_of(std::initializer_list<int> values);
     Option& between(int least, int greatest);
     Option& between(double least, double greatest);
-    Option& between(unsigned long least, unsigned long greatest);
+    Option& between(std::uint64_t least, std::uint64_t greatest);
     /// Several values in one argument, with \p separator between them.
     Option& delimiter(char separator);
     /// The help tells what the target holds now.
@@ -95,7 +96,7 @@ public:
     /// version, which print.
     /// \throws Usage in one sentence that names the help to look at; for an argument that is empty, too, as one of a
     /// script whose variable is not set.
-    [[nodiscard]] const CLI::App* parse(int argc, char** argv);
+    [[nodiscard]] const CLI::App* parse(std::vector<std::string> words);
 
 private:
     struct Help;

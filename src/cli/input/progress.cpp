@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/progress.hpp"
 
-#include <fstiff/core/text.hpp>
+#include "document/system.hpp"
 
-#include <unistd.h>
+#include <fstiff/core/text.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -64,7 +64,7 @@ private:
 
 ProgressHook progress_bar(bool with_rate) {
     const char* terminal = std::getenv("TERM");
-    if (isatty(STDERR_FILENO) == 0 || (terminal && std::string_view(terminal) == "dumb")) return {};
+    if (!scene::os::is_terminal(stderr) || (terminal && std::string_view(terminal) == "dumb")) return {};
     return [bar = std::make_shared<Bar>(with_rate)](std::string_view what, std::size_t done, std::size_t all) {
         (*bar)(what, done, all);
     };

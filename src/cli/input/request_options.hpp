@@ -6,6 +6,7 @@
 #include "surface/request.hpp"
 #include "surface/surface_option_table.hpp"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -29,8 +30,10 @@ void add_request_options(Arguments& command, Request& request) {
             if (!traits.words.empty()) option.one_of(traits.words);
             if (traits.shows_default) option.show_default();
             if constexpr (std::is_same_v<Value, std::vector<std::string>>) option.delimiter(',');
-            if constexpr (std::is_arithmetic_v<Value>)
-                if (traits.has_range()) option.between(static_cast<Value>(traits.low), static_cast<Value>(traits.high));
+            if constexpr (std::is_arithmetic_v<Value>) {
+                using Bound = std::conditional_t<std::is_unsigned_v<Value>, std::uint64_t, Value>;
+                if (traits.has_range()) option.between(static_cast<Bound>(traits.low), static_cast<Bound>(traits.high));
+            }
         }
     });
 }

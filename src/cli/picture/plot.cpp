@@ -44,16 +44,16 @@ std::string some_of(std::size_t some, std::size_t all) {
 }
 
 std::string shown_file(const std::string& file) {
-    const std::string name = std::filesystem::path(file).filename().string();
+    const std::string name = name_of_path(path_of(file).filename());
     return name.empty() ? file : name;
 }
 
 PictureFiles::PictureFiles(const std::string& file) : picture(file) {
-    const std::filesystem::path path(file);
+    const std::filesystem::path path = path_of(file);
     if (path.extension() != ".svg" && path.extension() != ".html")
         throw Usage("--plot = \"" + file +
                     "\": must end in .svg or .html; the numbers (.plot.csv) are written beside it");
-    table = std::filesystem::path(path).replace_extension(".plot.csv").string();
+    table = name_of_path(std::filesystem::path(path).replace_extension(".plot.csv"));
 }
 
 void keep_for_picture(const std::string& file) {
@@ -65,7 +65,7 @@ void keep_for_picture(const std::string& file) {
 
 std::vector<OutputFile> figure_files(const Figure& figure, const std::string& file) {
     const PictureFiles names(file);
-    return {{names.picture, std::filesystem::path(file).extension() == ".svg" ? svg(figure) : html_page(figure)},
+    return {{names.picture, path_of(file).extension() == ".svg" ? svg(figure) : html_page(figure)},
             {names.table, figure_csv(figure)}};
 }
 
