@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a venv, installs the package of this clone into it, and runs the tests of this folder there.
+"""Makes a venv, an sdist of this clone and a wheel of that, installs the wheel, and runs the tests of this folder there.
 
     run.py --work FOLDER --source ROOT [--scene-library FILE --io-library FILE] [--compiler CXX]
 
@@ -10,13 +10,15 @@ compiled; without it all of it is. What the tests compare with is named by FSTIF
 import argparse
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import sysconfig
 
 BUILD = ["nanobind>=2.4", "scikit-build-core>=0.11"]
-NEEDED = [*BUILD, "numpy", "pytest"]
-WANTED = ["pandas", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow"]  # the last two for examples/sweeps
+NEEDED = [*BUILD, "build", "numpy", "pytest"]
+# distributed and pyarrow for examples/sweeps
+WANTED = ["pandas", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow", "cibuildwheel"]
 
 
 def skip(why):
@@ -27,6 +29,13 @@ def skip(why):
 def last_line(text):
     lines = [line for line in text.splitlines() if line.strip()]
     return lines[-1] if lines else "no message"
+
+
+def do(what, command, environment):
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    if done.returncode != 0:
+        print(done.stdout, done.stderr, sep="\n")
+        sys.exit(f"there is no {what} of the package")
 
 
 def make_venv(folder):
@@ -70,15 +79,20 @@ def main():
     environment = dict(os.environ)
     if options.compiler:
         environment["CXX"] = options.compiler
-    install = [python, "-m", "pip", "--disable-pip-version-check", "install", "--no-build-isolation", "--no-deps"]
-    install += [f"--config-settings=build-dir={options.work / 'build'}", options.source]
+    made, build = options.work / "dist", options.work / "build"
+    for old in (made, build):  # files of an sdist have no times that tell what changed
+        shutil.rmtree(old, ignore_errors=True)
+    pip = [python, "-m", "pip", "--disable-pip-version-check"]
+    do("sdist", [python, "-m", "build", "--sdist", "--no-isolation", "--outdir", made, options.source], environment)
+    (sdist,) = made.glob("*.tar.gz")
+    wheel = [*pip, "wheel", "--no-build-isolation", "--no-deps", f"--config-settings=build-dir={build}", "-w", made, sdist]
     for name, library in (("SCENE", options.scene_library), ("IO", options.io_library)):
         if library:
-            install.append(f"--config-settings=cmake.define.FSTIFF_{name}_LIBRARY={library}")
-    made = subprocess.run(install, env=environment, capture_output=True, text=True)
-    if made.returncode != 0:
-        print(made.stdout, made.stderr, sep="\n")
-        sys.exit("the package cannot be installed")
+            wheel.append(f"--config-settings=cmake.define.FSTIFF_{name}_LIBRARY={library}")
+    do("wheel", wheel, environment)
+    (wheel,) = made.glob("*.whl")
+    do("installed wheel", [*pip, "install", "--no-deps", "--force-reinstall", wheel], environment)
+    environment |= {"FSTIFF_SDIST": str(sdist), "FSTIFF_WHEEL": str(wheel), "FSTIFF_WHEEL_BUILD": str(build)}
     # Not in the folder of the sources, whose package has no compiled part.
     tests = [python, "-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", options.source / "tests" / "python"]
     environment["PYTHONDONTWRITEBYTECODE"] = "1"

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The sdist and the wheel that run.py made of it: what is in them, and that the wheel needs no compiler where it is installed."""
+
+import importlib.util
+import os
+import pathlib
+import resource
+import struct
+import subprocess
+import sys
+import tarfile
+import venv
+import zipfile
+
+import pytest
+
+
+X3P = """<p:ISO5436_2 xmlns:p="urn:any"><Record1><FeatureType>SUR</FeatureType><Axes>
+<CX><AxisType>I</AxisType><Increment>1e-6</Increment></CX><CY><AxisType>I</AxisType><Increment>1e-6</Increment></CY>
+<CZ><AxisType>A</AxisType><DataType>D</DataType></CZ></Axes></Record1><Record3>
+<MatrixDimension><SizeX>3</SizeX><SizeY>2</SizeY><SizeZ>1</SizeZ></MatrixDimension>
+<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink></Record3></p:ISO5436_2>"""
+
+# Of docs/python.md; and zip, inflate and XML.
+PROGRAM = """
+import sys, fstiff
+heights = fstiff.open_surface("map.x3p").heights
+contact = fstiff.Contact("hertz", rms_height=0.832e-6, peak_radius=40e-6, peak_density=500e6, r=0.5, theta=1.0,
+                         effective_modulus=fstiff.effective_modulus(205e9, 0.3, 205e9, 0.3))
+print(heights.shape, heights[1, 2], f"{contact.at_pressures([1e6]).stiffness[0]:.4g}", sys.prefix)
+"""
+
+
+def made(name):
+    path = os.environ.get(name)
+    if not path:
+        pytest.skip(f"{name} names nothing: tests/python/run.py makes it")
+    return pathlib.Path(path)
+
+
+@pytest.fixture
+def wheel():
+    return made("FSTIFF_WHEEL")
+
+
+def needs(module):
+    if importlib.util.find_spec(module) is None:
+        pytest.skip(f"{module} is not installed")
+
+
+def test_the_sdist_has_the_headers_and_their_licences():
+    sdist = made("FSTIFF_SDIST")
+    with tarfile.open(sdist) as archive:
+        names = {name.split("/", 1)[1] for name in archive.getnames()}
+    assert {"LICENSE", "python/THIRD_PARTY.txt", "third_party/Eigen3/unsupported/Eigen/FFT"} <= names
+    for package, header in (("Eigen3", "Eigen/Core"), ("nlohmann_json", "nlohmann/json.hpp"), ("tomlplusplus", "toml++/toml.h")):
+        assert {f"third_party/{package}/{header}", f"third_party/{package}/{package}Config.cmake"} <= names
+    assert not [name for name in names if name.startswith(("tests/", "bench/", "build/", ".ci", ".clang"))]
+    assert sdist.stat().st_size < 4e6
+
+
+def test_the_wheel_was_compiled_with_the_headers_of_the_sdist():
+    cache = (made("FSTIFF_WHEEL_BUILD") / "CMakeCache.txt").read_text()
+    for package in ("Eigen3", "nlohmann_json", "tomlplusplus"):
+        (found,) = [line for line in cache.splitlines() if line.startswith(f"{package}_DIR:")]
+        assert found.endswith(f"/third_party/{package}"), found
+
+
+def test_a_missing_header_is_named(root, monkeypatch):
+    needs("scikit_build_core")
+    monkeypatch.syspath_prepend(root / "python")
+    import build_backend
+
+    with pytest.raises(SystemExit, match="^nothing is not found; an sdist takes its headers along"):
+        build_backend.folder_of("nothing", ["include"], ["nothing/of/it.hpp"])
+
+
+def test_one_wheel_is_for_all_pythons_from_3_12_on(wheel):
+    version = f"cp3{sys.version_info.minor}"
+    tags = "cp312-abi3" if sys.version_info >= (3, 12) else f"{version}-{version}"
+    assert wheel.name.split("-", 2)[2].startswith(f"{tags}-")
+
+
+def test_the_wheel_has_the_licences_of_what_is_linked_in(wheel):
+    with zipfile.ZipFile(wheel) as archive:
+        (name,) = [name for name in archive.namelist() if name.endswith("licenses/python/THIRD_PARTY.txt")]
+        text = archive.read(name).decode()
+    for project in ("Eigen", "toml++", "JSON for C++", "pugixml", "robin-map", "nanobind", "libzip", "zlib"):
+        assert f"\n{project} " in text
+
+
+def test_cibuildwheel_takes_the_configuration(root):
+    needs("cibuildwheel")
+    command = [sys.executable, "-m", "cibuildwheel", "--platform", "linux", "--archs", "x86_64", "--print-build-identifiers", root]
+    shown = subprocess.run(command, capture_output=True, text=True)
+    assert shown.stdout.split() == [f"cp3{minor}-manylinux_x86_64" for minor in (10, 11, 12)], shown.stderr
+
+
+def test_a_fresh_venv_without_compiler_installs_and_runs_it(wheel, tmp_path):
+    """Within 5 s of CPU, NumPy with it; docs/python.md has the time."""
+    venv.create(tmp_path / "fresh")
+    python = tmp_path / "fresh" / "bin" / "python"
+    bare = {"PATH": "", "HOME": os.environ.get("HOME", "")}
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--python", python, "install", "--only-binary", ":all:", wheel]
+    installed = subprocess.run(pip, env=bare, capture_output=True, text=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    assert installed.returncode == 0, installed.stderr
+    assert after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime < 5
+    with zipfile.ZipFile(tmp_path / "map.x3p", "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("main.xml", X3P)
+        archive.writestr("bindata/data.bin", struct.pack("<6d", *range(6)))
+    shown = subprocess.run([python, "-c", PROGRAM], env=bare, capture_output=True, text=True, cwd=tmp_path)
+    assert shown.stdout.split() == ["(2,", "3)", "5.0", "3.995e+12", str(tmp_path / "fresh")], shown.stderr
