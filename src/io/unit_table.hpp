@@ -8,6 +8,7 @@
 #include <fstiff/io/units.hpp>
 
 #include <array>
+#include <numbers>
 
 namespace fstiff::io::detail {
 
