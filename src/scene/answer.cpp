@@ -239,7 +239,7 @@ std::vector<std::size_t> points_of_answer(const Scene& scene) {
 StiffnessAnswer answer_of(const Scene& scene, const Results& results, Curve base, const ProgressHook& progress) {
     StiffnessAnswer answer;
     answer.relative_hardness = relative_hardness(scene);
-    answer.flows = base.law->which == LawName::plastic;
+    answer.flows = flows(scene, *base.law);
     answer.of_map_itself = is_map_itself(scene);
     const double area = counted_area(scene);
     parts::UnmeasuredWaves<double> longer;

@@ -34,33 +34,38 @@ double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tan
     return statistic == Statistic::p05 ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
 }
 
-Estimate<double> estimate_of(CurveQuantity quantity, const Scene& scene, double tangential_ratio, double seated,
-                             const ContactState<double>& s) {
+/// What \p column holds of the state \p i of \p curve, whose K may be that of an end of its band: \p s.
+Estimate<double> estimate_of(const Column& column, const Scene& scene, double tangential_ratio, const Curve& curve,
+                             std::size_t i, const ContactState<double>& s) {
     const double area = scene.nominal_area.value_or(0);
     const auto reflected = [&](const Impedances<double>& media, double factor) {
         return fstiff::reflection(s.stiffness * factor, media, scene.ultrasound->angular());
     };
+    const auto loss = [&](double K) { return loss_of(scene, curve, i, tangential_ratio * K, column.statistic); };
     using enum CurveQuantity;
-    switch (quantity) {
+    switch (column.quantity) {
         case force: return {s.pressure.value * area, s.pressure.error * area};
         case pressure: return s.pressure;
         case eta: return {s.eta, 0};
         case separation: return s.separation;
-        case approach: return {seated - s.separation.value, 0};
+        case approach: return {curve.seated[i] - s.separation.value, 0};
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
         case tangential_stiffness:
             return {tangential_ratio * s.stiffness.value, tangential_ratio * s.stiffness.error};
+        case loss_factor: {
+            const double found = loss(s.stiffness.value);
+            return {found, std::abs(loss(s.stiffness.value + s.stiffness.error) - found)};
+        }
         case reflection: return reflected(scene.ultrasound->longitudinal, 1);
         case shear_reflection: return reflected(*scene.ultrasound->shear, tangential_ratio);
         case thermal_conductance:
-        case electrical_conductance: return conductance_of_spots(quantity, scene, s);
+        case electrical_conductance: return conductance_of_spots(column.quantity, scene, s);
         case thermal_conductance_gap:
             return {parts::gap_conductance(*scene.conduction.gap, s.separation.value) + scene.conduction.radiation, 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
-        case loss_factor: break;  // of the curve, by loss_of()
     }
     return {};
 }
@@ -122,15 +127,7 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
-            const double seated = curve.seated.empty() ? 0 : curve.seated[i];
-            Estimate<double> found = estimate_of(row.quantity, scene, tangential_ratio, seated, state);
-            if (row.quantity == CurveQuantity::loss_factor) {
-                const auto loss = [&](double K) {
-                    return loss_of(scene, curve, i, tangential_ratio * K, statistic);
-                };
-                const double K = state.stiffness.value, known = loss(K);
-                found = {known, std::abs(loss(K + state.stiffness.error) - known)};
-            }
+            const Estimate<double> found = estimate_of(column, scene, tangential_ratio, curve, i, state);
             column.values.push_back(statistic == Statistic::error ? found.error : found.value);
         }
         if (row.quantity == CurveQuantity::loading_stiffness &&  // plastic boundary elements know unloading alone

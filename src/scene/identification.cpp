@@ -214,9 +214,6 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
                         scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
 }
 
-/// Whether a law of peaks that flow is \p law.
-bool is_plastic(const Law& law) { return law.needs_hardness || law.needs_yield; }
-
 /// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.
 std::vector<const Law*> laws_of(const Scene& scene, const FitRequest& request) {
     if (request.law.empty()) return scene.laws;
@@ -283,7 +280,7 @@ void require_known(const Scene& scene, const FitRequest& request) {
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
 std::string flow_of(const Scene& scene, const Fit& fit, const std::vector<Parameter>& wanted) {
     const double hardness = hardness_of(scene);
-    if (is_plastic(*fit.law) || !(hardness > 0) || fit.found.status == math::FitStatus::singular) return "";
+    if (flows(scene, *fit.law) || !(hardness > 0) || fit.found.status == math::FitStatus::singular) return "";
     const ContactParameters<double>& x = fit.found.all;
     Scene fitted = lean_scene(scene, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);

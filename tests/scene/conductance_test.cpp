@@ -19,12 +19,11 @@ namespace conductance_scene_test {
 namespace {
 
 namespace scene = fstiff::scene;
+using test::results_of;
 using enum scene::CurveQuantity;
 
 const std::string surface = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 5\n",
                   contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n";
-
-scene::Results results(const std::string& text) { return scene::compute(scene::read_scene(text, {.name = "s.toml"})); }
 
 double at(const scene::Results& found, scene::CurveQuantity quantity, scene::Statistic statistic = scene::Statistic::value) {
     const auto value = found.curves.front().value_at(1, quantity, statistic);
@@ -40,7 +39,7 @@ TEST_CASE("The spots conduct k K/E of every law, with the band of K") {
     const std::string bodies = "[material.upper]\nname = \"steel\"\nthermal_conductivity = \"40 W/(m K)\"\n"
                                "electrical_conductivity = \"7 MS/m\"\n[material.lower]\nname = \"aluminium\"\n";
     for (const char* laws : {"", "laws = [\"hertz\"]\n", "laws = [\"persson\"]\n"}) {
-        const auto found = results(surface + bodies + contact + laws);
+        const auto found = results_of(surface + bodies + contact + laws);
         const double k = 2 * 40 * 237.0 / (40 + 237), s = 2 * 7e6 * 37.7e6 / (7e6 + 37.7e6);
         for (const auto statistic : {scene::Statistic::value, scene::Statistic::p05, scene::Statistic::p95}) {
             if (found.curves.front().band.empty() && statistic != scene::Statistic::value) continue;
@@ -53,13 +52,13 @@ TEST_CASE("The spots conduct k K/E of every law, with the band of K") {
 
 TEST_CASE("The gap, radiation and films stand beside the spots") {
     const std::string steel = "material.upper = \"steel\"\n", laws = "laws = [\"hybrid\"]\n";
-    const auto bare = results(steel + surface + contact + laws + "[output]\nquantities = [\"thermal_conductance\", \"separation\", \"real_area\"]\n");
-    const auto air = results(steel + surface + contact + laws + "[gap]\nmedium = \"air\"\n");
+    const auto bare = results_of(steel + surface + contact + laws + "[output]\nquantities = [\"thermal_conductance\", \"separation\", \"real_area\"]\n");
+    const auto air = results_of(steel + surface + contact + laws + "[gap]\nmedium = \"air\"\n");
     CHECK(at(air, thermal_conductance) == at(bare, thermal_conductance));
     const double h = 0.0257 / at(air, thermal_conductance_gap) - at(bare, separation);
     CHECK(h > 0.25e-6);  // the jump of the temperature
     CHECK(h < 0.45e-6);
-    const auto film = results(steel + surface + contact + laws + "[gap]\nconductivity = \"0.8 W/(m K)\"\nemissivity = 1\n"
+    const auto film = results_of(steel + surface + contact + laws + "[gap]\nconductivity = \"0.8 W/(m K)\"\nemissivity = 1\n"
                               "temperature = \"300 K\"\nthermal_film = \"1 mm^2 K/W\"\n");
     CHECK(test::relative_error(at(film, thermal_conductance_gap), 0.8 / at(bare, separation) + 6.1240) < 1e-5);
     CHECK(test::relative_error(1 / at(film, thermal_conductance),
@@ -68,7 +67,7 @@ TEST_CASE("The gap, radiation and films stand beside the spots") {
 
 TEST_CASE("A gap is filled by name: a gas jumps at its faces, a liquid does not, a vacuum leaves radiation") {
     const std::string steel = "material.upper = \"steel\"\n", laws = "laws = [\"hybrid\"]\n";
-    const auto filled = [&](const std::string& gap) { return results(steel + surface + contact + laws + "[gap]\n" + gap); };
+    const auto filled = [&](const std::string& gap) { return results_of(steel + surface + contact + laws + "[gap]\n" + gap); };
     const double d = at(filled("medium = \"air\"\n"), separation);
     CHECK(test::relative_error(at(filled("medium = \"water\"\n"), thermal_conductance_gap), 0.598 / d) < 1e-14);
     CHECK(at(filled("medium = \"vacuum\"\n"), thermal_conductance_gap) == 0);
@@ -86,7 +85,7 @@ TEST_CASE("Plastic peaks conduct as Cooper, Mikic and Yovanovich say, less what 
     // h = 1.25 k m/sigma (p/H)^0.95 with the mean slope of a profile m = g/sqrt(pi), of spots that do not feel one another;
     // 0.72 to 0.97 of it by boundary elements of three maps, which theory and K of unloading agree with
     for (const double share : {0.003, 0.01, 0.03, 0.1}) {
-        const auto found = results("[material]\nupper = { name = \"steel\", hardness = \"0.5 GPa\" }\n" + surface +
+        const auto found = results_of("[material]\nupper = { name = \"steel\", hardness = \"0.5 GPa\" }\n" + surface +
                                    "[contact]\nlaws = [\"plastic\"]\npressures = [\"1 Pa\", \"" +
                                    std::to_string(share * 0.5e9) + " Pa\"]\n[gap]\nmedium = \"air\"\n");
         const double spots = 1.25 * 53.3 * 0.1 / std::sqrt(std::numbers::pi) / 0.8e-6 * std::pow(share, 0.95);

@@ -22,6 +22,7 @@ namespace friction_test {
 namespace {
 
 namespace scene = fstiff::scene;
+using test::results_of;
 using enum scene::CurveQuantity;
 using scene::Statistic;
 
@@ -29,8 +30,6 @@ const std::string surface = "material = { upper = \"steel\" }\n[surface]\nrms_he
                             "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
                   contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n",
                   friction = "[friction]\ncoefficient = 0.3\namplitude = \"20 nm\"\n";
-
-scene::Results results(const std::string& text) { return scene::compute(scene::read_scene(text, {.name = "s.toml"})); }
 
 double at(const scene::Curve& curve, std::size_t i, scene::CurveQuantity quantity,
           Statistic statistic = Statistic::value) {
@@ -44,7 +43,7 @@ std::string refusal(const std::string& text) { return test::refused_scene(text, 
 }  // namespace
 
 TEST_CASE("The loss factor of a law is that of its tangential law") {
-    const auto found = results(surface + contact + "laws = [\"greenwood_williamson\"]\n" + friction);
+    const auto found = results_of(surface + contact + "laws = [\"greenwood_williamson\"]\n" + friction);
     const fstiff::Roughness<double> same{.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 5e8};
     const auto law = fstiff::ContactLaw<double>::tabulate(
         fstiff::GreenwoodWilliamson<double>(same, found.modulus), {1e4, 1e9});
@@ -59,9 +58,9 @@ TEST_CASE("The loss factor of a law is that of its tangential law") {
 
 TEST_CASE("The band of the loss factor is that of K, and of flowed peaks it holds both limits") {
     const std::string numbers = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n";
-    const auto elastic = results("material = { upper = \"steel\" }\n" + numbers + contact + friction);
+    const auto elastic = results_of("material = { upper = \"steel\" }\n" + numbers + contact + friction);
     const auto flowed =
-        results("material.upper = { name = \"steel\", hardness = \"2 GPa\" }\n" + numbers + contact + friction);
+        results_of("material.upper = { name = \"steel\", hardness = \"2 GPa\" }\n" + numbers + contact + friction);
     for (std::size_t i = 0; i < 3; ++i) {
         const scene::Curve& a = elastic.answer->curve;
         const double p = at(a, i, pressure);
@@ -83,18 +82,19 @@ TEST_CASE("The band of the loss factor is that of K, and of flowed peaks it hold
 }
 
 TEST_CASE("Friction is shown where it is written, and refused where it lacks a number") {
-    CHECK(results(surface + contact).answer->curve.value_at(0, tangential_stiffness) == std::nullopt);
-    const auto without = results(surface + contact + "[friction]\ncoefficient = 0.3\n").answer->curve;
+    CHECK(results_of(surface + contact).answer->curve.value_at(0, tangential_stiffness) == std::nullopt);
+    const auto without = results_of(surface + contact + "[friction]\ncoefficient = 0.3\n").answer->curve;
     CHECK(without.value_at(0, tangential_stiffness));
     CHECK_FALSE(without.value_at(0, loss_factor));
     const std::string text = surface + contact;
     CHECK(refusal(text + "[output]\nquantities = [\"loss_factor\"]\n") ==
           "s.toml:9: output.quantities: needs friction.amplitude for \"loss_factor\"");
-    CHECK(refusal(text + "[friction]\namplitude = \"1 um\"\n") == "s.toml:8: friction.coefficient: is missing; the scene needs it");
+    CHECK(refusal(text + "[friction]\namplitude = \"1 um\"\n") ==
+          "s.toml:8: friction.coefficient: is missing; the scene needs it");
     CHECK(refusal(text + "[friction]\ncoefficient = -0.1\n") ==
           "s.toml:9: friction.coefficient = -0.1: must be greater than 0 and 10 at most");
     CHECK(refusal(text + "[friction]\ncoefficient = \"0.1\"\n").starts_with("s.toml:9: friction.coefficient"));
-    CHECK(std::abs(at(results(text + "[friction]\ncoefficient = 0.1\namplitude = \"1e300 m\"\n").answer->curve, 0,
+    CHECK(std::abs(at(results_of(text + "[friction]\ncoefficient = 0.1\namplitude = \"1e300 m\"\n").answer->curve, 0,
                       loss_factor, Statistic::p95) - 4 / std::numbers::pi) < 1e-14);
     CHECK(refusal(text + "[friction]\ncoefficient = 0.1\namplitude = 1e-6\n")
               .starts_with("s.toml:10: friction.amplitude"));
