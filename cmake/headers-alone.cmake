@@ -40,7 +40,8 @@ function(fstiff_compile_alone target headers)
     set(sources "")
     foreach(header IN LISTS headers)
         set(source ${PROJECT_BINARY_DIR}/headers_alone/${header}.cpp)
-        file(CONFIGURE OUTPUT ${source} CONTENT "#include <${header}>\n#include <${header}>\n")  # the second brings nothing
+        file(CONFIGURE OUTPUT ${source} CONTENT
+             "#include <${header}>\n#include <${header}>\nstatic_assert(FSTIFF_VERSION > 0);\n")  # the second brings nothing
         list(APPEND sources ${source})
     endforeach()
     add_library(${target} OBJECT ${sources})

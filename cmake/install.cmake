@@ -7,7 +7,8 @@
 include(CMakePackageConfigHelpers)
 
 set(fstiff_package_dir ${CMAKE_INSTALL_DATADIR}/cmake/fstiff)
-install(TARGETS fstiff EXPORT fstiff-targets ${fstiff_file_sets})
+# The folder is written down too: before CMake 3.23, find_package() knows no sets of headers.
+install(TARGETS fstiff EXPORT fstiff-targets ${fstiff_file_sets} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT fstiff-targets NAMESPACE fstiff:: DESTINATION ${fstiff_package_dir} COMPONENT dev)
 configure_package_config_file(
     ${CMAKE_CURRENT_LIST_DIR}/fstiff-config.cmake.in ${PROJECT_BINARY_DIR}/fstiff-config.cmake

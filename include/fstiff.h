@@ -14,7 +14,8 @@
  * Accuracy    the numbers are those of the C++ library and of `fstiff run`, bit for bit
  * Status      every function that can fail returns FSTIFF_OK (0) or one of the codes below; the sentence is in
  *             fstiff_last_message(). No exception leaves the library, and no result is ever NaN or infinite
- * Structs     begin with their size: set it to sizeof, and what you do not know to 0. Another size is refused
+ * Structs     begin with their size: set it to sizeof, and what you do not know to 0. They grow at their end alone: a program
+ *             that was compiled with an older fstiff.h of this SONAME goes on working. Any other size is refused
  * Ownership   what a function makes through `**made` is freed by the fstiff_..._free of its type, which takes NULL too;
  *             *made is NULL after a failure. Text and arrays are the caller's: they are read, or written, during the
  *             call alone
@@ -24,6 +25,8 @@
 #define FSTIFF_H
 
 #include <stddef.h>
+
+#define FSTIFF_VERSION 100 /* of this header: 10000 major + 100 minor + patch */
 
 #if defined(_WIN32) && defined(FSTIFF_C_BUILDS_SHARED)
 #define FSTIFF_API __declspec(dllexport)

@@ -284,7 +284,7 @@ def declarations(text):
     spaces, start, depth = [], 0, 0
     for mark in re.finditer("[{};]", code):
         head = code[start:mark.end()]
-        if not depth and mark[0] != ";" and (edge := re.search(r"\bnamespace ([\w:]+)\s*{$|^\s*}$", head)):
+        if not depth and mark[0] != ";" and (edge := re.search(r"\bnamespace ([\w: ]+?)\s*{$|^\s*}$", head)):
             spaces = [*spaces, edge[1]] if edge[1] else spaces[:-1]
         else:
             depth += {"{": 1, "}": -1, ";": 0}[mark[0]]
@@ -303,14 +303,19 @@ def declarations(text):
 
 def api(root, update=False):
     """docs/api.md lists what is in namespaces fstiff and fstiff::io, with the first sentence about each."""
-    found = {}
+    found, problems = {}, []
+    version = dict(re.findall(r"FSTIFF_VERSION_(\w+) (\d+)", read(root / "include/fstiff/core/version.hpp")))
+    home = f"fstiff::inline v{version['MAJOR']}_{version['MINOR']}"
     for path in sorted((root / "include/fstiff").rglob("*.hpp")):
+        header = path.relative_to(root / "include").as_posix()
         for space, name, comment in declarations(read(path)):
-            if space in ("fstiff", "fstiff::io"):
-                key = (path.relative_to(root / "include").as_posix(), space[len("fstiff::"):] + "::" * (space != "fstiff") + name)
+            if space and not space.startswith(home):
+                problems.append(f"{header}: {name} is in {space}, not in {home}")
+            elif space in (home, f"{home}::io"):
+                key = (header, "io::" * space.endswith("::io") + name)
                 key = next((known for known in found if known[1] == key[1]), key)
                 found[key] = found.get(key) or re.sub(r"\\p ", "", re.split(r"(?<=[.])(?: |$)", comment, 1)[0]).replace("|", "\\|")
-    problems = [f"{header}: {name} is public and has no comment" for (header, name), meaning in found.items() if not meaning]
+    problems += [f"{header}: {name} is public and has no comment" for (header, name), meaning in found.items() if not meaning]
     if len(found) > API_NAMES:
         problems.append(f"namespaces fstiff and fstiff::io have {len(found)} names, more than {API_NAMES}: "
                         "put what is a step into math, parts or detail")

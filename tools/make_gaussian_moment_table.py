@@ -182,13 +182,13 @@ struct ErfTable {
 def main():
     for scalar, name, suffix, digits, terms, error in SCALARS:
         first = scalar == "double"
-        include = "#include <array>\n#include <type_traits>\n" if first else f"#include <fstiff/math/{SCALARS[0][1]}>\n"
+        include = "#include <fstiff/core/config.hpp>\n\n#include <array>\n#include <type_traits>\n" if first else f"#include <fstiff/math/{SCALARS[0][1]}>\n"
         out = (
             "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n"
             f"/// \\file\n/// Coefficients of gaussian_moment.hpp and of error_function.hpp in {scalar}, made by\n"
             "/// tools/make_gaussian_moment_table.py, which names the pieces and the variables.\n\n"
-            f"{include}\nnamespace fstiff::math {{\n\n// clang-format off\n{PRIMARY if first else ''}"
-            f"{table(scalar, suffix, digits, terms, error)}// clang-format on\n\n}}  // namespace fstiff::math\n")
+            f"{include}\nnamespace fstiff::inline v0_1::math {{\n\n// clang-format off\n{PRIMARY if first else ''}"
+            f"{table(scalar, suffix, digits, terms, error)}// clang-format on\n\n}}  // namespace fstiff::inline v0_1::math\n")
         target = FOLDER / name
         if "--check" not in sys.argv:
             target.write_text(out)

@@ -75,7 +75,7 @@ class Amalgamation:
 
 def written(title, lines):
     """The file of these lines below its licence and title."""
-    version = re.search(r'FSTIFF_VERSION "(.+)"', (INCLUDE / "fstiff/core/version.hpp").read_text(encoding="utf-8"))[1]
+    version = re.search(r'FSTIFF_VERSION_TEXT "(.+)"', (INCLUDE / "fstiff/core/version.hpp").read_text(encoding="utf-8"))[1]
     copyright_line = re.search(r"^Copyright .*$", (ROOT / "LICENSE").read_text(encoding="utf-8"), re.M)[0]
     body = re.sub(r"\n{3,}", "\n\n", "\n".join(lines))
     return (f"// fstiff {version}. {copyright_line}\n// {title}\n"

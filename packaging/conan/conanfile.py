@@ -33,7 +33,7 @@ class FstiffConan(ConanFile):
 
     def set_version(self):
         text = (self._clone / "include/fstiff/core/version.hpp").read_text(encoding="utf-8")
-        self.version = re.search(r'define FSTIFF_VERSION "(.+)"', text)[1]
+        self.version = re.search(r'define FSTIFF_VERSION_TEXT "(.+)"', text)[1]
 
     def export_sources(self):
         for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "src/io/*"):

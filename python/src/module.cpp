@@ -19,7 +19,7 @@ ProgressHook until_interrupted() {
 NB_MODULE(_core, m) {
     using namespace fstiff::python;
     m.doc() = "Compiled part of fstiff; use the package.";
-    m.attr("version") = FSTIFF_VERSION;
+    m.attr("version") = FSTIFF_VERSION_TEXT;
     // fstiff::domain_error is a std::domain_error, which nanobind raises as ValueError.
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
         try {

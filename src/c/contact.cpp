@@ -67,7 +67,8 @@ int evaluate(const fstiff_contact* contact, const double* x, std::size_t count, 
              const char* name, const Call& call) {
     not_null(contact, "contact");
     require_array(x, count, name);
-    const auto outputs = outputs_of(sized(points, "points"));
+    const fstiff_points wanted_points = taken(points, "points");
+    const auto outputs = outputs_of(wanted_points);
     Quantity wanted = Quantity::pressure | Quantity::separation;
     for (const Output& output : outputs) {
         if (!output.array) continue;
@@ -80,7 +81,7 @@ int evaluate(const fstiff_contact* contact, const double* x, std::size_t count, 
     const auto put = [&](std::size_t i, int status, const ContactState<double>& state) {
         for (const Output& output : outputs)
             if (output.array) output.array[i] = status == FSTIFF_OK ? state.*output.estimate.*output.number : 0;
-        if (points->status) points->status[i] = status;
+        if (wanted_points.status) wanted_points.status[i] = status;
         if (status != FSTIFF_OK && first == FSTIFF_OK) first = status, message = fstiff_last_message();
     };
     constexpr std::size_t part = 64;
@@ -117,8 +118,8 @@ int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const 
                         fstiff_contact** made) {
     return made_by(made, [&] {
         not_null(law, "law");
-        sized(surface, "surface");
-        return new fstiff_contact{fstiff::scene::contact_of(law, numbers_of(*surface, sized(body, "body")))};
+        const fstiff_roughness roughness = taken(surface, "surface");
+        return new fstiff_contact{fstiff::scene::contact_of(law, numbers_of(roughness, taken(body, "body")))};
     });
 }
 

@@ -140,12 +140,12 @@ std::optional<SurfaceInput> surface_of(SurfaceOptions& options, const fstiff_hei
     if (!heights) return options.file.empty() ? std::nullopt : std::optional(read_surface_input(options));
     if (!options.file.empty()) throw domain_error("file: must not be given beside heights");
     options.file = "heights";
-    return input_of(options, sized(heights, "heights"));
+    return input_of(options, taken(heights, "heights"));
 }
 
 std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
     if (!given) return std::nullopt;
-    const fstiff_curve& from = sized(given, "curve");
+    const fstiff_curve from = taken(given, "curve");
     require_array(from.pressures, from.count, "pressures");
     require_array(from.values, from.count, "values");
     const auto list = [&](const double* array) {

@@ -25,7 +25,7 @@ void require_finite(const char* name, double value) {
 
 /// What the caller kept, which may be anything.
 State state_of(const fstiff_slip* kept, const char* name) {
-    const fstiff_slip& from = sized(kept, name);
+    const fstiff_slip from = taken(kept, name);
     State to{.separation = from.separation, .count = from.count};
     require_finite("separation of a slip", from.separation);
     require(from.count >= 0 && from.count <= FSTIFF_SLIP_LEVELS, "count of a slip", from.count, "0 to 16");
@@ -48,12 +48,13 @@ bool is_finite(const State& state) {
 }
 
 /// Levels that are not in use become 0.
-void keep(const State& state, fstiff_slip& to) {
-    to = {.size = sizeof to, .separation = state.separation, .levels = {}, .drags = {}, .count = state.count};
+void keep(const State& state, fstiff_slip& after) {
+    fstiff_slip to{.size = 0, .separation = state.separation, .levels = {}, .drags = {}, .count = state.count};
     for (std::size_t i = 0; i < static_cast<std::size_t>(state.count); ++i) {
         to.levels[i] = state.nodes[i].level;
         std::copy_n(state.nodes[i].drag.begin(), 2, to.drags[i]);
     }
+    give(to, after);
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace fstiff::c {
 
@@ -35,7 +37,7 @@ int guarded(const Body& body) noexcept {
 }
 
 [[noreturn, gnu::cold]] void refuse_null(const char* name);
-[[noreturn, gnu::cold]] void refuse_size(const char* name, std::size_t found, std::size_t expected);
+[[noreturn, gnu::cold]] void refuse_size(const char* name, std::size_t found, std::size_t first, std::size_t now);
 [[noreturn, gnu::cold]] void refuse_argument(const char* name, long long value, const char* allowed);
 
 template <class T>
@@ -44,12 +46,35 @@ T& not_null(T* pointer, const char* name) {
         refuse_null(name);
     return *pointer;
 }
-/// A struct of fstiff.h, which begins with its size.
+
+/// sizeof(T) in the first fstiff.h that had T. A struct that grows, always at its end, has a specialisation with the number of
+/// then: a program that was compiled before goes on working.
+template <class T>
+inline constexpr std::size_t first_size = sizeof(T);
+
+/// A struct of the caller, which begins with its size.
 template <class T>
 T& sized(T* pointer, const char* name) {
-    if (not_null(pointer, name).size != sizeof(T)) refuse_size(name, pointer->size, sizeof(T));
+    const std::size_t size = not_null(pointer, name).size;
+    if (size < first_size<std::remove_const_t<T>> || size > sizeof(T) || size % alignof(T) != 0)
+        refuse_size(name, size, first_size<std::remove_const_t<T>>, sizeof(T));
     return *pointer;
 }
+/// A struct of the caller as this version knows it: members that its fstiff.h did not have are 0.
+template <class T>
+T taken(const T* pointer, const char* name) {
+    T known{};
+    std::memcpy(&known, pointer, sized(pointer, name).size);
+    known.size = sizeof known;
+    return known;
+}
+/// Gives \p known to the struct \p to, which sized() has passed, as far as that goes; its size stays.
+template <class T>
+void give(T known, T& to) {
+    known.size = to.size;
+    std::memcpy(&to, &known, to.size);
+}
+
 /// \throws argument_error for an array that is null, empty or longer than memory.
 void require_array(const double* array, std::size_t count, const char* name);
 

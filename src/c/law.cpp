@@ -105,12 +105,13 @@ void fstiff_law_free(fstiff_law* law) { delete law; }
 int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts) {
     return guarded([&] {
         const Law& of = not_null(law, "law").law;
-        fstiff_law_facts& to = sized(facts, "facts");
+        fstiff_law_facts to{};
         to.min_pressure = of.pressures()[0], to.max_pressure = of.pressures()[1];
         to.min_separation = of.separations()[0], to.max_separation = of.separations()[1];
         to.relative_error = of.relative_error();
         to.stiffness_is_slope = of.stiffness_is_slope();
         to.outside = static_cast<int>(of.outside());
+        give(to, sized(facts, "facts"));
         return FSTIFF_OK;
     });
 }

@@ -31,7 +31,7 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
     options.neighbours = false;  // for the band of K, which nobody asks here
     options.input.file = "heights";
     if (!given) return options;
-    const fstiff_measure_options& from = sized(given, "options");
+    const fstiff_measure_options from = taken(given, "options");
     if (from.detrend) options.input.detrend = std::string(from.detrend).substr(0, 40);
     options.input.lambda_s = cut_off("lambda_s", from.lambda_s);
     options.input.lambda_c = cut_off("lambda_c", from.lambda_c);
@@ -62,10 +62,9 @@ void put(fstiff_measured& to, const Measurement<double>& from) {
     if (!to.known) to = {};
 }
 
-int write(const MeasuredSurface& surface, fstiff_surface& to) {
+int write(const MeasuredSurface& surface, fstiff_surface& written) {
     const Surface<double>& from = surface.found;
-    to = {};
-    to.size = sizeof to;
+    fstiff_surface to{};
     to.peaks = from.peaks_counted;
     to.lambda_s = from.cut_offs.lambda_s.value_or(0);
     to.lambda_c = from.cut_offs.lambda_c.value_or(0);
@@ -83,6 +82,7 @@ int write(const MeasuredSurface& surface, fstiff_surface& to) {
         put(to.kurtosis, from.heights->kurtosis);
         to.shape_share = from.shape_share;
     }
+    give(to, written);
     std::string warnings;
     for (const std::string& one : surface.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
     set_message(warnings);
@@ -131,23 +131,24 @@ int fstiff_measure_map(const double* heights, size_t rows, size_t columns, doubl
 
 int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* roughness) {
     return guarded([&] {
-        const fstiff_surface& from = sized(surface, "surface");
+        const fstiff_surface from = taken(surface, "surface");
         fstiff_roughness& to = sized(roughness, "roughness");
         fstiff::HeightStatistics<double> heights;
         heights.skewness = {from.skewness.value, from.skewness.error};
         heights.kurtosis = {from.kurtosis.known ? from.kurtosis.value : 3, from.kurtosis.error};
         const auto shape = fstiff::parts::counted_shape(heights, from.shape_share);
-        to = {sizeof to,
-              from.rms_height.value,
-              from.peak_radius.value,
-              from.peak_density.value,
-              from.max_peak_height.value,
-              from.r.value,
-              from.theta.value,
-              from.fractal_dimension.value,
-              from.rms_gradient.value,
-              shape.skewness,
-              shape.kurtosis};
+        give({.size = 0,
+              .rms_height = from.rms_height.value,
+              .peak_radius = from.peak_radius.value,
+              .peak_density = from.peak_density.value,
+              .max_peak_height = from.max_peak_height.value,
+              .r = from.r.value,
+              .theta = from.theta.value,
+              .fractal_dimension = from.fractal_dimension.value,
+              .rms_gradient = from.rms_gradient.value,
+              .skewness = shape.skewness,
+              .kurtosis = shape.kurtosis},
+             to);
         return FSTIFF_OK;
     });
 }

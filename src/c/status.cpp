@@ -53,9 +53,10 @@ int status_of_exception() noexcept {
 
 void refuse_null(const char* name) { throw argument_error(std::string(name) + ": must not be NULL"); }
 
-void refuse_size(const char* name, std::size_t found, std::size_t expected) {
+void refuse_size(const char* name, std::size_t found, std::size_t first, std::size_t now) {
     throw argument_error(std::string(name) + "->size = " + std::to_string(found) + ": must be " +
-                         std::to_string(expected) + ", its sizeof in the fstiff.h of version " FSTIFF_VERSION);
+                         (first < now ? std::to_string(first) + " to " : "") + std::to_string(now) +
+                         ", its sizeof in fstiff.h up to version " FSTIFF_VERSION_TEXT);
 }
 
 void refuse_argument(const char* name, long long value, const char* allowed) {
@@ -82,7 +83,7 @@ int text_into(const std::string& text, char* buffer, std::size_t capacity, std::
 
 }  // namespace fstiff::c
 
-const char* fstiff_version() { return FSTIFF_VERSION; }
+const char* fstiff_version() { return FSTIFF_VERSION_TEXT; }
 
 const char* fstiff_strerror(int status) {
     switch (status) {

@@ -58,7 +58,7 @@ constexpr Listed listed[] = {
 
 int run(std::vector<std::string> words) {
     Program program(
-        "fstiff", "fstiff " FSTIFF_VERSION,
+        "fstiff", "fstiff " FSTIFF_VERSION_TEXT,
         "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
         units() +
             "\nOlder names: fit, islands, peaks and spectrum are measure --show, merge is sweep --merge.\n"

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 enum class Dimension;
 }
 

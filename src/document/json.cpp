@@ -131,7 +131,7 @@ std::vector<double> Json::numbers() const {
 }
 
 Json json_document(std::string_view command) {
-    return {{"schema_version", 1}, {"fstiff_version", FSTIFF_VERSION}, {"command", command}};
+    return {{"schema_version", 1}, {"fstiff_version", FSTIFF_VERSION_TEXT}, {"command", command}};
 }
 
 }  // namespace fstiff::scene

@@ -3,7 +3,7 @@
 
 #include "io/unit_table.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 std::string_view title_unit(std::string_view title) {
     title = unquoted(title);
@@ -226,4 +226,4 @@ std::vector<bool> index_columns(const NumberTable& table) {
     return any ? index : std::vector<bool>();
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

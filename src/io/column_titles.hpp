@@ -14,7 +14,7 @@
 
 #include <fstiff/io/quantity.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// The length unit that a column title states, as in "x [um]", "x (um)", "x/um", "height in um", "um"; "" for none.
 std::string_view title_unit(std::string_view title);
@@ -61,4 +61,4 @@ bool counts_points(const NumberTable& table, std::size_t c, bool from_start);
 /// Which columns of \p table, whose rows are read, number its points; empty where none does.
 std::vector<bool> index_columns(const NumberTable& table);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

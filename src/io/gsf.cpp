@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gsf.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 bool is_gsf(std::string_view bytes) { return bytes.starts_with("Gwyddion Simple Field 1."); }
 
@@ -137,4 +137,4 @@ private:
 
 Reading read_gsf(std::string_view bytes, std::string_view name) { return detail::GsfReader(bytes, name).read(); }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -22,7 +22,7 @@
 
 #include <fstiff/io/quantity.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Whether \p bytes begin as a simple field does.
 [[nodiscard]] bool is_gsf(std::string_view bytes);
@@ -30,4 +30,4 @@ namespace fstiff::io {
 /// \throws domain_error naming file, field, value and what is allowed.
 [[nodiscard]] Reading read_gsf(std::string_view bytes, std::string_view name);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

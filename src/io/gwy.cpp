@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gwy.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 bool is_gwy(std::string_view bytes) { return bytes.starts_with("GWYP"); }
 
@@ -338,4 +338,4 @@ Reading read_gwy(std::string_view bytes, std::string_view name, std::string_view
     return detail::GwyReader(bytes, name, channel).read();
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -32,7 +32,7 @@
 
 #include <map>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Whether \p bytes begin as a file of Gwyddion 2 does.
 [[nodiscard]] bool is_gwy(std::string_view bytes);
@@ -42,4 +42,4 @@ namespace fstiff::io {
 /// \throws domain_error naming file, component, value and what is allowed.
 [[nodiscard]] Reading read_gwy(std::string_view bytes, std::string_view name, std::string_view channel = {});
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

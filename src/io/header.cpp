@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/header.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -275,4 +275,4 @@ std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
     return std::nullopt;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -9,9 +9,9 @@
 #include <span>
 #include <string_view>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Fills \p out with what the zlib stream \p stream holds. False where it is damaged, or holds more or fewer bytes.
 [[nodiscard]] bool inflate_zlib(std::string_view stream, std::span<char> out);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

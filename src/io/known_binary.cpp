@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/known_binary.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -81,4 +81,4 @@ bool may_hold_nul_bytes(std::string_view bytes) {
     return bytes.size() > 4 && (bytes.substr(1, 3) == "ISO" || bytes.substr(1, 3) == "BCR");
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

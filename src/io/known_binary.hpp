@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// What fstiff reads, for messages.
 inline constexpr std::string_view readable_forms =
@@ -23,4 +23,4 @@ std::string known_binary_refusal(std::string_view bytes);
 /// Whether a reader may want bytes that begin so, NUL bytes and all: of a binary form, or of text in UTF-16.
 bool may_hold_nul_bytes(std::string_view bytes);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

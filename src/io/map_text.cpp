@@ -3,7 +3,7 @@
 
 #include "io/matrix_unit.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -320,4 +320,4 @@ Reading read_map(detail::MapTable table, SurfaceFormat form, const SurfaceOption
     return detail::MapTextReader(std::move(table), form, options).read();
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

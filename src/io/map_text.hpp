@@ -26,10 +26,10 @@
 
 #include "io/map_table.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Reads what \p table has opened as \p form, triples or matrix; its text must outlive the call.
 /// \throws domain_error naming file, line, value and what is allowed.
 [[nodiscard]] Reading read_map(detail::MapTable table, SurfaceFormat form, const SurfaceOptions& options);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

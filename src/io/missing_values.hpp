@@ -15,7 +15,7 @@
 #include "io/lines.hpp"
 #include "io/option_names.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// What stands for a missing point beside an empty cell and the words of is_missing_word().
 struct MissingValues {
@@ -77,4 +77,4 @@ void mark_missing(double* heights, std::size_t count, const MissingValues& missi
                  ", and true heights confirmed by ", names.prefix, "missing", names.equals, "none"});
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

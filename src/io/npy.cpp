@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/npy.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 bool is_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
 
@@ -245,4 +245,4 @@ Reading read_npy(std::string_view bytes, std::string_view name, const SurfaceOpt
     return detail::NpyReader(bytes, name, options).read();
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -20,7 +20,7 @@
 #include "io/missing_values.hpp"
 #include "io/reading.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Whether \p bytes begin as an array of NumPy does.
 [[nodiscard]] bool is_npy(std::string_view bytes);
@@ -28,4 +28,4 @@ namespace fstiff::io {
 /// \throws domain_error naming file, field, value and what is allowed.
 [[nodiscard]] Reading read_npy(std::string_view bytes, std::string_view name, const SurfaceOptions& options);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

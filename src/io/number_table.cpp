@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/number_table.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -304,4 +304,4 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

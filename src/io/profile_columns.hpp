@@ -10,7 +10,7 @@
 
 #include "io/column_titles.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// What was given of the columns.
 struct ColumnChoice {
@@ -42,4 +42,4 @@ struct ProfileColumns {
 /// The columns of \p table, whose rows are read. \throws domain_error naming the file \p name.
 ProfileColumns profile_columns(const NumberTable& table, const std::string& name, const ColumnChoice& choice);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/profile_text.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -353,4 +353,4 @@ Reading read_profile(detail::NumberTable table, const std::string& name, const S
     return detail::ProfileTextReader(std::move(table), name, options).read();
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

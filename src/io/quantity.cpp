@@ -6,7 +6,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -113,4 +113,4 @@ double parse_angle(std::string_view text, std::string_view name) {
     return detail::finite(value / divisor.value, name, text);
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

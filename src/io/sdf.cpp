@@ -4,7 +4,7 @@
 #include "io/binary_numbers.hpp"
 #include "io/number_table.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -291,4 +291,4 @@ Reading read_sdf(std::string_view bytes, std::string_view name) {
     return detail::SdfReader(bytes, std::string(name)).read();
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -27,7 +27,7 @@
 
 #include <fstiff/io/quantity.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Whether \p bytes begin as a surface data file does.
 [[nodiscard]] bool is_sdf(std::string_view bytes);
@@ -35,4 +35,4 @@ namespace fstiff::io {
 /// \throws domain_error naming file, field, value and what is allowed.
 [[nodiscard]] Reading read_sdf(std::string_view bytes, std::string_view name);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

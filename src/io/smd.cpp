@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/smd.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -287,4 +287,4 @@ bool is_smd(std::string_view bytes) { return bytes.starts_with("ISO 5436") || de
 
 Reading read_smd(std::string_view bytes, std::string_view name) { return detail::SmdReader(bytes, name).read(); }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

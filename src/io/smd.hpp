@@ -30,7 +30,7 @@
 
 #include <fstiff/io/quantity.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Whether \p bytes begin as one of the two forms does.
 [[nodiscard]] bool is_smd(std::string_view bytes);
@@ -38,4 +38,4 @@ namespace fstiff::io {
 /// \throws domain_error naming file, line, value and what is allowed.
 [[nodiscard]] Reading read_smd(std::string_view bytes, std::string_view name);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

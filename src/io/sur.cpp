@@ -3,7 +3,7 @@
 
 #include "io/inflate.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 bool is_sur(std::string_view bytes) { return bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED"); }
 
@@ -209,4 +209,4 @@ Reading read_sur(std::string_view bytes, std::string_view name, const Inflate& i
     return detail::SurReader(bytes, name, inflate).read();
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

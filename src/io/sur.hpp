@@ -36,7 +36,7 @@
 #include <functional>
 #include <span>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Inflates a zlib stream into exactly as many bytes, or returns false: inflate_zlib() of io/inflate.hpp, or
 /// nothing where zlib is not there.
@@ -52,4 +52,4 @@ using Inflate = std::function<bool(std::string_view stream, std::span<char> out)
 /// allowed.
 [[nodiscard]] Reading read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate = {});
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

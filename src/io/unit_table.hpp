@@ -10,7 +10,7 @@
 #include <array>
 #include <numbers>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 struct Unit {
     Dimension dimension;
@@ -166,4 +166,4 @@ const Unit* find_unit(std::string_view text, Dimension dimension);
 
 const Unit& require_unit(std::string_view text, Dimension dimension);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -3,7 +3,7 @@
 
 #include <fstiff/core/error.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -95,4 +95,4 @@ std::string accepted_units(Dimension dimension) {
     return list;
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

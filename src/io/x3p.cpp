@@ -9,7 +9,7 @@
 
 #include <pugixml.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -331,4 +331,4 @@ Reading read_x3p(std::string_view bytes, std::string_view name, const SurfaceOpt
     return detail::X3pReader(bytes, std::string(name), options).read();
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

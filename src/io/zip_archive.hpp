@@ -16,7 +16,7 @@
 #include <memory>
 #include <utility>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -107,4 +107,4 @@ private:
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

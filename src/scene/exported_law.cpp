@@ -59,7 +59,7 @@ std::string heading_of(const Scene& scene, const LawInModel& law, const ExportRe
     const ModelUnits& units = law.units;
     std::string text;
     const auto say = [&](const std::string& line) { text += comment_of(request.to) + printable(line) + "\n"; };
-    say("fstiff " FSTIFF_VERSION ": contact law for " + std::string(name_of(request.to)) +
+    say("fstiff " FSTIFF_VERSION_TEXT ": contact law for " + std::string(name_of(request.to)) +
         ", pressure against overclosure; its slope is " + slope_of(table));
     say("scene     " + scene.name + " (" + scene.file + "), SHA-256 " + scene.sha256);
     for (const auto& [name, face] : measured_faces(scene))

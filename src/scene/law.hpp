@@ -31,13 +31,13 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 template <parts::ReadableReal T>
 class ContactLaw;
 template <parts::ReadableReal T>
 struct LawRange;
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1
 
 namespace fstiff::scene {
 

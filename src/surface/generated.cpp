@@ -95,7 +95,7 @@ Generated self_affine(const GenerateRequest& request, const WaveRange& waves) {
 std::string Generated::origin() const {
     std::string line;
     for (const auto& [name, value] : parameters) line += (line.empty() ? "" : ", ") + name + " " + value;
-    return "made by fstiff " FSTIFF_VERSION " generate (" + line + ")";
+    return "made by fstiff " FSTIFF_VERSION_TEXT " generate (" + line + ")";
 }
 
 Generated generate(const GenerateRequest& given) {

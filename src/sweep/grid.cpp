@@ -382,7 +382,7 @@ Grid read_grid(const std::string& text, const std::string& file) {
     }
     read_sweep(source, sweep ? sweep->as_table() : nullptr, grid);
     grid.size = count_scenes(source, finder.all, grid);
-    std::string hashed = "fstiff sweep " FSTIFF_VERSION "\n" + scene::sha256(text) + "\n";
+    std::string hashed = "fstiff sweep " FSTIFF_VERSION_TEXT "\n" + scene::sha256(text) + "\n";
     if (const toml::node* surface = root.get("surface")) add_files(source, *surface, false, grid.files);
     for (const std::string& named : grid.files) add_hash(hashed, named);
     grid.hash = scene::sha256(hashed);

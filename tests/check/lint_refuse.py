@@ -256,7 +256,7 @@ def on_documents(compiler, flags, eigen):
 
 
 API = """// SPDX
-namespace fstiff {
+namespace fstiff::inline v1_2 {
 namespace parts {
 struct Step {};
 }  // namespace parts
@@ -273,15 +273,18 @@ template <class T>
 concept IsLaw = requires(T t) { t.f(); } && true;
 /// Least.
 template <class T> inline constexpr T least{1};
-}  // namespace fstiff
+}  // namespace fstiff::inline v1_2
 """
+VERSION = ("include/fstiff/core/version.hpp", "#define FSTIFF_VERSION_MAJOR 1\n#define FSTIFF_VERSION_MINOR 2\n")
 LISTED = ("<!-- api -->\n\n### fstiff/law.hpp\n\n| name | what it is |\n|---|---|\n| `Law` | A law. |\n"
           "| `load` | Its load. |\n| `IsLaw` | Whether it is one. |\n| `least` | Least. |\n<!-- /api -->\n")
-APIS = [("", "docs/api.md", LISTED, "include/fstiff/law.hpp", API),
-        ("does not list", "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. |\n", ""), "include/fstiff/law.hpp", API),
-        ("load is public and has no comment", "docs/api.md", LISTED, "include/fstiff/law.hpp", API.replace("/// Its load.\n", "")),
-        ("have 5 names, more than 4", "docs/api.md", LISTED, "include/fstiff/law.hpp",
-         API.replace("}  // namespace fstiff\n", "/// One.\nint one();\n}  // namespace fstiff\n"))]
+APIS = [("", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp", API),
+        ("Law is in fstiff, not in fstiff::inline v1_2", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp",
+         API.replace("::inline v1_2", "")),
+        ("does not list", *VERSION, "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. |\n", ""), "include/fstiff/law.hpp", API),
+        ("load is public and has no comment", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp", API.replace("/// Its load.\n", "")),
+        ("have 5 names, more than 4", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp",
+         API.replace("}  // namespace fstiff:", "/// One.\nint one();\n}  // namespace fstiff:"))]
 
 
 def as_command(expected_code, expected, *arguments):

@@ -66,4 +66,6 @@ endif()
 configure(own-twice "Eigen of fstiff: [^ ]*/eigen-5.0.1 " -DCMAKE_PREFIX_PATH=${WORK}/own-installed/prefix -DEigen3_DIR=${WORK}/eigen-5.0.1)
 
 configure(component-io "Eigen of fstiff: " ${package} -DCOMPONENTS=io)
-configure(component "refused:.*there is no component \"nonsense\"; there is io" ${package} -DCOMPONENTS=nonsense)
+configure(component-dev "Eigen of fstiff: " ${package} -DCOMPONENTS=dev)
+configure(component-c "refused:.*component c is not installed" ${package} -DCOMPONENTS=c)
+configure(component "refused:.*there is no component \"nonsense\"; there are dev, io and c" ${package} -DCOMPONENTS=nonsense)

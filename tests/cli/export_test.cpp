@@ -76,7 +76,7 @@ TEST_CASE("The ends of the table are as far apart as the separations that run pr
 TEST_CASE("The comments say where the table comes from and what it is good for") {
     const std::string text = test::run_fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
     for (const std::string part :
-         {"** fstiff " FSTIFF_VERSION
+         {"** fstiff " FSTIFF_VERSION_TEXT
           ": contact law for calculix, pressure against overclosure; its slope is -dp/dd, which is K of law hertz\n",
           "(built-in scene), SHA-256 ",
           "hertz, theta = 1.0472, r = ", "mm, N, MPa; pressure [MPa] against overclosure [mm]", "0.1 to 100 MPa",

@@ -28,7 +28,7 @@ TEST_CASE("The example at the end of every --help works as pasted") {
 
 TEST_CASE("The version is that of the library") {
     for (const char* way : {"--version", "-V", "version"})
-        CHECK(test::run_fstiff(way).out == "fstiff " FSTIFF_VERSION "\n");
+        CHECK(test::run_fstiff(way).out == "fstiff " FSTIFF_VERSION_TEXT "\n");
 }
 
 TEST_CASE("Wrong use ends with exit code 2 and one sentence") {

@@ -31,6 +31,13 @@ struct HertzByUser {
     auto area(const auto& omega, double radius) const { return (pi * radius * omega).eval(); }
 };
 
+/// Hertz as plain functions of numbers.
+struct PlainHertz {
+    double load(double omega, double radius) const { return 4.0 / 3 * std::sqrt(radius * omega) * omega; }
+    double stiffness(double omega, double radius) const { return 2 * std::sqrt(radius * omega); }
+    double area(double omega, double radius) const { return pi * radius * omega; }
+};
+
 /// Abbott and Firestone: mean pressure H, elastic on unloading.
 struct PlasticByUser {
     double hardness_over_modulus;
@@ -121,6 +128,12 @@ TEST_CASE("a law without powers gives what its powers give") {
     for (const parts::Heights heights : {parts::Heights::gaussian, parts::Heights::exponential})
         same(RoughContact(fine, parts::SingleRadius<double>{heights}, HertzByUser{}, modulus),
              GreenwoodWilliamson<double>(fine, modulus, heights), 1e-10);
+}
+
+TEST_CASE("a law of plain functions gives what one of arrays gives") {
+    const PeakDistribution<double> peaks(0.5, 1.0);
+    // the rule in two dimensions is told nothing of the root that the plain law has at omega = 0
+    same(RoughContact(fine, peaks, PlainHertz{}, modulus), RoughContact(fine, peaks, HertzLaw<double>{}, modulus), 1e-9);
 }
 
 TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {

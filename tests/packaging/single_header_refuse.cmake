@@ -5,7 +5,7 @@ file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/tools/make_single_header.py DESTINATION ${WORK}/tools)
 file(COPY ${SOURCE}/LICENSE DESTINATION ${WORK})
 set(head "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n")
-file(WRITE ${WORK}/include/fstiff/core/version.hpp "${head}#include <cmath>\n#define FSTIFF_VERSION \"1.2.3\"\n")
+file(WRITE ${WORK}/include/fstiff/core/version.hpp "${head}#include <cmath>\n#define FSTIFF_VERSION_TEXT \"1.2.3\"\n")
 
 # header(text): what the script makes of a header of this text; error holds what it says, empty when all is well.
 function(header text)
@@ -17,7 +17,7 @@ function(header text)
 endfunction()
 
 header("${head}#include <fstiff/core/version.hpp>\n#include <cmath>\nint last;\n")
-if(NOT made MATCHES "fstiff 1.2.3.*#include <cmath>\n#define FSTIFF_VERSION \"1.2.3\"\n// ---- fstiff/fstiff.hpp\nint last;\n" OR error)
+if(NOT made MATCHES "fstiff 1.2.3.*#include <cmath>\n#define FSTIFF_VERSION_TEXT \"1.2.3\"\n// ---- fstiff/fstiff.hpp\nint last;\n" OR error)
     message(FATAL_ERROR "made:\n${made}${error}")
 endif()
 function(refuses text expected)

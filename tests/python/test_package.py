@@ -23,7 +23,7 @@ def test_the_import_takes_no_numpy():
 
 def test_the_version_is_that_of_the_library(root):
     header = (root / "include" / "fstiff" / "core" / "version.hpp").read_text()
-    assert fstiff.__version__ == re.search(r'define FSTIFF_VERSION "([^"]+)"', header)[1]
+    assert fstiff.__version__ == re.search(r'define FSTIFF_VERSION_TEXT "([^"]+)"', header)[1]
 
 
 def test_every_public_name_has_a_docstring():

@@ -26,7 +26,7 @@
 #include <limits>
 #include <string_view>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// k of the bodies in series, 2 k1 k2/(k1 + k2); 0 where one does not conduct. \throws domain_error unless both are
 /// finite and not negative.
@@ -116,4 +116,4 @@ template <Real T>
 }
 
 }  // namespace parts
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -21,7 +21,7 @@
 
 #include <algorithm>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// The ellipse of contact of two principal curvatures.
 template <Real T = double>
@@ -99,4 +99,4 @@ template <Real T>
             numbers::pi_v<T> * radius * ellipse.size_factor * ellipse.size_factor / f2, ellipse.axis_ratio};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -22,7 +22,7 @@
 
 #include <algorithm>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// q = 1 - cos(pi l_t/l) of eq. (3.4), formed as 2 sin^2(pi l_t/(2l)): no digits are lost for small l_t/l.
 /// \throws domain_error unless l > 0 and 0 <= l_t <= l.
@@ -166,4 +166,4 @@ private:
     T share_;
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -19,7 +19,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for
 /// approaches \p omega [m] (a number or an Eigen array) and the radius \p radius [m].
@@ -139,4 +139,4 @@ struct FractalConsistentLaw : parts::ElasticLaw<T> {
                                   parts::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

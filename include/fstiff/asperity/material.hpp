@@ -12,7 +12,7 @@
 
 #include <fstiff/core/error.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Elastic constants of one body.
 template <Real T = double>
@@ -34,4 +34,4 @@ template <Real T>
     return 1 / (compliance(upper) + compliance(lower));
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

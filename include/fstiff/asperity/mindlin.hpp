@@ -17,7 +17,7 @@
 
 #include <fstiff/asperity/material.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// K_t/K_n of contacts between \p upper and \p lower. \throws domain_error naming the constant that is out of range.
 template <Real T>
@@ -32,4 +32,4 @@ template <Real T>
            ((2 - upper.poisson_ratio) * w1 + (2 - lower.poisson_ratio) * w2);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -27,7 +27,7 @@
 #include <array>
 #include <string_view>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// A row of the table.
 struct NamedMaterial {
@@ -76,4 +76,4 @@ inline constexpr std::array<NamedMaterial, 12> named_materials{
     return nullptr;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

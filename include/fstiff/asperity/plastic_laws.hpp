@@ -27,7 +27,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What is known of the softer of the two bodies, and the modulus of their contact.
 template <Real T = double>
@@ -227,4 +227,4 @@ private:
     T k_{}, hard_{}, critical_strain_{};
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

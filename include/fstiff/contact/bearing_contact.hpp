@@ -26,7 +26,7 @@
 
 #include <memory>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// d_g/sigma of Persson's contact over ln p, by cubics between knots, up to 2 E g and down to where it is \p furthest.
 template <Real T>
@@ -295,4 +295,4 @@ private:
 template <class Of, class Bearing>
 ScaledContact(Of, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<Of>().rms_height())>, Of>;
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -29,7 +29,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// The elastic half space, or one with a hardness, solved on a map.
 template <Real T = double>
@@ -112,4 +112,4 @@ private:
     HeightMap<T> map_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

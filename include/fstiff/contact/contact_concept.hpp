@@ -8,7 +8,7 @@
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -64,4 +64,4 @@ template <class C>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -17,7 +17,7 @@
 
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -61,4 +61,4 @@ template <class Separations, detail::HasSeparations<typename Separations::value_
     return curve;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -23,7 +23,7 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -189,4 +189,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

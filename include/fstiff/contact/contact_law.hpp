@@ -27,7 +27,7 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -388,4 +388,4 @@ private:
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

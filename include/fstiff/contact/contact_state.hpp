@@ -13,7 +13,7 @@
 
 #include <optional>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Quantities that were not asked for are 0, with 0 evaluations.
 template <Real T = double>
@@ -179,4 +179,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

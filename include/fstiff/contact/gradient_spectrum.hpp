@@ -16,7 +16,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// The measure dG/q of a spectrum in pieces: q(G) = (low + rate (G^2 - from^2))^power, smooth within each piece.
 template <class S>
@@ -68,4 +68,4 @@ std::vector<GradientPiece<S>> gradient_pieces(const SpectrumShells<T>& spectrum)
     return pieces;
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

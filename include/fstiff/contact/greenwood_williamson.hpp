@@ -16,7 +16,7 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// The contact of peaks of one radius, which Hertz pressed: RoughContact with SingleRadius.
 template <Real T = double>
@@ -28,4 +28,4 @@ struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>
                                                         effective_modulus, options) {}
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

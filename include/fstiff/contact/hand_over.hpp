@@ -20,7 +20,7 @@
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// From the summits of a map to its crowded contact.
 template <Real T = double>
@@ -118,4 +118,4 @@ template <Real T>
     return HandOver<T>(low, std::move(ratios), std::log(crowded.stiffness(std::exp(low))), alone);
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -22,7 +22,7 @@
 
 #include <atomic>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -166,4 +166,4 @@ private:
     std::shared_ptr<Knots> knots_ = std::make_shared<Knots>();  ///< copies share it
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -28,7 +28,7 @@
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -147,4 +147,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -17,7 +17,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// How (4.11) is read.
 enum class InteractionReading {
@@ -62,4 +62,4 @@ struct Interaction {
     }
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

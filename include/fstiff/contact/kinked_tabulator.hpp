@@ -21,7 +21,7 @@
 
 #include <functional>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// The state of a law at one pressure.
 template <parts::ReadableReal T>
@@ -213,4 +213,4 @@ private:
     std::vector<Node> nodes_;  ///< by pressure
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

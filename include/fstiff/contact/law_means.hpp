@@ -15,7 +15,7 @@
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/math/double_exponential.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// A function of excess height and curvature with \p count kinks, called through a virtual function: the rule in two
 /// dimensions, which takes far longer to compile than any law, is compiled once for each count instead of once for each
@@ -83,6 +83,15 @@ constexpr parts::Axis axis_of() {
         return parts::Axis::graded;
 }
 
+/// \p f of all approaches at once, or of one after the other where it is a function of numbers.
+template <Real T, class F>
+TensorLanes<T> of_lanes(const TensorLanes<T>& omega, const F& f) {
+    if constexpr (requires { f(omega); })
+        return f(omega);
+    else
+        return omega.unaryExpr([&f](T one) { return static_cast<T>(f(one)); });
+}
+
 /// Load, stiffness, area and -dp/dd of any law; the contacts are left 0. \p mean(f) is the mean of f(omega, R) over the
 /// peaks, \p mean_of_area the same for an area, and \p mean_of_loading(f) the slope of the mean of f against -eta.
 template <Real T, class Law, class Mean, class MeanOfArea, class MeanOfLoading>
@@ -90,14 +99,14 @@ LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wa
                         const MeanOfArea& mean_of_area, const MeanOfLoading& mean_of_loading) {
     const T sigma = scales.rms_height, density = scales.peak_density, modulus = scales.effective_modulus;
     // in units of sigma, so that no intermediate result is tiny
-    const auto load = [&law, sigma](const auto& omega, T radius) -> TensorLanes<T> {
-        return law.load(omega, radius) / (sigma * sigma);
+    const auto load = [&law, sigma](const TensorLanes<T>& omega, T r) -> TensorLanes<T> {
+        return of_lanes(omega, [&](const auto& w) -> decltype(law.load(w, r)) { return law.load(w, r); }) / (sigma * sigma);
     };
-    const auto stiffness = [&law, sigma](const auto& omega, T radius) -> TensorLanes<T> {
-        return law.stiffness(omega, radius) / sigma;
+    const auto stiffness = [&law, sigma](const TensorLanes<T>& omega, T r) -> TensorLanes<T> {
+        return of_lanes(omega, [&](const auto& w) -> decltype(law.stiffness(w, r)) { return law.stiffness(w, r); }) / sigma;
     };
-    const auto area = [&law, sigma](const auto& omega, T radius) -> TensorLanes<T> {
-        return law.area(omega, radius) / (sigma * sigma);
+    const auto area = [&law, sigma](const TensorLanes<T>& omega, T r) -> TensorLanes<T> {
+        return of_lanes(omega, [&](const auto& w) -> decltype(law.area(w, r)) { return law.area(w, r); }) / (sigma * sigma);
     };
     LawSums<T> out;
     if (parts::has(wanted, Quantity::pressure)) out.load = mean(load) * (modulus * density * sigma * sigma);
@@ -236,4 +245,4 @@ private:
     T tolerance_;
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

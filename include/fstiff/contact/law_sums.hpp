@@ -23,11 +23,22 @@
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
-/// A law that any contact takes: given its powers, or as functions of an array of approaches and a radius.
+// A function of an approach, or of an array of eight, and of a radius.
 template <class Law, class T>
-concept ContactableLaw = parts::PowerLaw<Law, T> || AsperityLaw<Law, Eigen::Array<T, 8, 1>, T>;
+concept HasLoad = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) { law.load(omega, radius); } ||
+    requires(const Law& law, T omega, T radius) { law.load(omega, radius); };
+template <class Law, class T>
+concept HasStiffness = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) { law.stiffness(omega, radius); } ||
+    requires(const Law& law, T omega, T radius) { law.stiffness(omega, radius); };
+template <class Law, class T>
+concept HasArea = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) { law.area(omega, radius); } ||
+    requires(const Law& law, T omega, T radius) { law.area(omega, radius); };
+
+/// A law that any contact takes: given its powers, or as three functions.
+template <class Law, class T>
+concept ContactableLaw = parts::PowerLaw<Law, T> || (HasLoad<Law, T> && HasStiffness<Law, T> && HasArea<Law, T>);
 
 /// The sums over the peaks per nominal area, each times exp(log_scale); what is not asked for is 0.
 template <Real T>
@@ -178,4 +189,4 @@ private:
     Quantity wanted_;
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -21,7 +21,7 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -310,4 +310,4 @@ struct LawTables {
 
 }  // namespace detail
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

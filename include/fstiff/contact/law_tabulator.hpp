@@ -21,7 +21,7 @@
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// The work of ContactLaw::tabulate, in the order of its functions.
 template <parts::ReadableReal T, class Contact>
@@ -299,4 +299,4 @@ template <parts::ReadableReal T, class Contact>
     return KinkedTabulator<T>(at, ratio, contact.rms_height()).tabulate(min_pressure, max_pressure);
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -16,7 +16,7 @@
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/core/error.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 template <parts::ReadableReal T>
 [[nodiscard]] std::string law_text_head(int version) {
@@ -163,4 +163,4 @@ private:
     T closest_{}, furthest_{};
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -14,7 +14,7 @@
 
 #include <fstiff/core/error.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 template <Real T>
 inline constexpr T linear_law_factor = T(0.48);  ///< gamma
@@ -28,4 +28,4 @@ template <Real T>
     return pressure / (linear_law_factor<T> * rms_height);
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -18,7 +18,7 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// How deep the peaks are pressed in, as means over the load that they carry.
 template <Real T = double>
@@ -87,4 +87,4 @@ requires requires(const Law& law) { law.critical(T(1)); }
     return load_means(contact, eta, static_cast<T>(contact.law().critical(T(1))));
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// The mean over \p C, one contact for each shift.
 template <class C>
@@ -108,4 +108,4 @@ private:
     std::vector<C> contacts_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

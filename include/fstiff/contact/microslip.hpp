@@ -26,7 +26,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// K ~ p^growth while the contact opens.
 template <Real T>
@@ -85,4 +85,4 @@ template <Real T, class Unloading>
     return slipped > 0 ? 4 / std::numbers::pi_v<T> * excess / slipped : T(0);
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -26,7 +26,7 @@
 #include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/topography/summits.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// What the push of the others does to the contacts, from which follows how far K can be trusted.
 template <Real T = double>
@@ -338,4 +338,4 @@ private:
     std::vector<EllipticHertz<T>> hertz_;
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

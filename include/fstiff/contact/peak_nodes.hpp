@@ -20,7 +20,7 @@
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// One evaluation: the parameters that all nodes share.
 template <Real T>
@@ -293,4 +293,4 @@ T visit_nodes(const PeakProblem<T>& p, T log_accuracy, Sink& sink) {
                                                           : visit_graded(p, graded_step, sink);
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -12,7 +12,7 @@
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// J of up to four powers a = 0, 1/2, 1, 3/2 at once, without the factor c^a/(2 theta) exp(-floor^2/2), by a
 /// trapezoidal rule of step h, and the relative error that its nodes tell of.
@@ -31,9 +31,9 @@ EIGEN_ALWAYS_INLINE T rough_eighth_root(T x) {
         std::bit_cast<double>(std::bit_cast<std::uint64_t>(static_cast<double>(x)) / 8 + one / 8 * 7));
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Sums of the eight rules of step 8h times \p step, and the error of the trapezoidal rule relative to each.
 ///
@@ -74,9 +74,9 @@ detail::PeakSums<T> finish(const std::array<math::Lanes<T, 4>, 8>& sums, const m
     return out;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// What is asked for: minus_two_b[i] is -2b (0, 1 or 2) for a = i/2, or absent.
 inline constexpr int absent = -1;
@@ -176,4 +176,4 @@ private:
     alignas(64) T erf_[PeakNodes<T>::capacity];
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -25,7 +25,7 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -341,4 +341,4 @@ private:
     std::vector<S> inverse_, weight_;  ///< 1/G and the weights of f, panel by panel from the top
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

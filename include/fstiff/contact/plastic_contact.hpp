@@ -27,7 +27,7 @@
 #include <atomic>
 #include <memory>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -282,4 +282,4 @@ template <class Elastic, class Cut, class... Numbers>
 PlasticContact(Elastic, Cut, Numbers...)
     -> PlasticContact<std::remove_cvref_t<decltype(std::declval<Elastic>().rms_height())>, Elastic, Cut>;
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

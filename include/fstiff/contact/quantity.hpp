@@ -5,7 +5,7 @@
 
 #include <fstiff/core/config.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What is to be computed; join several by |.
 enum class Quantity : unsigned {
@@ -38,4 +38,4 @@ namespace parts {
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -30,7 +30,7 @@
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -77,16 +77,12 @@ template <Real T>
 /// The contact of a distribution of peaks, each of which obeys one law: load, stiffness, area and number.
 template <Real T, class Law, class Peaks = PeakDistribution<T>>
 class RoughContact {
-    using Approaches = Eigen::Array<T, 8, 1>;
-    static_assert(
-        parts::PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.load(x, r); },
-        "this law has no member load(omega, radius) for an Eigen array and a number, nor factors and powers");
-    static_assert(
-        parts::PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.stiffness(x, r); },
-        "this law has no member stiffness(omega, radius) for an Eigen array and a number");
-    static_assert(
-        parts::PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.area(x, r); },
-        "this law has no member area(omega, radius) for an Eigen array and a number");
+    static_assert(parts::PowerLaw<Law, T> || detail::HasLoad<Law, T>,
+                  "this law has no member load(omega, radius) for numbers or an Eigen array, nor factors and powers");
+    static_assert(parts::PowerLaw<Law, T> || detail::HasStiffness<Law, T>,
+                  "this law has no member stiffness(omega, radius) for numbers or an Eigen array");
+    static_assert(parts::PowerLaw<Law, T> || detail::HasArea<Law, T>,
+                  "this law has no member area(omega, radius) for numbers or an Eigen array");
 
 public:
     /// \throws domain_error naming the parameter that is out of range.
@@ -315,4 +311,4 @@ private:
     T bulk_compliance_{};  ///< L/E [m/Pa], 0 without interaction
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -25,7 +25,7 @@
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/roughness.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// K at a pressure and its derivatives at constant pressure.
 template <Real T = double>
@@ -372,4 +372,4 @@ template <Real T>
     return out;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -20,7 +20,7 @@
 #include <functional>
 #include <map>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Four neighbouring nodes and their weights.
 template <Real T>
@@ -124,4 +124,4 @@ private:
     mutable std::map<std::pair<int, int>, Node> nodes_;  ///< by alpha and H
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

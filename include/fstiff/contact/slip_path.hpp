@@ -20,7 +20,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What a contact remembers of its slip: the levels that are dragged, and by how much. \p Directions is 1 for a plane
 /// model and 2 for a body. Plain numbers: copy it, and keep it with the other variables of a step.
@@ -248,4 +248,4 @@ private:
 };
 
 }  // namespace detail
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -11,7 +11,7 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/root.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// \p Derived has at_pressure, at_separation, log_pressure and rms_height.
 template <class Derived, Real T>
@@ -94,4 +94,4 @@ private:
     }
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -23,7 +23,7 @@
 
 #include <iterator>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -145,4 +145,4 @@ private:
     std::vector<T> height_, load_factor_, area_factor_;  ///< the highest first
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -35,7 +35,7 @@
 
 #include <numbers>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// p, q and their derivatives under a separation and tangential displacements. Threads may share one.
 template <parts::ReadableReal T = double>
@@ -181,4 +181,4 @@ private:
     T friction_, ratio_, widening_;  ///< widening_: of the separation where spots stick, k/mu
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

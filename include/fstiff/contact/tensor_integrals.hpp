@@ -24,7 +24,7 @@
 
 #include <tuple>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// How the nodes approach t = 0 and excess = 0.
 enum class Axis {
@@ -303,4 +303,4 @@ template <Real T>
     return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -13,7 +13,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 template <Real T>
 using TensorLanes = Eigen::Array<T, 8, 1>;
@@ -235,4 +235,4 @@ struct TensorRows {
     }
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

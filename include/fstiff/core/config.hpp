@@ -32,6 +32,8 @@
 #error "fstiff needs every operation rounded, not the 64 bits of x87: use -msse2 -mfpmath=sse or /arch:SSE2"
 #endif
 
+#include <fstiff/core/version.hpp>
+
 #include <version>
 
 // Of functions that are rarely called, and of such that a program should hold once: a hint to compilers that know it.

@@ -22,7 +22,7 @@
 #include <string_view>
 #include <utility>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -226,4 +226,4 @@ constexpr void require_positive(std::string_view parameter, T value) {
     require(value > T(0) && value <= (std::numeric_limits<T>::max)(), parameter, value, "finite and greater than 0");
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// \p error is an absolute bound on |value - true value|, in the units of \p value; inputs count as exact.
 template <Real T = double>
@@ -27,4 +27,4 @@ template <Real T>
             estimate.evaluations};
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

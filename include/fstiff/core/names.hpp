@@ -21,7 +21,7 @@
 #include <array>
 #include <optional>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -102,4 +102,4 @@ template <parts::NamedEnum Enum>
     parts::refuse(parameter, "\"" + std::string(text) + "\"", "one of " + parts::choices_text<Enum>());
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

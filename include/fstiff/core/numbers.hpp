@@ -8,7 +8,7 @@
 
 #include <fstiff/core/concepts.hpp>
 
-namespace fstiff::numbers {
+namespace fstiff::inline v0_1::numbers {
 
 template <Real T>
 inline constexpr T pi_v = static_cast<T>(3.14159265358979323846264338327950288419716939937510L);
@@ -21,4 +21,4 @@ inline constexpr T ln2_v = static_cast<T>(0.693147180559945309417232121458176568
 template <Real T>
 inline constexpr T ln10_v = static_cast<T>(2.30258509299404568401799145468436420760110148862877L);
 
-}  // namespace fstiff::numbers
+}  // namespace fstiff::inline v0_1::numbers

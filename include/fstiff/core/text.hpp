@@ -26,7 +26,7 @@
 #include <string>
 #include <system_error>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// float or double: what can be read back.
 template <class T>
@@ -206,4 +206,4 @@ template <ReadableReal T>
     }
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -19,7 +19,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/fit/identify.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What may be wrong about a fit.
 enum class FitConcern {
@@ -148,4 +148,4 @@ template <Real T>
     return findings;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -15,7 +15,7 @@
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Values of all parameters: those that are fitted start from here, the others stay.
 template <Real T = double>
@@ -224,4 +224,4 @@ private:
 };
 
 }  // namespace detail
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

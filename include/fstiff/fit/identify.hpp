@@ -21,7 +21,7 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What was measured, and how the fit is done.
 template <Real T = double>
@@ -243,4 +243,4 @@ template <Real T, class MakeLaw>
     return parts::fit_of(model, start, options.search);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -40,7 +40,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -367,4 +367,4 @@ Eigen::Index BoundaryElements<T>::count_spots() const {
     return spots;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// What conjugate gradients found.
 template <Real T = double>
@@ -205,4 +205,4 @@ private:
     detail::SurfaceCompliance<T> compliance_;
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -36,7 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Where the sum over images ends and the grid takes over: 2e-9 of the largest deflection.
 struct FineSplit {
@@ -267,4 +267,4 @@ private:
     std::vector<T> near_value_;
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -25,7 +25,7 @@
 #include <limits>
 #include <utility>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// Multiplies each wave of a field by a number.
 template <Real T>
@@ -127,4 +127,4 @@ private:
     detail::WaveFactors<T> compliance_;
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

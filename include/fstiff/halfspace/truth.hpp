@@ -22,7 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -83,4 +83,4 @@ template <Real T, class Pressures>
     return points;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -16,7 +16,7 @@
 
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// A decimal number without a unit. \throws domain_error naming \p name when \p text is anything else.
 [[nodiscard]] double parse_number(std::string_view text, std::string_view name);
@@ -29,4 +29,4 @@ namespace fstiff::io {
 /// \throws domain_error naming \p name and the accepted forms.
 [[nodiscard]] double parse_angle(std::string_view text, std::string_view name);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -34,7 +34,7 @@
 #include <variant>
 #include <vector>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// The forms of files that are read.
 enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd };
@@ -43,9 +43,9 @@ enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p, npy, g
 /// programs write an increment that is not to be applied to them.
 enum class X3pIncrement { apply, ignore };
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 template <>
 inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
@@ -65,9 +65,9 @@ template <>
 inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
                                                                              {io::X3pIncrement::ignore, "ignore"}});
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "gwy", "sur", "smd" or "auto". \throws domain_error
 /// listing them.
@@ -192,4 +192,4 @@ struct ReadSurface {
     return detail::surface_of(detail::read(path, options));
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

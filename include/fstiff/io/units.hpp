@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// The kinds of quantities that have units.
 enum class Dimension {
@@ -39,9 +39,9 @@ enum class Dimension {
     temperature
 };
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// As messages call them.
 template <>
@@ -64,9 +64,9 @@ inline constexpr auto names<io::Dimension> = name_list<io::Dimension>({
     {io::Dimension::temperature, "temperature"},
 });
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// What one \p unit of \p dimension is in SI units.
 /// \throws domain_error listing the accepted units.
@@ -78,4 +78,4 @@ namespace fstiff::io {
 /// The units of \p dimension as messages list them: "m, km, cm, mm, um".
 [[nodiscard]] std::string accepted_units(Dimension dimension);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -22,23 +22,23 @@
 #include <iosfwd>
 #include <string>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// How the text of a map is laid out.
 enum class MapForm { automatic, triples, matrix };
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 template <>
 inline constexpr auto names<io::MapForm> = name_list<io::MapForm>({{io::MapForm::automatic, "automatic"},
                                                                    {io::MapForm::triples, "triples"},
                                                                    {io::MapForm::matrix, "matrix"}});
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// \throws domain_error when the profile is not valid, file_error when the output does not take it.
 void write_csv(std::ostream& output, const Profile<double>& profile);
@@ -58,4 +58,4 @@ void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOpti
 /// As a file of one profile, whose Yscale is the spacing too.
 void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options = {});
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// The type in which numbers of type \p T are added up: double for float.
 template <Real T>
@@ -54,4 +54,4 @@ template <Real T>
     return std::ldexp(T(1), exponent - 1);
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

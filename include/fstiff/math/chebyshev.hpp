@@ -21,7 +21,7 @@
 #include <numbers>
 #include <vector>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// Does not allocate.
 template <Real T = double>
@@ -209,4 +209,4 @@ private:
     std::array<std::array<T, size>, size> inverse_;  ///< by columns
 };
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 template <Real T>
 T dot(const T* a, const T* b, Eigen::Index count) {
@@ -221,4 +221,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

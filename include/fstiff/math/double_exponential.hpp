@@ -21,7 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// The sum over j of map(j step) -> {x, dx/dy}, from y = \p low to \p high, of \p f, refined until it settles.
 template <Real T, class F, class Map>
@@ -75,4 +75,4 @@ Estimate<T> integral_over_half_line(const F& f, T a, T size, T reach, T relative
     return double_exponential(f, map, low, std::log(reach / size) + size / reach, relative_tolerance);
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

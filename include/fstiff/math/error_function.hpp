@@ -17,7 +17,7 @@
 
 #include <span>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// c[0] + c[1] u + c[2] u^2 + ..., even and odd powers apart: one sum alone waits for each multiplication.
 template <Real T>
@@ -82,4 +82,4 @@ EIGEN_DONT_INLINE void erf_of_eight(const T* t, T k, T* out) {
     for (int i = 0; i < 8; ++i) out[i] = static_cast<T>(value[i]);
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

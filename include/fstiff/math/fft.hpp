@@ -35,7 +35,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// The least multiple of 4 that has no prime factor above 5 and holds \p points. \throws domain_error beyond 2^30.
 [[nodiscard]] inline std::size_t fast_fft_size(std::size_t points) {
@@ -176,4 +176,4 @@ private:
     std::vector<std::complex<T>> in_, out_;
 };
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

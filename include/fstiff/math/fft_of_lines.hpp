@@ -16,7 +16,7 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/lanes.hpp>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// Transforms of `width` complex lines of one length; keeps its phases and its working space.
 template <Real T>
@@ -165,4 +165,4 @@ private:
     std::vector<T> re_, im_;
 };
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// Nodes and weights of Gauss and Legendre's rule of N points on (-1, 1).
 template <Real T, std::size_t N>
@@ -50,4 +50,4 @@ struct GaussLegendre {
     }
 };
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

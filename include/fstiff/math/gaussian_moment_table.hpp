@@ -4,10 +4,12 @@
 /// Coefficients of gaussian_moment.hpp and of error_function.hpp in double, made by
 /// tools/make_gaussian_moment_table.py, which names the pieces and the variables.
 
+#include <fstiff/core/config.hpp>
+
 #include <array>
 #include <type_traits>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 // clang-format off
 /// The scalar in which a function of T that rests on these tables is computed.
@@ -178,4 +180,4 @@ struct ErfTable<double> {
 };
 // clang-format on
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

@@ -6,7 +6,7 @@
 
 #include <fstiff/math/gaussian_moment_table.hpp>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 // clang-format off
 template <>
@@ -163,4 +163,4 @@ struct ErfTable<long double> {
 };
 // clang-format on
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

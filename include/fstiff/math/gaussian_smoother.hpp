@@ -14,7 +14,7 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// The sums above for data of one size; keeps the transform of the weights from call to call.
 template <Real T = double>
@@ -82,4 +82,4 @@ private:
     std::vector<T> re_, im_;
 };
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

@@ -20,7 +20,7 @@
 
 #include <algorithm>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace math {
 
@@ -170,4 +170,4 @@ template <Real T, class Evaluate>
 
 }  // namespace math
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

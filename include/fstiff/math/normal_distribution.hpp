@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// phi(z).
 template <Real T>
@@ -86,4 +86,4 @@ template <Real T>
     return static_cast<T>(z);
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

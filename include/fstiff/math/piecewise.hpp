@@ -28,7 +28,7 @@
 #include <limits>
 #include <vector>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// The bits of a float or double as a number: for numbers from 0 on they are in the order of the numbers, and those of
 /// all negative numbers and NaN come after that of infinity.
@@ -246,4 +246,4 @@ struct UniformPieces {
     }
 };
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

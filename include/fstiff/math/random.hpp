@@ -13,7 +13,7 @@
 #include <complex>
 #include <cstdint>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// 64 well-mixed bits a call; \p state is any number at first.
 constexpr std::uint64_t splitmix64(std::uint64_t& state) {
@@ -32,4 +32,4 @@ template <Real T>
     return std::polar(std::sqrt(-2 * std::log(uniform)), 2 * numbers::pi_v<T> * turn);
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

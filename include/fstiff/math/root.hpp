@@ -23,7 +23,7 @@
 #include <numeric>
 #include <utility>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// How a search for a root ended.
 enum class RootStatus {
@@ -123,4 +123,4 @@ template <Real T, class F>
     return {x, high - low, (std::max)(max_iterations, 0), RootStatus::not_converged};
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

@@ -17,7 +17,7 @@
 
 #include <algorithm>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// The largest step, not below \p least, of which all differences of neighbours are multiples to within \p tolerance; 0
 /// when there is none. Stops at the first difference that shows it.
@@ -75,4 +75,4 @@ void require_more_than_rounding(const std::string& surface, std::string_view for
                            "heights; must be of varying height");
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// The value below which the share \p probability of the sorted \p values lies, linear between neighbours.
 /// \throws domain_error without values, or for a probability that is not between 0 and 1.
@@ -112,4 +112,4 @@ private:
     std::vector<T> mean_;
 };
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

@@ -18,7 +18,7 @@
 #include <array>
 #include <vector>
 
-namespace fstiff::math {
+namespace fstiff::inline v0_1::math {
 
 /// Long waves of a profile or a map by a robust filter.
 template <class Surface>
@@ -122,4 +122,4 @@ template <Real F, class Exists, class Sum, class Weight, class Value>
     return result;
 }
 
-}  // namespace fstiff::math
+}  // namespace fstiff::inline v0_1::math

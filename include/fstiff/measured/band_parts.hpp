@@ -29,7 +29,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// How many times K of a face with a lay may exceed that of an isotropic one with the statistics of a profile across
 /// it: boundary elements of three turned faces gave 10 to 18 at p* of 1e-4 to 1e-2.
@@ -149,4 +149,4 @@ template <Real T>
     return {std::clamp(dimension - away, T(1.001), T(1.999)), std::clamp(dimension + away, T(1.001), T(1.999))};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -24,7 +24,7 @@
 #include <limits>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Steps that a given lambda_s, a given lambda_c holds at least.
 inline constexpr int min_steps_of_lambda_s = 2, min_steps_of_lambda_c = 5;
@@ -173,4 +173,4 @@ template <Real T>
     return {*lambda_s / root, *lambda_s * root};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -38,7 +38,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Skewness and kurtosis of heights; by default those of a Gaussian surface.
 template <Real T = double>
@@ -159,4 +159,4 @@ private:
     std::vector<T> heights_;
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

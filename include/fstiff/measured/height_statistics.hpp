@@ -25,7 +25,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Skewness, kurtosis, gradient and moments of a surface, the first three with standard errors.
 template <Real T = double>
@@ -145,4 +145,4 @@ template <Real T>
     return detail::statistics_of(sums, rms);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// Sums over points and triples of neighbours; heights from the mean, in some unit.
 template <Real S>
@@ -130,4 +130,4 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     return spread;
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -26,7 +26,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// How well a profile agrees with itself one period further on.
 template <Real T = double>
@@ -72,4 +72,4 @@ template <Real T>
     return texture_aspect_ratio < T(0.3);
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

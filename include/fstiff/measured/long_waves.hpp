@@ -36,7 +36,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// What long_waves() finds of a piece.
 template <Real T = double>
@@ -144,4 +144,4 @@ void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& whole, const 
                 spread.correlation(i, j) = std::clamp(covariance(i, j) / both, T(-1), T(1));
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

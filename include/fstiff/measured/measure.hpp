@@ -26,7 +26,7 @@
 #include <memory>
 #include <utility>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// A measured surface: its parameters with their standard errors, and what they rest on.
 template <Real T = double>
@@ -229,4 +229,4 @@ Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
     return parts::measure_map(parts::without_form(map, options), options);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

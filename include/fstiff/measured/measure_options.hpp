@@ -18,7 +18,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -103,4 +103,4 @@ struct MeasureOptions {
     ProgressHook progress{};                        ///< of the resamples
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

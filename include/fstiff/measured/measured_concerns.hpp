@@ -32,7 +32,7 @@
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/surface/moments.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What may be wrong about a measured surface.
 enum class MeasuredConcern {
@@ -185,4 +185,4 @@ namespace parts {
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

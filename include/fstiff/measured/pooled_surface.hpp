@@ -33,7 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -380,4 +380,4 @@ Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T
     return parts::measure_several<T>(maps, options);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -28,7 +28,7 @@
 #include <memory>
 #include <utility>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// The limits of Cleaning::spikes.
 inline constexpr int min_spike_limit = 3, max_spike_limit = 1000;
@@ -336,4 +336,4 @@ PreparedMap<T> with_cut_offs(PreparedMap<T> prepared, const MeasureOptions<T>& o
     return prepared;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

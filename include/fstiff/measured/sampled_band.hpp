@@ -31,7 +31,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Quantiles of one value over the errors of a surface.
 template <Real T = double>
@@ -82,4 +82,4 @@ template <Real T, class Compute>
     return bands;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

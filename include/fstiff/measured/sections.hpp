@@ -38,7 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Direction of a section: along a row, or along a column.
 enum class Direction { x, y };
@@ -333,4 +333,4 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     return result;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -26,7 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -79,4 +79,4 @@ template <Real T, class Pressures, class LawOf>
         options);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

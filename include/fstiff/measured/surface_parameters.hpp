@@ -44,7 +44,7 @@
 
 #include <array>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -355,4 +355,4 @@ SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled, const Su
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -22,7 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -154,4 +154,4 @@ template <Real T>
     return sum;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

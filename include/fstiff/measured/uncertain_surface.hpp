@@ -37,7 +37,7 @@
 #include <optional>
 #include <string>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// A measured value and its standard deviation.
 template <Real T = double>
@@ -227,4 +227,4 @@ std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -35,7 +35,7 @@
 #include <limits>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// The long end of the spectrum of a measured piece.
 template <Real T = double>
@@ -77,9 +77,9 @@ template <Real T>
             mean(a.error, b.error), a.law && b.law, form_share};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// What is known of H before the long waves are looked at; error 0: nothing.
 template <Real T>
@@ -134,4 +134,4 @@ template <Real T, class Squares>
     return waves > T(0) ? std::sqrt(2 * static_cast<T>(terms) * sum / waves) : T(0);
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -24,7 +24,7 @@
 #include <limits>
 #include <span>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -154,4 +154,4 @@ std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, con
         options);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -22,7 +22,7 @@
 
 #include <algorithm>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// The distribution of peaks (4.4) for one r and one theta: its density, its moments and its marginal.
 template <Real T = double>
@@ -163,4 +163,4 @@ private:
     T theta_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -17,7 +17,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -76,4 +76,4 @@ struct SingleRadius {
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

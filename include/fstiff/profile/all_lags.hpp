@@ -23,7 +23,7 @@
 
 #include <cstdint>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// The sums over pairs of one profile; heights are scaled, and 0 where \p present is 0;
 /// an empty \p present: no point is missing.
@@ -302,4 +302,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

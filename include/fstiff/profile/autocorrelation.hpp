@@ -16,7 +16,7 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/profile.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// The autocorrelation of a profile at every lag.
 template <Real T = double>
@@ -84,4 +84,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -15,7 +15,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/profile/profile.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Form that is removed from a profile.
 enum class Form { none, mean, line, parabola };
@@ -103,4 +103,4 @@ template <Real T>
 
 }  // namespace detail
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -25,7 +25,7 @@
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/profile/window_spread.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -363,4 +363,4 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

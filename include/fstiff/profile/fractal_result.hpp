@@ -16,7 +16,7 @@
 
 #include <cstdint>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -110,4 +110,4 @@ struct FractalFit {
     StructureFunction<T> fitted;  ///< what the fit gives for S2 at the lags of the window, ends of the band included
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -25,7 +25,7 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Share of a wave of \p wavelength that the waviness keeps. \throws domain_error unless both lengths are positive.
 template <Real T>
@@ -188,4 +188,4 @@ template <Real T>
     return roughness;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

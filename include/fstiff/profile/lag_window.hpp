@@ -19,7 +19,7 @@
 
 #include <Eigen/Core>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// A range of lags [m], both ends included.
 template <Real T = double>
@@ -285,4 +285,4 @@ WindowEnd why_there(const LogStructure<F>& log, const IndexRange& range, Eigen::
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

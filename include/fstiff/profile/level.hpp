@@ -14,7 +14,7 @@
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// A profile without its form, and behind which cut-offs.
 template <Real T = double>
@@ -64,4 +64,4 @@ template <Real T>
     return levelled;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

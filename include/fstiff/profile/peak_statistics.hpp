@@ -24,7 +24,7 @@
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/moments.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -150,4 +150,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -21,7 +21,7 @@
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/spectrum_window.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// One-sided power spectrum; k = 0 ... M/2.
 template <Real T = double>
@@ -203,4 +203,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// A profile in SI units. What is measured of it (mean, rms) takes the points that exist.
 template <Real T = double>
@@ -92,4 +92,4 @@ template <Real T>
     return largest * static_cast<T>(std::sqrt(squares.value() / n - offset * offset));
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

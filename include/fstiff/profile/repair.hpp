@@ -17,7 +17,7 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/profile/profile.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// How many spikes \p profile holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
@@ -60,4 +60,4 @@ math::Repair fill_missing(Profile<T>& profile) {
     return repair;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

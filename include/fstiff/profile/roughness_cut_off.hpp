@@ -17,7 +17,7 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/surface/nesting_indices.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Why lambda_c is what it is.
 enum class CutOffReason {
@@ -78,4 +78,4 @@ template <Real T>
     return choice;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -19,7 +19,7 @@
 
 #include <optional>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Roughness parameters of a profile, ISO 21920-2.
 template <Real T = double>
@@ -130,4 +130,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

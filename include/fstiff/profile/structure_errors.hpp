@@ -19,7 +19,7 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/lag_window.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Covariance of ln S2 at the lags \p step, \p triples of each, of a Gaussian profile whose S grows as n^\p power.
 template <Real T>
@@ -106,4 +106,4 @@ T sample_spread(const Vector<T>& row, const Matrix<T>& samples) {
     return std::sqrt(variance);
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

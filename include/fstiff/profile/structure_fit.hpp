@@ -19,7 +19,7 @@
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// What is missing of S2 at the first lag when no wave is shorter than that, of S2.
 template <Real T>
@@ -182,4 +182,4 @@ private:
     parts::Vector<T> y_;
 };
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

@@ -23,7 +23,7 @@
 
 #include <span>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// S at some lags; the vectors have one length. A lag at which no pair exists is left out.
 template <Real T = double>
@@ -158,4 +158,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

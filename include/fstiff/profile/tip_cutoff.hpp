@@ -19,7 +19,7 @@
 
 #include <optional>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// The least (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
 /// \throws domain_error for a step of 0, a spacing that is not positive or an infinite height.
@@ -57,4 +57,4 @@ template <Real T>
     return T(0);
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

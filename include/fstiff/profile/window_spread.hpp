@@ -18,7 +18,7 @@
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 
-namespace fstiff::detail {
+namespace fstiff::inline v0_1::detail {
 
 /// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.
 template <Real F>
@@ -159,4 +159,4 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<math::Accumulator<T
     result.window_log_roughness_error = static_cast<T>(std::sqrt(of_log_g));
 }
 
-}  // namespace fstiff::detail
+}  // namespace fstiff::inline v0_1::detail

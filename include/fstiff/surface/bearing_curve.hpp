@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Heights by the share of the points that stand above.
 template <Real T = double>
@@ -53,4 +53,4 @@ template <Real T>
     return curve;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

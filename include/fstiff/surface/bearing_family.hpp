@@ -33,7 +33,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Heights about the upper end of the core, u = 0. \throws domain_error naming the parameter that is out of range.
 template <Real T>
@@ -191,4 +191,4 @@ template <Real T>
     return knots_of([&](T z) { return johnson(bounded, steepness, found.bend, z); });
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

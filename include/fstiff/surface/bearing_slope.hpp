@@ -30,7 +30,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// f as straight lines between knots.
 template <Real T = double>
@@ -151,4 +151,4 @@ private:
     std::vector<std::size_t> first_;  ///< of each cell, the first knot that can end a line there
 };
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -24,7 +24,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// A parameter of a contact; first those of the surface, which index SurfaceParameters::correlation.
 enum class Parameter {
@@ -197,4 +197,4 @@ inline std::string ParameterRow::starting_range() const {
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -26,7 +26,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// The longest wave of the sum of cosines (2.1) that has the rms height \p rms [m].
 /// \throws domain_error naming the parameter that is out of range.
@@ -81,4 +81,4 @@ template <Real T>
     return high;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -12,7 +12,7 @@
 
 #include <fstiff/core/error.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Fractal dimension D and fractal roughness G of a profile.
 template <Real T = double>
@@ -31,4 +31,4 @@ constexpr void require_fractal_dimension(T dimension) {
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

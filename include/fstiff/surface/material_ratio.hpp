@@ -31,7 +31,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// The core of the material ratio curve, and what stands above and below it.
 template <Real T = double>
@@ -163,4 +163,4 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
     return result;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

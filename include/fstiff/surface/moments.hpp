@@ -18,7 +18,7 @@
 
 #include <cmath>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Moments of the spectrum of a profile, or of any section of an isotropic surface.
 template <Real T = double>
@@ -93,4 +93,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

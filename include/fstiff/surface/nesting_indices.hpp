@@ -28,7 +28,7 @@
 #include <array>
 #include <cmath>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// One row of the table above [m].
 struct CutOffRow {
@@ -80,4 +80,4 @@ template <Real T>
     return tip_radius > T(0) ? (std::max)(index, lambda_s_of_tip(tip_radius)) : index;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -36,7 +36,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// How a surface was made.
 enum class Process { unknown, ground, turned, milled, honed, lapped, polished, blasted, eroded };
@@ -124,9 +124,9 @@ inline constexpr std::size_t unknown_count = 6;
 /// Whether \p which is of the shape of the heights.
 [[nodiscard]] constexpr bool is_of_shape(Unknown which) { return which >= Unknown::skewness; }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 template <>
 inline constexpr auto names<parts::Process> = name_list<parts::Process>({{parts::Process::unknown, "unknown"},
@@ -139,4 +139,4 @@ inline constexpr auto names<parts::Process> = name_list<parts::Process>({{parts:
                                                                          {parts::Process::blasted, "blasted"},
                                                                          {parts::Process::eroded, "eroded"}});
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -8,7 +8,7 @@
 
 #include <fstiff/core/error.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// A rough surface in four numbers.
 template <Real T = double>
@@ -27,4 +27,4 @@ struct Roughness {
     }
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -207,4 +207,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Window that the heights are multiplied by before the transform.
 enum class SpectrumWindow {
@@ -41,4 +41,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -26,7 +26,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -95,4 +95,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -30,7 +30,7 @@
 #include <limits>
 #include <optional>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// What the contact needs to know of one face.
 template <Real T = double>
@@ -128,4 +128,4 @@ template <Real T>
     return sum;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

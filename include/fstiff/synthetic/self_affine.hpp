@@ -23,7 +23,7 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -163,4 +163,4 @@ template <Real T>
     return parts::self_affine(options, columns, rows, dx, dy);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -22,7 +22,7 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/fractal.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -139,4 +139,4 @@ private:
     std::vector<Term> terms_;
 };
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -20,7 +20,7 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -268,4 +268,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -23,7 +23,7 @@
 
 #include <optional>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -242,4 +242,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -9,7 +9,7 @@
 
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Each row of \p fine on \p to longer cells, turned: cell j of row i stands in row j, column i.
 template <Real T>
@@ -54,4 +54,4 @@ template <Real T>
     return coarsened(map, side(map.columns()), side(map.rows()));
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

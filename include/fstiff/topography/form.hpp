@@ -20,7 +20,7 @@
 #include <array>
 #include <memory>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// Degree of the surface that is removed.
 enum class MapForm { none = -1, mean = 0, plane = 1, quadratic = 2, cubic = 3 };
@@ -163,4 +163,4 @@ template <Real T>
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -22,7 +22,7 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 template <Real F>
 using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -155,4 +155,4 @@ template <Real T>
     return high;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

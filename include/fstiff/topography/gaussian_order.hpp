@@ -15,7 +15,7 @@
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// A map as a Gaussian one and a bearing curve.
 template <Real T = double>
@@ -45,4 +45,4 @@ template <Real T>
     return {std::move(gaussian), std::move(curve), sigma};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

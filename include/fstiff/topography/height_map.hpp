@@ -15,7 +15,7 @@
 #include <array>
 #include <cstdint>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -175,4 +175,4 @@ template <Real T>
     return static_cast<T>(std::sqrt(heights.variance) * heights.unit);
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

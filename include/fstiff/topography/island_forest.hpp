@@ -13,7 +13,7 @@
 
 #include <vector>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -227,4 +227,4 @@ private:
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

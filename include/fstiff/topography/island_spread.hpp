@@ -15,7 +15,7 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/topography/islands.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -157,4 +157,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

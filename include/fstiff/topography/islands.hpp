@@ -22,7 +22,7 @@
 #include <bit>
 #include <cstring>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -307,4 +307,4 @@ template <Real T>
     return detail::sweep_islands(map, options, 1, [](T, const parts::IslandForest<T>&) {});
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -18,7 +18,7 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// How a map goes on beyond its edges.
 enum class Edges {
@@ -234,4 +234,4 @@ private:
 
 }  // namespace parts
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

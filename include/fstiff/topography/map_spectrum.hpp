@@ -25,7 +25,7 @@
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/line_transform.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace detail {
 
@@ -217,4 +217,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

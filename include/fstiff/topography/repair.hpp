@@ -17,7 +17,7 @@
 
 #include <Eigen/SparseCholesky>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// How many spikes \p map holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
@@ -122,4 +122,4 @@ math::Repair fill_missing(HeightMap<T>& map) {
     return repair;
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

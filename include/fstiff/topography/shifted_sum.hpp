@@ -17,7 +17,7 @@
 #include <fstiff/math/random.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// Why two maps have no sum; empty where they have one.
 template <Real T>
@@ -60,4 +60,4 @@ template <Real T>
     return shifted_sum(upper, lower, rows, columns);
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

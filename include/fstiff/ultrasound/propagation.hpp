@@ -21,7 +21,7 @@
 
 #include <optional>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -104,4 +104,4 @@ template <Real T>
                                   stiffness_from_reflection(least, media, angular_frequency), least, most};
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -22,7 +22,7 @@
 #include <algorithm>
 #include <complex>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 namespace parts {
 
@@ -187,4 +187,4 @@ template <Real T>
     return stiffness;
 }
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

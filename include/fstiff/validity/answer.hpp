@@ -30,7 +30,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// p* to which hybrid and persson were compared (tests/contact/hybrid_of_band_test.cpp); beyond it the contact is closed.
 inline constexpr double max_compared_pressure = 0.75;
@@ -122,4 +122,4 @@ template <Real T>
     return {-width, width};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -32,7 +32,7 @@
 #include <limits>
 #include <optional>
 
-namespace fstiff::parts {
+namespace fstiff::inline v0_1::parts {
 
 /// What a law knows of a surface.
 enum class KnownAs {
@@ -128,4 +128,4 @@ template <Real T>
     return {-(std::min)(low, T(3)), (std::min)(high, T(3))};
 }
 
-}  // namespace fstiff::parts
+}  // namespace fstiff::inline v0_1::parts

@@ -7,7 +7,7 @@
 
 #include <fstiff/core/names.hpp>
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// The laws of contact.
 enum class LawName {
@@ -42,4 +42,4 @@ inline constexpr auto names<LawName> =
                         {LawName::boundary_elements, "boundary_elements"},
                         {LawName::proportional, "proportional"}});
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

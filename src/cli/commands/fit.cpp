@@ -61,7 +61,7 @@ std::string errors_line(const FractalOptions& options, const FractalFit<double>&
 
 std::string table(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result) {
     const FractalFit<double>& fit = result.fit;
-    std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of " + shown_name(options.surface.file) + "\n" +
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": fractal fit of " + shown_name(options.surface.file) + "\n" +
                        source_lines(input, "  file     ");
     text += "  profile  spacing " + shown_length(result.levelled.profile.spacing) + ", length " +
             shown_length(result.levelled.profile.length()) + "\n";
@@ -106,7 +106,7 @@ std::string table(const FractalOptions& options, const SurfaceInput& input, cons
 std::string table(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
     const HeightMap<double>& map = result.levelled.map;
     const parts::ArealStatistics<double>& a = result.levelled.areal;
-    std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of the map " + shown_name(options.surface.file) +
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": fractal fit of the map " + shown_name(options.surface.file) +
                        "\n" + source_lines(input, "  file     ");
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
             shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";

@@ -74,7 +74,7 @@ Rows columns() {
 }
 
 std::string text() {
-    std::string all = "fstiff " FSTIFF_VERSION ": files that are read\n";
+    std::string all = "fstiff " FSTIFF_VERSION_TEXT ": files that are read\n";
     for (const Row& row : rows)
         all += "\n" + std::string(row.name) + "  (" + std::string(row.endings) + ")\n  holds          " +
                std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  asks for       " +

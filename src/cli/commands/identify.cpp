@@ -43,7 +43,7 @@ std::string introduction(const Work& work) {
     const MeasuredCurve& curve = work.curve;
     const auto [least, most] = std::minmax_element(
         curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
-    std::string text = "fstiff " FSTIFF_VERSION ": parameters of " + printable(work.scene.name + " (" + work.scene.file) +
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": parameters of " + printable(work.scene.name + " (" + work.scene.file) +
                        ") from " + (curve.is_reflection ? "R(p)" : "K(p)") + " of " + printable(curve.name) + "\n";
     text += "  measured  " + std::to_string(curve.points.size()) + " points, p " + rounded(least->pressure / 1e6) +
             " to " + rounded(most->pressure / 1e6) + " MPa, " +

@@ -24,7 +24,7 @@ struct Options {
 std::string table(const IslandsRequest& options, const SurfaceInput& input, const IslandsOfMap& result) {
     const RepresentativeIslands<double>& r = result.islands;
     const HeightMap<double>& map = result.levelled.map;
-    std::string text = "fstiff " FSTIFF_VERSION ": islands of " + shown_name(options.surface.file) + "\n" +
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": islands of " + shown_name(options.surface.file) + "\n" +
                        source_lines(input, "  file     ");
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
             shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";

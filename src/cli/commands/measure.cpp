@@ -84,7 +84,7 @@ std::string text_of(const RoughnessTable& table) {
 }
 
 std::string table(const MeasuredSurface& surface) {
-    std::string text = "fstiff " FSTIFF_VERSION ": surface of " + printable(surface.file) + "\n";
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": surface of " + printable(surface.file) + "\n";
     for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
     text += "\n" + rows_of(surface).text() + text_of(roughness_of(surface));
     for (const MeasuredSurface& part : surface.parts) {

@@ -22,7 +22,7 @@ struct Options {
 
 std::string table(const PeakDensityRequest& request, const PeakDensity& source) {
     const auto& p = source.density;
-    std::string text = "fstiff " FSTIFF_VERSION ": peak density (4.4) from " + source.from;
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": peak density (4.4) from " + source.from;
     if (source.input) {
         text += " " + shown_name(request.surface.file) + "\n" + source_lines(*source.input, "  file              ");
         text += "  form removed      " + form_name(*source.levelled) + "; Rq " +

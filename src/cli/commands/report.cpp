@@ -275,7 +275,7 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
     page.paragraph(
         "The numbers of the equations are those of R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness "
         "of fractal rough surfaces, Arch. Mech. 66 (2014). K is the stiffness per nominal area, 1 GPa/µm = 1e15 Pa/m.");
-    page.paragraph("Normal contact stiffness, computed by fstiff " FSTIFF_VERSION " from " + scene.file + ", SHA-256 " +
+    page.paragraph("Normal contact stiffness, computed by fstiff " FSTIFF_VERSION_TEXT " from " + scene.file + ", SHA-256 " +
                    scene.sha256 + ".");
 }
 
@@ -334,7 +334,7 @@ Report execute(const Options& options) {
     const std::string document = page_of(scene, results);
     deliver({{file, page_mark + document}}, options.folder);
     return report({.table = [&] {
-                       return "fstiff " FSTIFF_VERSION ": report of " +
+                       return "fstiff " FSTIFF_VERSION_TEXT ": report of " +
                               printable(scene.name + " (" + scene.file + ")") + "\n  " + printable(file) + "\n";
                    },
                    .csv = [&] { return csv_line({"file"}) + csv_line({file}); },

@@ -73,7 +73,7 @@ std::string page(const Reproduction& all) {
     Page page("The paper reproduced");
     page.paragraph(
         "R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness of fractal rough surfaces, Arch. Mech. 66 "
-        "(2014). Computed by fstiff " FSTIFF_VERSION " from Tables 1 and 2. " +
+        "(2014). Computed by fstiff " FSTIFF_VERSION_TEXT " from Tables 1 and 2. " +
         std::string(no_points));
     page.heading("Tables 1 and 2");
     page.table(surface_rows().table());
@@ -97,7 +97,7 @@ std::string page(const Reproduction& all) {
 }
 
 std::string table(const Reproduction& all, const std::vector<std::string>& files) {
-    std::string text = "fstiff " FSTIFF_VERSION
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT
                        ": Buczkowski, Kleiber, Starzyński, Arch. Mech. 66 (2014), reproduced\n\nTables 1 and 2\n" +
                        surface_rows().text() + "\nNumbers behind the conclusions\n" + finding_rows(all).text() +
                        "\nGenerated surfaces\n" + all.generated.text() + "\n";

@@ -141,7 +141,7 @@ std::string bodies_text(const Scene& scene, const Results& results) {
 
 /// The answer and what was computed of what: the lines above the curves.
 std::string introduction(const Scene& scene, const Results& results) {
-    std::string text = "fstiff " FSTIFF_VERSION ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
     text += answered(scene, results) +
             in_lines("surface", scene.best && results.answer ? surface_of_answer(scene, results) : surface_parts(scene));
     if (!scene.faces.empty()) {

@@ -30,7 +30,7 @@ std::string title_of(const SpectrumRequest& request) {
 }
 
 std::string table(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& result) {
-    std::string text = "fstiff " FSTIFF_VERSION ": " + title_of(request) + "\n" + source_lines(input, "  file     ");
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": " + title_of(request) + "\n" + source_lines(input, "  file     ");
     text += std::string(input.surface.is_profile() ? "  Rq       " : "  Sq       ") + shown_length(result.rms_as_read) +
             " as read, " + shown_length(result.rms) + " after removal of the form (" + result.form + ")\n";
     text += "  cut-offs " + sentence_of(result.cut_offs) + "\n";
@@ -81,7 +81,7 @@ Figure figure_of(const SpectrumRequest& request, const Spectrum& result) {
             (psd ? "Power spectral density of " : "Autocorrelation function of ") +
             shown_file(display_name(request.surface.file)),
         .panels = {},
-        .note = "fstiff " FSTIFF_VERSION ", " + sentence_of(result.cut_offs) +
+        .note = "fstiff " FSTIFF_VERSION_TEXT ", " + sentence_of(result.cut_offs) +
                 (psd ? "; " + window_of(request) + "; means over 2 % of q" : "")};
     const auto begin_panel = [&](const std::string& title, const std::string& label) {
         figure.panels.push_back(psd ? Panel{.title = title, .x = {.label = "q [rad/µm]"}, .y = {.label = label}}

@@ -64,7 +64,7 @@ Report execute(const Options& options) {
     const TruthOfMap solved = truth_of_map(request, read_surface_input(request.surface));
     return report({.table =
                        [&] {
-                           return "fstiff " FSTIFF_VERSION ": boundary elements of " + printable(solved.file) + "\n  " +
+                           return "fstiff " FSTIFF_VERSION_TEXT ": boundary elements of " + printable(solved.file) + "\n  " +
                                   std::to_string(solved.points) + " points along the longer side, edges " +
                                   std::string(name_of(solved.edges)) + ", form removed: " + solved.form + "\n  sigma " +
                                   rounded(solved.rms_height * 1e6) + " µm, rms gradient " +

@@ -21,7 +21,7 @@ struct Options {
 std::string six(double value) { return rounded(value, 6); }
 
 std::string table_of_curve(const Reflection& found) {
-    return "fstiff " FSTIFF_VERSION ": stiffness from the reflections of " + found.curve->curve.name +
+    return "fstiff " FSTIFF_VERSION_TEXT ": stiffness from the reflections of " + found.curve->curve.name +
            ", interface as a spring, eq. (5.1)\n  " + six(found.frequency / 1e6) + " MHz, impedances " +
            six(found.media.incident / 1e6) + " and " + six(found.media.beyond / 1e6) + " MRayl, welded joint |R| " +
            six(found.welded) + "\n" + rows_of(*found.curve).text();

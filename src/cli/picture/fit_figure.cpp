@@ -109,7 +109,7 @@ Figure fit_figure(const Scene& scene, const MeasuredCurve& curve, const Fits& fi
     below.y.high = widest;
     Figure figure{.title = "Parameters of " + scene.name + " from " + shown_file(curve.name), .panels = {above}};
     if (!below.lines.empty()) figure.panels.push_back(std::move(below));
-    figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", " + curve.name;
+    figure.note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file + ", " + curve.name;
     return figure;
 }
 

@@ -242,7 +242,7 @@ Figure results_figure(const Scene& scene, const Results& results) {
                   .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
     for (Panel& panel : panels_after_stiffness(scene, results)) figure.panels.push_back(std::move(panel));
-    figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " +
+    figure.note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file + ", σ = " +
                   with_unit(scene.face.parameters.rms_height.value, "m", 4);
     if (const std::string some = left_out(results); !some.empty())
         figure.note += "; " + some + ", fstiff run --format csv has the numbers of all";

@@ -22,7 +22,7 @@ std::string html_page(const Figure& figure) {
 
 std::string figure_csv(const Figure& given) {
     const Figure figure = in_units(given);
-    std::string text = "# fstiff " FSTIFF_VERSION ": the numbers of a picture\n" +
+    std::string text = "# fstiff " FSTIFF_VERSION_TEXT ": the numbers of a picture\n" +
                        csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
     std::size_t curve = 0;
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {

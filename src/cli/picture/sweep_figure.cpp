@@ -233,7 +233,7 @@ Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
     choose_look(panel.lines, kinds);
     Figure figure{.title = "K over " + std::to_string(grid.size) + " scenes of " + shown_file(grid.file),
                   .panels = {std::move(panel)},
-                  .note = "fstiff " FSTIFF_VERSION};
+                  .note = "fstiff " FSTIFF_VERSION_TEXT};
     if (layout.pools && layout.x) figure.note += "; lines are medians, bands 5 to 95 % of the scenes at each place";
     const std::size_t lines_of_all = curves * (layout.lines ? layout.lines->count : 1);
     if (const std::string some = some_of(curves_drawn * lines_each, lines_of_all); !some.empty())
