@@ -3,6 +3,7 @@
 #     dev    headers of C++, the licence, the package files for find_package(fstiff) and pkg-config fstiff (here)
 #     cli    the command and its scenes (src/cli)
 #     io     the readers and writers of files, with their headers and package files (src/io)
+#     double the templates in double, compiled (src/instances)
 #     c      the C interface with its header, its package files and the Fortran module (src/c)
 include(CMakePackageConfigHelpers)
 

@@ -23,7 +23,7 @@ import sys
 
 # layers: a folder includes itself and the levels before its own; folders on one level never include each other.
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
-          "ultrasound", "measured", "validity", "fit", "io")
+          "ultrasound", "measured", "validity", "fit", "double", "io")
 PRIVATE = ("io", "document", "instances", "surface", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
 OPT_IN = ("math/gaussian_moment_table_extended.hpp",)  # not in fstiff.hpp
 OF_THREADS = "barrier condition_variable future latch mutex semaphore shared_mutex stop_token thread".split()
@@ -31,7 +31,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, and of folders.
 FILE_LINES, FUNCTION_LINES = 400, 60
-TOTALS = {"include": 26800, "src without io": 23500, "tools": 3300}
+TOTALS = {"include": 26960, "src without io": 23500, "tools": 3310}
 
 
 def read(path):
@@ -130,7 +130,7 @@ def umbrellas(headers):
                        "Written by tools/lint.py.\n\n"}
     for folder, names in headers.items():
         texts["io.hpp" if folder == "io" else "fstiff.hpp"] += "".join(
-            f"#include <fstiff/{name}>\n" for name in names if name not in OPT_IN)
+            f"#include <fstiff/{name}>\n" for name in names if folder != "double" and name not in OPT_IN)
     return {name: head + text for name, text in texts.items()}
 
 
@@ -308,7 +308,7 @@ def api(root, update=False):
     home = f"fstiff::inline v{version['MAJOR']}_{version['MINOR']}"
     for path in sorted((root / "include/fstiff").rglob("*.hpp")):
         header = path.relative_to(root / "include").as_posix()
-        for space, name, comment in declarations(read(path)):
+        for space, name, comment in () if path.parent.name == "double" else declarations(read(path)):
             if space and not space.startswith(home):
                 problems.append(f"{header}: {name} is in {space}, not in {home}")
             elif space in (home, f"{home}::io"):

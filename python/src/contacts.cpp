@@ -2,7 +2,7 @@
 // Contacts and tabulated laws, evaluated on whole arrays without the GIL.
 #include "module.hpp"
 
-#include "instances/contact_instances.hpp"
+#include <fstiff/double/integrals.hpp>
 #include "scene/one_contact.hpp"
 
 #include <fstiff/contact/contact_law.hpp>

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#define FSTIFF_SCENE_INSTANCE template
-#include "instances/contact_instances.hpp"
-#include "instances/surface_instances.hpp"
+#define FSTIFF_DOUBLE template
+#include <fstiff/double/integrals.hpp>
+#include <fstiff/double/surfaces.hpp>

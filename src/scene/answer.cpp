@@ -2,7 +2,7 @@
 #include "scene/answer.hpp"
 
 #include "document/file.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 #include "scene/each_contact.hpp"
 
 #include <fstiff/asperity/plastic_laws.hpp>

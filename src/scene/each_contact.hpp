@@ -2,7 +2,7 @@
 #pragma once
 // The contacts of a scene one after the other, and their points. Private to the files that compute.
 
-#include "instances/contact_instances.hpp"
+#include <fstiff/double/integrals.hpp>
 #include "scene/results.hpp"
 
 #include <fstiff/contact/rough_contact.hpp>

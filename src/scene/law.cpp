@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/any_contact.hpp"
 
-#include "instances/contact_instances.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/integrals.hpp>
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/boundary_element_contact.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/quick_hybrids.hpp"
 
-#include "instances/contact_instances.hpp"
+#include <fstiff/double/integrals.hpp>
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>

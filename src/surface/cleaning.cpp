@@ -3,7 +3,7 @@
 
 #include "io/npy.hpp"
 #include "document/shown_unit.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/measured/prepare.hpp>

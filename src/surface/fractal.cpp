@@ -3,7 +3,7 @@
 
 #include "surface/documents.hpp"
 #include "document/shown_unit.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/profile/all_lags.hpp>

@@ -2,7 +2,7 @@
 #include "surface/generated.hpp"
 
 #include "document/file.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/write.hpp>

@@ -2,7 +2,7 @@
 #include "surface/islands_of_map.hpp"
 
 #include "surface/documents.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/measured/measured_concerns.hpp>
 

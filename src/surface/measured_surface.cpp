@@ -2,7 +2,7 @@
 #include "surface/measured_surface.hpp"
 
 #include "document/shown_unit.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/measured/band_parts.hpp>
 

@@ -2,7 +2,7 @@
 #include "surface/roughness.hpp"
 
 #include "document/shown_unit.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <cmath>
 #include <span>

@@ -2,7 +2,7 @@
 #include "surface/spectrum.hpp"
 
 #include "surface/documents.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "surface/surface_file.hpp"
 
 #include "document/shown_unit.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/surface/moments.hpp>
 

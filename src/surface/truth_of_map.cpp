@@ -3,7 +3,7 @@
 
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/validity/checks.hpp>
 

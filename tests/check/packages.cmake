@@ -68,4 +68,4 @@ configure(own-twice "Eigen of fstiff: [^ ]*/eigen-5.0.1 " -DCMAKE_PREFIX_PATH=${
 configure(component-io "Eigen of fstiff: " ${package} -DCOMPONENTS=io)
 configure(component-dev "Eigen of fstiff: " ${package} -DCOMPONENTS=dev)
 configure(component-c "refused:.*component c is not installed" ${package} -DCOMPONENTS=c)
-configure(component "refused:.*there is no component \"nonsense\"; there are dev, io and c" ${package} -DCOMPONENTS=nonsense)
+configure(component "refused:.*there is no component \"nonsense\"; there are dev, io, double and c" ${package} -DCOMPONENTS=nonsense)

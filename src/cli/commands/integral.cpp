@@ -2,7 +2,7 @@
 // fstiff integral: the contact integrals J[a,b](eta; r, theta) of rows of numbers, a gauge that anybody can check.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
-#include "instances/contact_instances.hpp"
+#include <fstiff/double/integrals.hpp>
 #include "io/lines.hpp"
 
 #include <fstiff/contact/contact_integrals.hpp>

@@ -2,7 +2,7 @@
 #include "commands/measured_section.hpp"
 
 #include "document/shown_unit.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/fractal_fit.hpp>

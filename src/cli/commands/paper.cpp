@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/paper.hpp"
 
-#include "instances/contact_instances.hpp"
-#include "instances/surface_instances.hpp"
+#include <fstiff/double/integrals.hpp>
+#include <fstiff/double/surfaces.hpp>
 #include "input/progress.hpp"
 
 #include <fstiff/asperity/laws.hpp>
