@@ -20,7 +20,7 @@ from ._errors import FileError
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
 from ._scenes import Answer, Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
-from ._surfaces import Fit, Islands, Measurement, Surface, Truth, fit, islands, measure, open_surface, truth
+from ._surfaces import Fit, Islands, Measurement, Parameter, Surface, Truth, fit, islands, measure, open_surface, truth
 
 __all__ = [
     "Answer",
@@ -33,6 +33,7 @@ __all__ = [
     "Islands",
     "Law",
     "Measurement",
+    "Parameter",
     "Peaks",
     "Points",
     "Scene",

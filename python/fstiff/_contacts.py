@@ -69,9 +69,24 @@ class Points(Table["Numbers"]):
         return self["stiffness_Pa_per_m"]
 
     @property
+    def stiffness_error(self) -> Numbers:
+        """A bound of the error of K for exact inputs [Pa/m]."""
+        return self["stiffness_error_Pa_per_m"]
+
+    @property
+    def loading_stiffness(self) -> Numbers:
+        """-dp/dd [Pa/m]."""
+        return self["loading_stiffness_Pa_per_m"]
+
+    @property
     def real_area_fraction(self) -> Numbers:
         """Real area of contact over the nominal area."""
         return self["real_area_fraction"]
+
+    @property
+    def contact_density(self) -> Numbers:
+        """Number of contacts per nominal area [1/m^2]."""
+        return self["contacts_per_m2"]
 
     def to_dataframe(self) -> pd.DataFrame:
         """The columns as a data frame of pandas."""
@@ -235,7 +250,8 @@ def _list(quantities: Sequence[str] | None) -> list[str] | None:
 class Law:
     """A tabulated law, made by Contact.tabulate() or Law.from_text(): p, K and their slopes in nanoseconds.
 
-    Every method takes a number or an array and returns the like. An argument outside of the range raises ValueError unless
+    Every method takes a number or an array and returns the like; `out`, an array for each result, is filled in place of a new
+    one. An argument outside of the range raises ValueError unless
     the law goes on there (`outside`). A law can be pickled, but for one that goes on with the exact model.
     """
 
@@ -254,44 +270,48 @@ class Law:
     @overload
     def stiffness(self, pressure: float) -> float: ...
     @overload
-    def stiffness(self, pressure: npt.ArrayLike) -> Numbers: ...
-    def stiffness(self, pressure: npt.ArrayLike) -> Numbers | float:
+    def stiffness(self, pressure: npt.ArrayLike, out: Numbers | None = ...) -> Numbers: ...
+    def stiffness(self, pressure: npt.ArrayLike, out: Numbers | None = None) -> Numbers | float:
         """K per area [Pa/m] at the pressure [Pa]."""
-        return _same(self._core.stiffness(numbers(pressure, "pressure")))
+        return _evaluated(self._core.stiffness, pressure, "pressure", None if out is None else (out,))[0]
 
     @overload
     def separation(self, pressure: float) -> float: ...
     @overload
-    def separation(self, pressure: npt.ArrayLike) -> Numbers: ...
-    def separation(self, pressure: npt.ArrayLike) -> Numbers | float:
+    def separation(self, pressure: npt.ArrayLike, out: Numbers | None = ...) -> Numbers: ...
+    def separation(self, pressure: npt.ArrayLike, out: Numbers | None = None) -> Numbers | float:
         """Separation of the mean planes [m] at the pressure [Pa]."""
-        return _same(self._core.separation(numbers(pressure, "pressure")))
+        return _evaluated(self._core.separation, pressure, "pressure", None if out is None else (out,))[0]
 
     @overload
     def stiffness_slope(self, pressure: float) -> float: ...
     @overload
-    def stiffness_slope(self, pressure: npt.ArrayLike) -> Numbers: ...
-    def stiffness_slope(self, pressure: npt.ArrayLike) -> Numbers | float:
+    def stiffness_slope(self, pressure: npt.ArrayLike, out: Numbers | None = ...) -> Numbers: ...
+    def stiffness_slope(self, pressure: npt.ArrayLike, out: Numbers | None = None) -> Numbers | float:
         """dK/dp [1/m] at the pressure [Pa]."""
-        return _same(self._core.stiffness_slope(numbers(pressure, "pressure")))
+        return _evaluated(self._core.stiffness_slope, pressure, "pressure", None if out is None else (out,))[0]
 
     @overload
     def at_separation(self, separation: float) -> tuple[float, float]: ...
     @overload
-    def at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers, Numbers]: ...
-    def at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers | float, Numbers | float]:
+    def at_separation(self, separation: npt.ArrayLike, out: tuple[Numbers, Numbers] | None = ...) -> tuple[Numbers, Numbers]: ...
+    def at_separation(
+        self, separation: npt.ArrayLike, out: tuple[Numbers, Numbers] | None = None
+    ) -> tuple[Numbers | float, Numbers | float]:
         """p [Pa] and K per area [Pa/m] at the separation [m]."""
-        pressure, stiffness = self._core.at_separation(numbers(separation, "separation"))
-        return _same(pressure), _same(stiffness)
+        pressure, stiffness = _evaluated(self._core.at_separation, separation, "separation", out)
+        return pressure, stiffness
 
     @overload
     def tangent_at_separation(self, separation: float) -> tuple[float, float]: ...
     @overload
-    def tangent_at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers, Numbers]: ...
-    def tangent_at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers | float, Numbers | float]:
+    def tangent_at_separation(self, separation: npt.ArrayLike, out: tuple[Numbers, Numbers] | None = ...) -> tuple[Numbers, Numbers]: ...
+    def tangent_at_separation(
+        self, separation: npt.ArrayLike, out: tuple[Numbers, Numbers] | None = None
+    ) -> tuple[Numbers | float, Numbers | float]:
         """p [Pa] and -dp/dd [Pa/m] at the separation [m]: what Newton's method needs."""
-        pressure, slope = self._core.tangent_at_separation(numbers(separation, "separation"))
-        return _same(pressure), _same(slope)
+        pressure, slope = _evaluated(self._core.tangent_at_separation, separation, "separation", out)
+        return pressure, slope
 
     @property
     def pressures(self) -> tuple[float, float]:
@@ -335,8 +355,22 @@ class Law:
         )
 
 
-def _same(made: Numbers) -> Numbers | float:
-    return made if made.ndim else float(made)
+def _evaluated(
+    call: Callable[[Numbers, list[Numbers]], Sequence[Numbers]], argument: npt.ArrayLike, name: str, out: Sequence[Numbers] | None
+) -> Sequence[Numbers | float]:
+    """What `call` returns, in new arrays or in those of the caller; of a number, numbers."""
+    import numpy as np
+
+    values = numbers(argument, name)
+    if out is None:
+        return [made if made.ndim else float(made) for made in call(values, [])]
+    for one in out:
+        if not (isinstance(one, np.ndarray) and one.dtype == np.float64 and one.flags.carray and one.shape == values.shape):
+            raise ValueError(f"out: must be a writeable C-contiguous array of float64 with the shape {values.shape}")
+        if np.may_share_memory(one, values):
+            values = values.copy()
+    call(values, list(out))
+    return list(out)
 
 
 def hybrid(surface: Source, pressures: npt.ArrayLike, *, effective_modulus: float, **options: Any) -> Points:

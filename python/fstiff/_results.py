@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
+from html import escape
 from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
@@ -31,6 +33,10 @@ class Table(Mapping[str, Value]):
     def __len__(self) -> int:
         return len(self._values)
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the text of repr(), its table as a table."""
+        return html_of(repr(self))
+
 
 def shown(value: float, digits: int = 4) -> str:
     """A number for people; "-" where there is none."""
@@ -48,6 +54,20 @@ def text_table(rows: list[list[str]]) -> str:
         "  " + "  ".join(cell.rjust(width) if i else cell.ljust(width) for i, (cell, width) in enumerate(zip(row, widths)))
         for row in rows
     )
+
+
+def html_of(text: str) -> str:
+    """The text of a repr as HTML: lines of the columns that text_table() makes are rows, others paragraphs."""
+    html, rows = "", 0
+    for line in text.split("\n"):
+        cells = re.split(" {2,}", line.strip()) if line.startswith("  ") else []
+        html += "" if bool(rows) == (len(cells) > 1) else "</table>" if rows else "<table>"
+        rows = rows + 1 if len(cells) > 1 else 0
+        kind = "th" if rows == 1 else "td"
+        html += (
+            "<tr>" + "".join(f"<{kind}>{escape(cell)}</{kind}>" for cell in cells) + "</tr>" if rows else f"<p>{escape(line)}</p>"
+        )
+    return html + ("</table>" if rows else "")
 
 
 def frame(columns: Any) -> pd.DataFrame:

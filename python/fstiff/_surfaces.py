@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Union
 
 from . import _core
 from ._errors import FileError, named
@@ -311,12 +311,29 @@ class Document(Table[Any]):
         return list(self["warnings"])
 
 
+class Parameter(NamedTuple):
+    """A parameter of a surface with its standard error; the unit is one of SI, "" for a pure number."""
+
+    value: float
+    error: float
+    unit: str
+
+
 class Measurement(Document):
-    """What `fstiff measure` finds of a surface: the keys of its JSON. Scene, run() and Contact take it as their surface."""
+    """What `fstiff measure` finds of a surface: the keys of its JSON. Scene, run() and Contact take it as their surface.
+
+    The parameters of ["surface"] are attributes too: `measured.rms_height.value`, `measured.r.error`.
+    """
 
     def __init__(self, found: _core.Found) -> None:
         super().__init__(found)
         self._measured = found.measured
+
+    def __getattr__(self, name: str) -> Parameter:
+        surface = self.__dict__.get("_values", {}).get("surface", {})
+        if name not in surface:
+            raise AttributeError(f"{name}: is no parameter of this surface, which has {', '.join(surface)}")
+        return Parameter(surface[name]["value"], surface[name]["error"], surface[name].get("unit", ""))
 
     def to_dataframe(self) -> pd.DataFrame:
         """The parameters of a scene's [surface] with their standard errors and SI units, a parameter a row."""

@@ -2,10 +2,10 @@
 // Contacts and tabulated laws, evaluated on whole arrays without the GIL.
 #include "module.hpp"
 
-#include <fstiff/double/integrals.hpp>
 #include "scene/one_contact.hpp"
 
 #include <fstiff/contact/contact_law.hpp>
+#include <fstiff/double/integrals.hpp>
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -151,22 +151,27 @@ OneContact of_numbers(const std::string& law, const std::map<std::string, double
         measured, until_interrupted());
 }
 
-/// \p call(in, out...) on whole arrays without the GIL.
+/// Arrays of the caller that are filled; none: new ones.
+using Filled = std::vector<nb::ndarray<double, nb::c_contig, nb::device::cpu>>;
+
+/// \p call(in, out...) on whole arrays without the GIL. Returns the new arrays.
 template <std::size_t count, class Call>
-std::array<Out, count> batch(const In& x, const Call& call) {
+std::vector<Out> batch(const In& x, const Filled& filled, const Call& call) {
+    if (!filled.empty() && filled.size() != count)
+        throw domain_error("out: must be " + std::to_string(count) + " arrays");
     std::vector<NewArray> made;
-    for (std::size_t i = 0; i < count; ++i) made.emplace_back(x);
+    for (std::size_t i = 0; filled.empty() && i < count; ++i) made.emplace_back(x);
     const auto size = static_cast<Eigen::Index>(x.size());
     {
         const nb::gil_scoped_release free;
-        const auto out = [&](std::size_t i) { return ArrayOut(made[i].data(), size); };
+        const auto out = [&](std::size_t i) { return ArrayOut(made.empty() ? filled[i].data() : made[i].data(), size); };
         if constexpr (count == 1)
             call(ArrayIn(x.data(), size), out(0));
         else
             call(ArrayIn(x.data(), size), out(0), out(1));
     }
-    std::array<Out, count> taken;
-    for (std::size_t i = 0; i < count; ++i) taken[i] = made[i].take();
+    std::vector<Out> taken;
+    for (NewArray& one : made) taken.push_back(one.take());
     return taken;
 }
 
@@ -176,33 +181,31 @@ void add_laws(nb::module_& m) {
             "from_text", [](std::string_view text) { return TabulatedLaw::from_text(text); }, nb::arg("text"))
         .def("to_text", &TabulatedLaw::to_text)
         .def("stiffness",
-             [](const TabulatedLaw& law, const In& p) {
-                 return batch<1>(p, [&](const ArrayIn& in, ArrayOut k) { law.stiffness(in, k); })[0];
+             [](const TabulatedLaw& law, const In& p, const Filled& out) {
+                 return batch<1>(p, out, [&](const ArrayIn& in, ArrayOut k) { law.stiffness(in, k); });
              })
         .def("separation",
-             [](const TabulatedLaw& law, const In& p) {
-                 return batch<1>(p, [&](const ArrayIn& in, ArrayOut d) {
+             [](const TabulatedLaw& law, const In& p, const Filled& out) {
+                 return batch<1>(p, out, [&](const ArrayIn& in, ArrayOut d) {
                      for (Eigen::Index i = 0; i < in.size(); ++i) d[i] = law.separation(in[i]);
-                 })[0];
+                 });
              })
         .def("stiffness_slope",
-             [](const TabulatedLaw& law, const In& p) {
-                 return batch<1>(p, [&](const ArrayIn& in, ArrayOut slope) {
+             [](const TabulatedLaw& law, const In& p, const Filled& out) {
+                 return batch<1>(p, out, [&](const ArrayIn& in, ArrayOut slope) {
                      for (Eigen::Index i = 0; i < in.size(); ++i) slope[i] = law.stiffness_slope(in[i]);
-                 })[0];
+                 });
              })
         .def("at_separation",
-             [](const TabulatedLaw& law, const In& d) {
-                 auto [p, k] = batch<2>(
-                     d, [&](const ArrayIn& in, ArrayOut to, ArrayOut with) { law.at_separation(in, to, with); });
-                 return std::pair(p, k);
+             [](const TabulatedLaw& law, const In& d, const Filled& out) {
+                 return batch<2>(
+                     d, out, [&](const ArrayIn& in, ArrayOut to, ArrayOut with) { law.at_separation(in, to, with); });
              })
         .def("tangent_at_separation",
-             [](const TabulatedLaw& law, const In& d) {
-                 auto [p, slope] = batch<2>(d, [&](const ArrayIn& in, ArrayOut to, ArrayOut with) {
+             [](const TabulatedLaw& law, const In& d, const Filled& out) {
+                 return batch<2>(d, out, [&](const ArrayIn& in, ArrayOut to, ArrayOut with) {
                      law.tangent_at_separation(in, to, with);
                  });
-                 return std::pair(p, slope);
              })
         .def_prop_ro("pressures",
                      [](const TabulatedLaw& law) { return std::pair(law.pressures()[0], law.pressures()[1]); })

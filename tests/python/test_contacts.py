@@ -310,3 +310,49 @@ def test_bad_laws_and_arrays_raise_value_errors():
             CONTACTS["hertz"].at_pressures(bad)
     with pytest.raises(ValueError, match="pressure = nan"):
         CONTACTS["hertz"].at_pressures(np.nan)
+
+
+@pytest.mark.parametrize("method", ["stiffness", "separation", "stiffness_slope"])
+def test_results_go_into_an_array_of_the_caller(method):
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8)
+    p = np.geomspace(1e5, 1e8, 1000).reshape(10, 100)
+    evaluate, out = getattr(law, method), np.empty_like(p)
+    assert evaluate(p, out=out) is out
+    np.testing.assert_array_equal(out, evaluate(p))
+    np.testing.assert_array_equal(evaluate(out_and_in := p.copy(), out=out_and_in), out)
+
+
+@pytest.mark.parametrize("method", ["at_separation", "tangent_at_separation"])
+def test_both_results_go_into_arrays_of_the_caller(method):
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8)
+    d = np.linspace(*law.separations, 1000)
+    evaluate, out = getattr(law, method), (np.empty_like(d), np.empty_like(d))
+    assert all(made is given for made, given in zip(evaluate(d, out=out), out))
+    np.testing.assert_array_equal(out, evaluate(d))
+    where_d_was = d.copy()
+    np.testing.assert_array_equal(evaluate(where_d_was, out=(where_d_was, out[0])), evaluate(d))
+
+
+def test_an_array_that_results_cannot_go_into_is_refused():
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8)
+    p = np.geomspace(1e5, 1e8, 8)
+    read_only = np.empty(8)
+    read_only.flags.writeable = False
+    for out in (np.empty(7), np.empty(8, np.float32), np.empty(16)[::2], read_only, [0.0] * 8):
+        with pytest.raises(ValueError, match="^out: must be a writeable C-contiguous array of float64 with the shape"):
+            law.stiffness(p, out=out)
+    with pytest.raises(ValueError, match="^out: must be 2 arrays"):
+        law.at_separation(p, out=(np.empty(8),))
+
+
+def test_every_column_of_points_is_an_attribute():
+    points = CONTACTS["hertz"].at_pressures([1e6, 1e7])
+    assert points.stiffness_error is points["stiffness_error_Pa_per_m"]
+    assert points.loading_stiffness is points["loading_stiffness_Pa_per_m"]
+    assert points.contact_density is points["contacts_per_m2"]
+
+
+def test_a_notebook_shows_a_table():
+    html = CONTACTS["hertz"].at_pressures([1e6, 1e7])._repr_html_()
+    assert html.startswith("<p>&lt;fstiff.Points of hertz: 2 points&gt;</p><table><tr><th>pressure_Pa</th>")
+    assert html.count("<tr>") == 3 and html.endswith("</td></tr></table>")
