@@ -3,9 +3,9 @@
 /// \file
 /// The files of a zip archive in memory, within limits. Needs zlib.
 ///
-/// The directory at the end of the archive is read: its count, length and entries must agree. Names are
-/// compared, never used as paths. Sizes are compared with the limits before anything is inflated. A file must inflate to
-/// the size and the CRC of its entry, and use up its bytes.
+/// The directory at the end of the archive is read: its count, length and entries must agree. Names are compared, never
+/// used as paths. Sizes are compared with the limits before anything is inflated. A file must inflate to the size and
+/// the CRC of its entry, and use up its bytes.
 ///
 /// Reference   PKWARE, .ZIP File Format Specification (APPNOTE) 6.3, sections 4.3 to 4.5, with 64-bit sizes
 /// Valid       one archive in one file; entries stored (0) or deflated (8)

@@ -83,6 +83,35 @@ def test_the_wheel_was_compiled_with_the_headers_of_the_sdist():
         assert found.endswith(f"/third_party/{package}"), found
 
 
+def test_an_sdist_follows_no_link_of_the_build_folder(root, tmp_path):
+    """Wine makes links to the root of the disk there."""
+    needs("scikit_build_core")
+    clone = tmp_path / "clone"
+    for part in ("python", "include/fstiff/core", "build", "outside"):
+        (clone.parent if part == "outside" else clone).joinpath(part).mkdir(parents=True, exist_ok=True)
+    for file in ("pyproject.toml", "LICENSE", "docs/python.md", "python/build_backend.py", "python/THIRD_PARTY.txt",
+                 "include/fstiff/core/version.hpp"):
+        (clone / file).parent.mkdir(exist_ok=True)
+        shutil.copy(root / file, clone / file)
+    (tmp_path / "outside/found.txt").touch()
+    (clone / "build/link").symlink_to(tmp_path / "outside")
+    program = """
+import os, sys
+sys.path.insert(0, "python")
+import build_backend
+walk = os.walk
+def seen(*arguments, **named):
+    for place, folders, files in walk(*arguments, **named):
+        assert "found.txt" not in files, place
+        yield place, folders, files
+os.walk = seen
+print(build_backend.build_sdist("dist"))
+"""
+    (clone / "dist").mkdir()
+    done = subprocess.run([sys.executable, "-c", program], cwd=clone, capture_output=True, text=True)
+    assert done.stdout.endswith(".tar.gz\n"), done.stderr
+
+
 def test_a_missing_header_is_named(root, monkeypatch):
     needs("scikit_build_core")
     monkeypatch.syspath_prepend(root / "python")
@@ -119,7 +148,7 @@ def test_auditwheel_has_nothing_to_add(repaired):
     with zipfile.ZipFile(repaired) as archive:
         assert not [name for name in archive.namelist() if ".libs/" in name]
     shown = subprocess.run([sys.executable, "-m", "auditwheel", "show", repaired], capture_output=True, text=True)
-    assert re.search(r'is consistent with the following\s+platform tag: "manylinux_', shown.stdout), shown.stdout + shown.stderr
+    assert re.search(r'is consistent with\s+the following\s+platform tag: "manylinux_', shown.stdout), shown.stdout + shown.stderr
     assert repaired.stat().st_size < 3e6  # docs/python.md has the size
 
 
