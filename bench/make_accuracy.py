@@ -158,7 +158,7 @@ def half_of(kind, seed):
 def summary(rows):
     """How many of the answers hold the truth, and the median width of their bands end to end, by COLUMNS."""
     found = {}
-    for kind, group, seed, known, hardness, pressure, law, value, low, high in rows:
+    for kind, group, seed, known, hardness, pressure, _law, _value, low, high in rows:
         if half := half_of(kind, seed):
             key = half, group, known, float(hardness), float(pressure)
             found.setdefault(key, []).append((float(low), float(high)))

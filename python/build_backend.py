@@ -8,8 +8,10 @@ each with the file that find_package() finds it by; python/THIRD_PARTY.txt has t
 import io
 import os
 import pathlib
+import shutil
 import sys
 import tarfile
+import tempfile
 
 from scikit_build_core import build as scikit
 from scikit_build_core.build import *  # noqa: F403  # the other hooks
@@ -50,8 +52,21 @@ def carried_files():
                     yield f"{package}/{file.relative_to(folder)}", file.read_bytes()
 
 
+def sdist_of_copy(sdist_directory, config_settings):
+    """scikit-build-core walks all folders and follows links; in a build folder they may lead to the whole disk (Wine's do)."""
+    folder, clone = pathlib.Path(sdist_directory).resolve(), pathlib.Path.cwd()
+    with tempfile.TemporaryDirectory() as work:
+        copy = pathlib.Path(work, "clone")
+        shutil.copytree(clone, copy, symlinks=True, ignore=lambda place, _: [".git", "build"] if pathlib.Path(place) == clone else [])
+        os.chdir(copy)
+        try:
+            return scikit.build_sdist(folder, config_settings)
+        finally:
+            os.chdir(clone)
+
+
 def build_sdist(sdist_directory, config_settings=None):
-    name = scikit.build_sdist(sdist_directory, config_settings)
+    name = sdist_of_copy(sdist_directory, config_settings)
     if pathlib.Path("third_party").exists():  # an sdist of an sdist
         return name
     path = pathlib.Path(sdist_directory, name)

@@ -291,7 +291,7 @@ def declarations(text):
             if depth or mark[0] == "}" and re.compile(r"\s*[,;{().&|]").match(code, mark.end()):
                 continue
             comment = re.findall(r"^ *///(?!<) ?(.*)", text[start:start + len(head) - len(head.lstrip())], re.M)
-            head = re.split("[{;]", re.sub(r"\[\[.*?\]\]", "", head), 1)[0]
+            head = re.split("[{;]", re.sub(r"\[\[.*?\]\]", "", head), maxsplit=1)[0]
             while head != (shorter := re.sub("<[^<>]*>", "", head)):
                 head = shorter
             name = (re.search(r"\b(?:struct|class|concept|using)\s+(\w+)\s*(?:=|:|$|final)", head)
@@ -314,7 +314,7 @@ def api(root, update=False):
             elif space in (home, f"{home}::io"):
                 key = (header, "io::" * space.endswith("::io") + name)
                 key = next((known for known in found if known[1] == key[1]), key)
-                found[key] = found.get(key) or re.sub(r"\\p ", "", re.split(r"(?<=[.])(?: |$)", comment, 1)[0]).replace("|", "\\|")
+                found[key] = found.get(key) or re.sub(r"\\p ", "", re.split(r"(?<=[.])(?: |$)", comment, maxsplit=1)[0]).replace("|", "\\|")
     problems += [f"{header}: {name} is public and has no comment" for (header, name), meaning in found.items() if not meaning]
     if len(found) > API_NAMES:
         problems.append(f"namespaces fstiff and fstiff::io have {len(found)} names, more than {API_NAMES}: "
@@ -346,7 +346,7 @@ def same(expected, actual):
 
 def blocks(text):
     """Kind and body of each block between lines of ```."""
-    kind = None
+    kind, body = None, []
     for line in text.split("\n"):
         if not line.startswith("```"):
             body = [] if kind is None else [*body, line]

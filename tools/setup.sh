@@ -4,9 +4,9 @@
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 
-# What the command needs to build; libzip and pugixml for X3P files, zlib for compressed Digital Surf ones.
+# What the command needs to build; zlib for compressed Digital Surf files, and pugixml too for X3P.
 # shellcheck disable=SC2034 # used where this is sourced
-run_packages="g++ cmake ninja-build libeigen3-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libzip-dev libpugixml-dev zlib1g-dev"
+run_packages="g++ cmake ninja-build libeigen3-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libpugixml-dev zlib1g-dev"
 
 # need PACKAGE...: installs those that are missing, and says so; touches nothing when all are there.
 need() {

@@ -47,10 +47,10 @@ for p, of_law, of_map in zip(hybrid.pressure, hybrid.stiffness, truth.column("st
     print(f"{p / 1e6:3.0f} MPa: hybrid {of_law:.2e} Pa/m, boundary elements {of_map:.2e} Pa/m")
 
 # %% The picture.
-import matplotlib
+import matplotlib  # noqa: E402
 
 matplotlib.use("Agg")  # without a screen; leave it out to see the picture in a window
-import matplotlib.pyplot as plt
+import matplotlib.pyplot as plt  # noqa: E402
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
 fstiff.Surface(heights, step, name="map").plot(left)

@@ -61,7 +61,7 @@ class FstiffConan(ConanFile):
         for part in ("CLI", "C", "TESTS", "BENCH"):
             toolchain.cache_variables[f"FSTIFF_BUILD_{part}"] = False
         toolchain.cache_variables["FSTIFF_BUILD_IO"] = bool(self.options.io)
-        for library in ("LIBZIP", "PUGIXML", "ZLIB"):  # none of the machine that builds
+        for library in ("PUGIXML", "ZLIB"):  # none of the machine that builds
             toolchain.cache_variables[f"FSTIFF_{library}_LIBRARY"] = ""
         toolchain.generate()
         if not self.options.system_eigen:

@@ -7,11 +7,10 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _core
-from ._results import Table, axes, frame, label_axes, lines_of, shown, text_table
+from ._results import Table, axes, frame, label_axes, shown, text_table
 from ._surfaces import metres
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
     import pandas as pd
     from matplotlib.axes import Axes

@@ -15,7 +15,6 @@ from ._results import Table, axes, frame, label_axes, lines_of, shown, text_tabl
 from ._surfaces import Measurement, options_of
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
     import pandas as pd
     from matplotlib.axes import Axes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Reads X3P files: a zip archive of main.xml and the heights. Needs libzip and pugixml.
+/// Reads X3P files: a zip archive of main.xml and the heights. Needs zlib and pugixml.
 ///
 /// main.xml may lie in a folder of the archive, and its root element in any namespace or in none; other files are left
 /// alone. Heights are number times increment plus offset, of the types I (int16), L (int32), F and D, from a file
@@ -9,7 +9,7 @@
 /// bit a point, the least significant first). Rows keep the order of the file.
 ///
 /// Names in the archive are compared, never used as paths. Sizes are compared with the limits and with what main.xml
-/// declares before anything is inflated. The CRC of the archive is verified, MD5 sums are not.
+/// declares before anything is inflated. The CRC of each file is verified, MD5 sums are not.
 ///
 /// Reference   ISO 25178-72:2017 (ISO 5436-2). Refused: absolute x or y axes, layers (SizeZ > 1), point clouds.
 /// Units       map in m, as the increments of the file

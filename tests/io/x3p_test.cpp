@@ -3,8 +3,8 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/zip.hpp"
 
-#include <zip.h>
 #include <cstring>
 #include <sstream>
 
@@ -14,28 +14,8 @@ using namespace fstiff;
 
 namespace {
 
-using Members = std::vector<std::pair<std::string, std::string>>;
-
-/// An archive of files, by name and content.
-std::string packed(const Members& members, bool deflate = true) {
-    zip_source_t* const source = zip_source_buffer_create(nullptr, 0, 0, nullptr);
-    zip_source_keep(source);
-    zip_t* const zip = zip_open_from_source(source, ZIP_TRUNCATE, nullptr);
-    for (const auto& [name, content] : members) {
-        const zip_int64_t index =
-            zip_file_add(zip, name.c_str(), zip_source_buffer(zip, content.data(), content.size(), 0), 0);
-        zip_set_file_compression(zip, static_cast<zip_uint64_t>(index), deflate ? ZIP_CM_DEFLATE : ZIP_CM_STORE, 0);
-    }
-    REQUIRE(zip_close(zip) == 0);
-    REQUIRE(zip_source_open(source) == 0);
-    zip_stat_t stat;
-    zip_source_stat(source, &stat);
-    std::string bytes(stat.size, '\0');
-    REQUIRE(zip_source_read(source, bytes.data(), stat.size) == static_cast<zip_int64_t>(stat.size));
-    zip_source_close(source);
-    zip_source_free(source);
-    return bytes;
-}
+using test::Members;
+using test::zipped;
 
 constexpr int columns = 5, rows = 4;
 int height(int k) { return (7 * k) % 20 - 3; }
@@ -75,7 +55,7 @@ std::string refusal(const std::string& bytes) {
     return test::refusal([&] { (void)read(bytes); });
 }
 std::string refusal(const Main& main, const std::string& data = heights<double>()) {
-    return refusal(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}));
+    return refusal(zipped({{"main.xml", main.text()}, {"bindata/data.bin", data}}));
 }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -97,7 +77,7 @@ TEMPLATE_TEST_CASE("Heights of every type are read, deflated and stored", "", st
                                                                       : "D";
     for (const bool deflate : {true, false}) {
         const auto found =
-            read(packed({{"main.xml", Main{.type = type}.text()}, {"bindata/data.bin", heights<TestType>()}}, deflate));
+            read(zipped({{"main.xml", Main{.type = type}.text()}, {"bindata/data.bin", heights<TestType>()}}, deflate));
         check_map(found);
         CHECK(found.record.said("form").find(std::string("type ") + type[0]) != std::string::npos);
     }
@@ -109,7 +89,7 @@ TEMPLATE_TEST_CASE("Heights of every type are read, deflated and stored", "", st
 TEST_CASE("A folder in the archive, any namespace or none, and other files do not matter") {
     const std::string folder = GENERATE("", "land/", "a/b/");
     const Main main = GENERATE(Main{}, Main{.root = "ISO5436", .space = ""}, Main{.root = "x:y", .space = ""});
-    const auto found = read(packed({{"__MACOSX/main.xml", "junk"},
+    const auto found = read(zipped({{"__MACOSX/main.xml", "junk"},
                                     {folder + "deeper/main.xml", "junk"},
                                     {folder + "mask.png", "png"},
                                     {folder + "main.xml", main.text()},
@@ -122,20 +102,20 @@ TEST_CASE("A folder in the archive, any namespace or none, and other files do no
 TEST_CASE("Missing points are NaN, an empty datum, or not set in the mask") {
     std::string mask = "\xff\xff\x0f";
     mask[1] = static_cast<char>(0xfd);  // the tenth point
-    const auto found = read(packed({{"main.xml", Main{.type = "I", .data = masked}.text()},
+    const auto found = read(zipped({{"main.xml", Main{.type = "I", .data = masked}.text()},
                                     {"bindata/data.bin", heights<std::int16_t>()},
                                     {"bindata/valid.bin", mask}}));
     CHECK(found.record.missing == 1);
     CHECK(std::isnan(found.map.at(1, 4)));
     CHECK(found.map.at(1, 3) == height(8) * 0.5);
-    CHECK(has(refusal(packed({{"main.xml", Main{.type = "I", .data = masked}.text()},
+    CHECK(has(refusal(zipped({{"main.xml", Main{.type = "I", .data = masked}.text()},
                               {"bindata/data.bin", heights<std::int16_t>()},
                               {"bindata/valid.bin", "\xff"}})),
               "one bit for each of 20 points"));
 
     std::string list = "<DataList>";
     for (int k = 0; k < 19; ++k) list += "<Datum>" + std::to_string(height(k)) + "</Datum>";
-    const auto listed = read(packed({{"main.xml", Main{.data = list + "<Datum/></DataList>"}.text()}}));
+    const auto listed = read(zipped({{"main.xml", Main{.data = list + "<Datum/></DataList>"}.text()}}));
     CHECK(listed.record.missing == 1);
     CHECK(std::isnan(listed.map.at(3, 4)));
     CHECK(listed.map.at(3, 3) == height(18) * 0.5);
@@ -144,14 +124,14 @@ TEST_CASE("Missing points are NaN, an empty datum, or not set in the mask") {
 }
 
 TEST_CASE("Increment and offset of the heights are applied, a profile needs no CY increment") {
-    const auto found = read(packed({{"main.xml", Main{.z = "<Increment>2</Increment><Offset>0.25</Offset>"}.text()},
+    const auto found = read(zipped({{"main.xml", Main{.z = "<Increment>2</Increment><Offset>0.25</Offset>"}.text()},
                                     {"bindata/data.bin", heights<double>()}}));
     CHECK(found.map.at(0, 1) == 8.25);
-    check_map(read(packed(
+    check_map(read(zipped(
                   {{"main.xml", Main{.z = "<Increment/><Offset/>"}.text()}, {"bindata/data.bin", heights<double>()}})),
               1);
     const auto profile =
-        read(packed({{"main.xml", Main{.feature = "PRF", .size = "<ListDimension>20</ListDimension>", .y = ""}.text()},
+        read(zipped({{"main.xml", Main{.feature = "PRF", .size = "<ListDimension>20</ListDimension>", .y = ""}.text()},
                      {"bindata/data.bin", heights<double>()}}));
     CHECK(profile.map.rows == 1);
     CHECK(profile.map.columns == 20);
@@ -162,8 +142,8 @@ TEST_CASE("Archives that would swell are refused before anything is inflated") {
     Main main;
     main.size = "<MatrixDimension><SizeX>2048</SizeX><SizeY>1024</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
     CHECK(has(refusal(main, zeros), "would inflate from"));
-    CHECK(has(refusal(packed({{"main.xml", std::string(zeros.size(), ' ')}})), "would inflate from"));
-    const std::string bytes = packed({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
+    CHECK(has(refusal(zipped({{"main.xml", std::string(zeros.size(), ' ')}})), "would inflate from"));
+    const std::string bytes = zipped({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
     const auto limited = [&](const io::X3pLimits& limits) {
         return test::refusal([&] { (void)io::read_x3p(bytes, "file.x3p", {.x3p_limits = limits}); });
     };
@@ -184,29 +164,29 @@ TEST_CASE("Names in the archive are compared, never followed") {
     }
     // the same bytes under that very name are a file of the archive, and nothing outside it is touched
     const Main main{.data = "<DataLink><PointDataLink>../../x</PointDataLink></DataLink>"};
-    check_map(read(packed({{"main.xml", main.text()}, {"../../x", heights<double>()}})));
-    check_map(read(packed({{"main.xml", Main{.data = "<DataLink><PointDataLink>.\\bindata\\data.bin</PointDataLink>"
+    check_map(read(zipped({{"main.xml", main.text()}, {"../../x", heights<double>()}})));
+    check_map(read(zipped({{"main.xml", Main{.data = "<DataLink><PointDataLink>.\\bindata\\data.bin</PointDataLink>"
                                                      "</DataLink>"}
                                             .text()},
                            {"bindata/data.bin", heights<double>()}})));
 }
 
 TEST_CASE("Every damaged archive is refused with a sentence") {
-    const std::string bytes = packed({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
+    const std::string bytes = zipped({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         CAPTURE(size);
         REQUIRE(!refusal(bytes.substr(0, size)).empty());
     }
     // one bit of the heights: the CRC knows
-    std::string stored = packed({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}}, false);
+    std::string stored = zipped({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}}, false);
     const std::size_t place = stored.find(heights<double>());
     REQUIRE(place != std::string::npos);
     stored[place + 6] ^= 1;
     CHECK(has(refusal(stored), "is damaged"));
-    CHECK(has(refusal(packed({{"other.xml", ""}})), "holds no main.xml"));
-    CHECK(has(refusal(packed({{"a/main.xml", ""}, {"b/main.xml", ""}})), "more than one main.xml"));
-    CHECK(has(refusal(packed({{"main.xml", "<a"}})), "no XML"));
-    CHECK(has(refusal(packed({{"main.xml", "<a/>"}})), "Record1 and Record3"));
+    CHECK(has(refusal(zipped({{"other.xml", ""}})), "holds no main.xml"));
+    CHECK(has(refusal(zipped({{"a/main.xml", ""}, {"b/main.xml", ""}})), "more than one main.xml"));
+    CHECK(has(refusal(zipped({{"main.xml", "<a"}})), "no XML"));
+    CHECK(has(refusal(zipped({{"main.xml", "<a/>"}})), "Record1 and Record3"));
 }
 
 TEST_CASE("Descriptions that cannot be read are refused with element, value and range") {
@@ -227,7 +207,7 @@ TEST_CASE("Descriptions that cannot be read are refused with element, value and 
 }
 
 TEST_CASE("An increment beside heights of floating point is said, and may be ignored") {
-    const std::string bytes = packed({{"main.xml", Main().text()}, {"bindata/data.bin", heights<double>()}});
+    const std::string bytes = zipped({{"main.xml", Main().text()}, {"bindata/data.bin", heights<double>()}});
     const auto reading = [&](io::X3pIncrement increment) {
         return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment});
     };
@@ -243,14 +223,14 @@ TEST_CASE("An increment beside heights of floating point is said, and may be ign
     CHECK(ignored.record.warnings[0].ends_with("x3p_increment = apply"));
     const Main plain{.z = "<Increment>1</Increment>"}, counted{.type = "I"};
     for (const auto& [main, data] : {std::pair{plain, heights<double>()}, {counted, heights<std::int16_t>()}})
-        CHECK(io::read_surface(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}), "file.x3p")
+        CHECK(io::read_surface(zipped({{"main.xml", main.text()}, {"bindata/data.bin", data}}), "file.x3p")
                   .record.warnings.empty());
 }
 
 TEST_CASE("An archive that is no X3P file is called what it is") {
-    CHECK(refusal(packed({{"xl/workbook.xml", "x"}})).find("Excel workbook (.xlsx)") != std::string::npos);
-    CHECK(refusal(packed({{"LAYER_0.raw", "x"}, {"index.xml", "x"}})).find("Sensofar") != std::string::npos);
-    CHECK(refusal(packed({{"heights.npy", "x"}})).find("NumPy") != std::string::npos);
+    CHECK(refusal(zipped({{"xl/workbook.xml", "x"}})).find("Excel workbook (.xlsx)") != std::string::npos);
+    CHECK(refusal(zipped({{"LAYER_0.raw", "x"}, {"index.xml", "x"}})).find("Sensofar") != std::string::npos);
+    CHECK(refusal(zipped({{"heights.npy", "x"}})).find("NumPy") != std::string::npos);
 }
 
 }  // namespace x3p_test

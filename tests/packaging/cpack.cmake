@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Packs what was built as .deb and .tar.gz, reads the fields of the former, unpacks both, runs the command and builds the
-# program of docs/linking-c.md from what was unpacked.
+# program of docs/linking-c.md from what was unpacked. No file comes with two packages, which are the components.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
@@ -59,7 +59,14 @@ function(fields package depends)
     if(NOT Package STREQUAL package OR NOT Version STREQUAL VERSION OR NOT Depends MATCHES "${depends}")
         message(FATAL_ERROR "${deb}: '${depends}' expected")
     endif()
-    execute_process(COMMAND ${dpkg_deb} -x ${deb} ${WORK}/installed COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${dpkg_deb} -x ${deb} ${WORK}/${package} COMMAND_ERROR_IS_FATAL ANY)
+    file(GLOB_RECURSE files RELATIVE ${WORK}/${package} ${WORK}/${package}/*)
+    foreach(file IN LISTS files)
+        if(EXISTS ${WORK}/installed/${file})
+            message(FATAL_ERROR "${file} comes with ${package} and with another package")
+        endif()
+    endforeach()
+    file(COPY ${WORK}/${package}/ DESTINATION ${WORK}/installed)
 endfunction()
 fields(fstiff "libc6 \\(>= .*libstdc\\+\\+6 \\(>=")
 fields(libfstiff-dev "^libeigen3-dev \\(>= 3\\.4\\)$")

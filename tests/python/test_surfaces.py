@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measured surfaces: arrays, files and topographies give the JSON of the command, and the numbers of C++."""
 
-import json
 import os
 import pathlib
 import threading

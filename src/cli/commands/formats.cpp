@@ -30,7 +30,7 @@ constexpr std::array<Row, 13> rows{{
      "four columns and more, or a size in the header or by --dx or --width",
      "--units, and --dx or --width, without a header that has them"},
     {"sdf", ".sdf", "ISO 25178-71, text or binary", "its first bytes, such as aISO-1.0 or bISO-1.0", "nothing"},
-    {"x3p", ".x3p", "ISO 25178-72, where fstiff was built with libzip and pugixml",
+    {"x3p", ".x3p", "ISO 25178-72, where fstiff was built with zlib and pugixml",
      "its first bytes, those of a ZIP archive", "nothing"},
     {"npy", ".npy", "NumPy array of integers or floating point: one dimension is a profile, two are a map",
      "its first bytes, \\x93NUMPY", "--units, and --spacing of a profile, --dx or --width of a map"},
