@@ -31,7 +31,7 @@ std::string stored(const std::string& index, const std::string& heights) {
         const std::string entry = little(20, 2) + little(0, 8) + little(check_sum(content), 4) +
                                   little(content.size(), 4) + little(content.size(), 4) + little(name.size(), 2) +
                                   little(0, 2);
-        list += "PK\1\2" + little(20, 2) + entry + little(0, 10) + little(bytes.size(), 4) + name;
+        list += "PK\1\2" + little(20, 2) + entry + little(0, 8) + little(0, 2) + little(bytes.size(), 4) + name;
         bytes += "PK\3\4" + entry + name + content;
     }
     return bytes + list + "PK\5\6" + little(0, 4) + little(2, 2) + little(2, 2) + little(list.size(), 4) +
