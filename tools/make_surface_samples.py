@@ -121,9 +121,45 @@ def stl_text():
     return (text + "endsolid plate\n").encode()
 
 
+def padded(data):
+    return data + bytes(-len(data) % 4)
+
+
+def netcdf(points=(("x", COLUMNS, 2.0), ("y", ROWS, 0.75))):
+    """Steps of 0.5 and 0.25 um, heights in um over (x, y), with a mask; or a profile."""
+    def name(text):
+        return struct.pack(">I", len(text)) + padded(text.encode())
+
+    def attributes(**values):
+        return struct.pack(">2I", 12, len(values)) + b"".join(
+            name(key) + (struct.pack(">2I", 2, len(value)) + padded(value.encode()) if isinstance(value, str) else
+                         struct.pack(">2Id", 6, 1, value)) for key, value in values.items())
+
+    at = [(row, column) for column in range(points[0][1]) for row in range(points[1][1] if len(points) > 1 else 1)]
+    over = list(range(len(points)))
+    variables = [("heights", over, attributes(unit="um"), 6, struct.pack(f">{len(at)}d", *heights(points=at)))]
+    variables += [(axis, [i], attributes(length=length, unit="um"), 4, bytes(4 * count))
+                  for i, (axis, count, length) in enumerate(points)]
+    if len(points) > 1:
+        variables.append(("mask", over, attributes(), 1, padded(bytes(one == (1, 2) for one in at))))
+
+    def header(place):
+        out = struct.pack(">4s3I", b"CDF\1", 0, 10, len(points))
+        out += b"".join(name(axis) + struct.pack(">I", count) for axis, count, length in points)
+        out += attributes(history="small") + struct.pack(">2I", 11, len(variables))
+        for title, dimensions, stated, kind, data in variables:
+            out += name(title) + struct.pack(f">{len(dimensions) + 1}I", len(dimensions), *dimensions) + stated
+            out += struct.pack(">3I", kind, len(data), place)
+            place += len(data)
+        return out
+
+    return header(len(header(0))) + b"".join(data for *rest, data in variables)
+
+
 FILES = {"metropro/map.dat": metropro, "vk4/map.vk4": vk4, "vk4/map.vk6": vk6, "opd/map.opd": opd,
          "opd/real.opd": lambda: opd(4), "al3d/map.al3d": al3d, "plu/map.plu": plu, "plux/map.plux": plux,
-         "stl/map.stl": stl, "stl/text.stl": stl_text}
+         "stl/map.stl": stl, "stl/text.stl": stl_text, "netcdf/map.nc": netcdf,
+         "netcdf/profile.nc": lambda: netcdf((("x", 20, 10.0),))}
 
 if __name__ == "__main__":
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1] / "tests/fuzz/corpus")

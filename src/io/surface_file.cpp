@@ -6,6 +6,7 @@
 #include "io/gwy.hpp"
 #include "io/map_text.hpp"
 #include "io/metropro.hpp"
+#include "io/netcdf.hpp"
 #include "io/npy.hpp"
 #include "io/opd.hpp"
 #include "io/plu.hpp"
@@ -127,6 +128,7 @@ SurfaceFormat form_of_first_bytes(std::string_view bytes) {
     if (is_metropro(bytes)) return SurfaceFormat::metropro;
     if (is_vk4(bytes)) return SurfaceFormat::vk4;
     if (is_opd(bytes)) return SurfaceFormat::opd;
+    if (is_netcdf(bytes)) return SurfaceFormat::netcdf;
     if (is_al3d(bytes)) return SurfaceFormat::al3d;
     if (is_plu(bytes)) return SurfaceFormat::plu;
     return is_stl(bytes) ? SurfaceFormat::stl : SurfaceFormat::automatic;
@@ -217,6 +219,8 @@ Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::str
             return read_al3d(bytes, name);
         case SurfaceFormat::plu:
             return read_plu(bytes, name);
+        case SurfaceFormat::netcdf:
+            return read_netcdf(bytes, name);
         case SurfaceFormat::stl:
             return read_stl(bytes, name, options);
         default:

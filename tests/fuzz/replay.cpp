@@ -17,6 +17,9 @@
 #define LLVMFuzzerTestOneInput fuzz_metropro
 #include "metropro_fuzz.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzz_netcdf
+#include "netcdf_fuzz.cpp"
+#undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput fuzz_npy
 #include "npy_fuzz.cpp"
 #undef LLVMFuzzerTestOneInput
@@ -67,6 +70,7 @@ const std::map<std::string, int (*)(const std::uint8_t*, std::size_t)> targets{
     {"gwy", fuzz_gwy},
     {"map_text", fuzz_map_text},
     {"metropro", fuzz_metropro},
+    {"netcdf", fuzz_netcdf},
     {"npy", fuzz_npy},
     {"opd", fuzz_opd},
     {"plu", fuzz_plu},

@@ -56,7 +56,8 @@ enum class SurfaceFormat {
     al3d,
     plu,
     plux,
-    stl
+    stl,
+    netcdf
 };
 
 /// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
@@ -87,6 +88,7 @@ inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::plu, "plu"},
     {io::SurfaceFormat::plux, "plux"},
     {io::SurfaceFormat::stl, "stl"},
+    {io::SurfaceFormat::netcdf, "netcdf"},
 });
 template <>
 inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
