@@ -31,7 +31,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, and of folders.
 FILE_LINES, FUNCTION_LINES = 400, 60
-TOTALS = {"include": 26800, "src without io": 23520, "tools": 3500}
+TOTALS = {"include": 26800, "src without io": 23520, "tools": 3520}
 
 
 def read(path):

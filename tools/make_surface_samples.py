@@ -127,8 +127,8 @@ def padded(data):
 
 def netcdf(points=(("x", COLUMNS, 2.0), ("y", ROWS, 0.75))):
     """Steps of 0.5 and 0.25 um, heights in um over (x, y), with a mask; or a profile."""
-    def name(text):
-        return struct.pack(">I", len(text)) + padded(text.encode())
+    def name(title):
+        return struct.pack(">I", len(title)) + padded(title.encode())
 
     def attributes(**values):
         return struct.pack(">2I", 12, len(values)) + b"".join(
@@ -156,10 +156,56 @@ def netcdf(points=(("x", COLUMNS, 2.0), ("y", ROWS, 0.75))):
     return header(len(header(0))) + b"".join(data for *rest, data in variables)
 
 
+def text(value, form="<I"):
+    return struct.pack(form, len(value)) + value
+
+
+def sized(content):
+    """Behind the length of its length, and its length."""
+    return b"\2" + text(content, "<H")
+
+
+def item(title, kind, content=b""):
+    return text(title.encode()) + bytes([kind]) + content
+
+
+def folder(title, *items):
+    return item(title, 0x7D, sized(b"".join(items) + item("", 0x7F) + bytes(2)))
+
+
+def quantity(title, value, unit):
+    return item(title, 0x13, sized(struct.pack("<d", value) + text(b"Length") + text(unit.encode())))
+
+
+def opdx_file(*folders):
+    return b"VCA DATA\1\0\0\x55" + b"".join(folders) + item("", 0x7F)
+
+
+def opdx(profile=False):
+    """Steps of 0.5 and 0.25 um, heights in 2 nm; or a profile of 20 points."""
+    if profile:
+        numbers = heights(points=[(0, column) for column in range(20)])
+        data = folder("1D_Data", folder("Raw", item("NumPoints", 6, struct.pack("<i", 20)),
+                                        item("Array", 0x40, text(b"d") + sized(bytes(5) + struct.pack("<20d", *numbers))),
+                                        quantity("Extent", 9.5, "\u00b5m"), quantity("DataScale", 2, "nm")))
+        channels = folder("1D_Channels", item("Height", 0x42, text(b"S") + sized(text(b"Raw"))))
+        return opdx_file(data, folder("MetaData", item("DataKind", 0x12, sized(b"Surface Profile")), channels))
+    matrix = struct.pack("<2I12f", ROWS, COLUMNS, *heights(float("nan")))
+    fields = [item("Dimension1Points", 6, struct.pack("<i", ROWS)), item("Dimension2Points", 6, struct.pack("<i", COLUMNS)),
+              quantity("Dimension1Extent", 0.5, "\u00b5m"), quantity("Dimension2Extent", 1.5, "\u00b5m"),
+              quantity("DataScale", 2, "nm"), item("Matrix", 0x45, text(b"Matrix<float>") + sized(matrix)),
+              item("DataKind", 0x12, sized(b"Height"))]
+    names = item("Height", 0x42, text(b"S") + sized(text(b"Other") + text(b"Raw")))
+    return opdx_file(folder("2D_Data", folder("Raw", *fields), folder("Other", *fields)),
+                     folder("MetaData", item("Date", 0x15, bytes(9)), item("DataKind", 0x12, sized(b"Surface Height")),
+                            item("PrimaryData2D", 0x12, sized(b"Raw")), folder("2D_Channels", names)))
+
+
 FILES = {"metropro/map.dat": metropro, "vk4/map.vk4": vk4, "vk4/map.vk6": vk6, "opd/map.opd": opd,
          "opd/real.opd": lambda: opd(4), "al3d/map.al3d": al3d, "plu/map.plu": plu, "plux/map.plux": plux,
          "stl/map.stl": stl, "stl/text.stl": stl_text, "netcdf/map.nc": netcdf,
-         "netcdf/profile.nc": lambda: netcdf((("x", 20, 10.0),))}
+         "netcdf/profile.nc": lambda: netcdf((("x", 20, 10.0),)), "opdx/map.opdx": opdx,
+         "opdx/profile.opdx": lambda: opdx(True)}
 
 if __name__ == "__main__":
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1] / "tests/fuzz/corpus")

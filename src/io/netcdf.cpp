@@ -80,7 +80,10 @@ private:
         const std::uint64_t found = take(4), many = count();
         if (found != tag && (found != 0 || many != 0))
             refuse_file(file_.name(), {"has a tag ", found, " before its ", what, "; must be ", tag, ", or 0 for none"});
-        for (std::uint64_t i = 0; i < many; ++i) use();  // ends with the file at the latest
+        for (std::uint64_t i = 0; i < many; ++i) {
+            if (++entries_ > 100000) refuse_file(file_.name(), {"has more than 100000 entries; must have fewer"});
+            use();
+        }
     }
     NcValues values() {
         const NcValues found{take(4), 0, 0};
@@ -117,7 +120,7 @@ private:
     }
 
     const FileBytes& file_;
-    std::uint64_t form_{}, place_ = 4;
+    std::uint64_t form_{}, place_ = 4, entries_ = 0;
     std::vector<std::pair<std::string, std::uint64_t>> dimensions_;
     std::map<std::string, NcVariable> variables_;
 };

@@ -17,7 +17,7 @@
 /// Reference   The NetCDF Classic Format Specification (Unidata); names as SurfaceTopography 1.27.1 (MIT licence) writes
 ///             them
 /// Units       map in m
-/// Valid       2 points a side at least, or one profile; heights that vary; no records; NetCDF 4, which is HDF5, and
+/// Valid       2 points a side at least, or one profile; heights that vary; no records; 100000 entries; NetCDF 4, which is HDF5, and
 ///             profiles of unequal steps are refused
 /// Accuracy    number times unit, rounded once (tests/io/netcdf_test.cpp)
 

@@ -9,6 +9,7 @@
 #include "io/netcdf.hpp"
 #include "io/npy.hpp"
 #include "io/opd.hpp"
+#include "io/opdx.hpp"
 #include "io/plu.hpp"
 #include "io/plux.hpp"
 #include "io/profile_text.hpp"
@@ -129,6 +130,7 @@ SurfaceFormat form_of_first_bytes(std::string_view bytes) {
     if (is_vk4(bytes)) return SurfaceFormat::vk4;
     if (is_opd(bytes)) return SurfaceFormat::opd;
     if (is_netcdf(bytes)) return SurfaceFormat::netcdf;
+    if (is_opdx(bytes)) return SurfaceFormat::opdx;
     if (is_al3d(bytes)) return SurfaceFormat::al3d;
     if (is_plu(bytes)) return SurfaceFormat::plu;
     return is_stl(bytes) ? SurfaceFormat::stl : SurfaceFormat::automatic;
@@ -221,6 +223,8 @@ Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::str
             return read_plu(bytes, name);
         case SurfaceFormat::netcdf:
             return read_netcdf(bytes, name);
+        case SurfaceFormat::opdx:
+            return read_opdx(bytes, name);
         case SurfaceFormat::stl:
             return read_stl(bytes, name, options);
         default:

@@ -34,7 +34,7 @@ using Of = SurfaceOptions;
 constexpr SurfaceOptionRow rows[] = {
     {"format", file, &Of::format, always,
      "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd, "
-     "metropro, vk4, opd, al3d, plu, plux, stl or netcdf",
+     "metropro, vk4, opd, al3d, plu, plux, stl, netcdf or opdx",
      {.flag = "input-format", .json = "input_format"}},
     {"units", file, &Of::units, always,
      "units of lengths and heights of a text, .npy or .stl, such as um,nm, or one for both; replace those of the file"},

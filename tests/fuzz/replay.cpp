@@ -26,6 +26,9 @@
 #define LLVMFuzzerTestOneInput fuzz_opd
 #include "opd_fuzz.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzz_opdx
+#include "opdx_fuzz.cpp"
+#undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput fuzz_plu
 #include "plu_fuzz.cpp"
 #undef LLVMFuzzerTestOneInput
@@ -73,6 +76,7 @@ const std::map<std::string, int (*)(const std::uint8_t*, std::size_t)> targets{
     {"netcdf", fuzz_netcdf},
     {"npy", fuzz_npy},
     {"opd", fuzz_opd},
+    {"opdx", fuzz_opdx},
     {"plu", fuzz_plu},
     {"profile_text", fuzz_profile_text},
     {"sdf", fuzz_sdf},

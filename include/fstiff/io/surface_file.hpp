@@ -57,7 +57,8 @@ enum class SurfaceFormat {
     plu,
     plux,
     stl,
-    netcdf
+    netcdf,
+    opdx
 };
 
 /// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
@@ -89,6 +90,7 @@ inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::plux, "plux"},
     {io::SurfaceFormat::stl, "stl"},
     {io::SurfaceFormat::netcdf, "netcdf"},
+    {io::SurfaceFormat::opdx, "opdx"},
 });
 template <>
 inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
