@@ -186,6 +186,7 @@ def opdx(profile=False):
     if profile:
         numbers = heights(points=[(0, column) for column in range(20)])
         data = folder("1D_Data", folder("Raw", item("NumPoints", 6, struct.pack("<i", 20)),
+                                        item("DataKind", 0x12, sized(b"Height")),
                                         item("Array", 0x40, text(b"d") + sized(bytes(5) + struct.pack("<20d", *numbers))),
                                         quantity("Extent", 9.5, "\u00b5m"), quantity("DataScale", 2, "nm")))
         channels = folder("1D_Channels", item("Height", 0x42, text(b"S") + sized(text(b"Raw"))))
@@ -197,7 +198,7 @@ def opdx(profile=False):
               item("DataKind", 0x12, sized(b"Height"))]
     names = item("Height", 0x42, text(b"S") + sized(text(b"Other") + text(b"Raw")))
     return opdx_file(folder("2D_Data", folder("Raw", *fields), folder("Other", *fields)),
-                     folder("MetaData", item("Date", 0x15, bytes(9)), item("DataKind", 0x12, sized(b"Surface Height")),
+                     folder("MetaData", item("Stamp", 0x15, bytes(9)), item("DataKind", 0x12, sized(b"Surface Height")),
                             item("PrimaryData2D", 0x12, sized(b"Raw")), folder("2D_Channels", names)))
 
 
