@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the small files of instruments that the tests and the fuzzers of the readers begin with.
 
-    tools/make_surface_samples.py [FOLDER]      default tests/fuzz/corpus
+    tools/make_surface_samples.py            writes them into tests/fuzz/corpus
+    tools/make_surface_samples.py --check    compares them with those that are there
 
 Every file is a map of 3 rows and 4 columns, height (row, column) = 10 row + column^2 in units of the form, from the
-top; row 1, column 2 is missing where the form has missing points. The layouts are those of the heads of src/io/*.hpp."""
+top; row 1, column 2 is missing where the form has missing points. The heads of src/io/*.hpp have the layouts."""
 import io
 import pathlib
 import struct
@@ -92,12 +93,14 @@ def plux():
     """Steps of 0.5 and 0.25 um, heights in um."""
     index = (f"<xml><GENERAL><IMAGE_SIZE_X>{COLUMNS}</IMAGE_SIZE_X><IMAGE_SIZE_Y>{ROWS}</IMAGE_SIZE_Y>"
              "<FOV_X>0.5</FOV_X><FOV_Y>0.25</FOV_Y><DATE>10 March 2023 16:35:59</DATE></GENERAL>"
-             "<LAYER_0><FILENAME_Z>LAYER_0.raw</FILENAME_Z></LAYER_0><INFO><ITEM_0><NAME>Device</NAME><VALUE>S neox</VALUE></ITEM_0></INFO></xml>")
+             "<LAYER_0><FILENAME_Z>LAYER_0.raw</FILENAME_Z></LAYER_0>"
+             "<INFO><ITEM_0><NAME>Device</NAME><VALUE>S neox</VALUE></ITEM_0></INFO></xml>")
     return archive([("index.xml", index), ("LAYER_0.raw", struct.pack("<12f", *heights(float("nan"))))])
 
 
 def triangles():
-    """Two of every cell, without those at row 1, column 2, so that row 0, column 3 is missing too; steps 0.5 and 0.25, rows from the lowest y."""
+    """Two of every cell, without those at row 1, column 2, so that row 0, column 3 is missing too; steps 0.5 and 0.25,
+    rows from the lowest y."""
     for row in range(ROWS - 1):
         for column in range(COLUMNS - 1):
             a, b, c, d = ((row + i, column + j) for i in (0, 1) for j in (0, 1))
@@ -185,14 +188,16 @@ def opdx(profile=False):
     """Steps of 0.5 and 0.25 um, heights in 2 nm; or a profile of 20 points."""
     if profile:
         numbers = heights(points=[(0, column) for column in range(20)])
+        array = text(b"d") + sized(bytes(5) + struct.pack("<20d", *numbers))
         data = folder("1D_Data", folder("Raw", item("NumPoints", 6, struct.pack("<i", 20)),
                                         item("DataKind", 0x12, sized(b"Height")),
-                                        item("Array", 0x40, text(b"d") + sized(bytes(5) + struct.pack("<20d", *numbers))),
+                                        item("Array", 0x40, array),
                                         quantity("Extent", 9.5, "\u00b5m"), quantity("DataScale", 2, "nm")))
         channels = folder("1D_Channels", item("Height", 0x42, text(b"S") + sized(text(b"Raw"))))
         return opdx_file(data, folder("MetaData", item("DataKind", 0x12, sized(b"Surface Profile")), channels))
     matrix = struct.pack("<2I12f", ROWS, COLUMNS, *heights(float("nan")))
-    fields = [item("Dimension1Points", 6, struct.pack("<i", ROWS)), item("Dimension2Points", 6, struct.pack("<i", COLUMNS)),
+    fields = [item("Dimension1Points", 6, struct.pack("<i", ROWS)),
+              item("Dimension2Points", 6, struct.pack("<i", COLUMNS)),
               quantity("Dimension1Extent", 0.5, "\u00b5m"), quantity("Dimension2Extent", 1.5, "\u00b5m"),
               quantity("DataScale", 2, "nm"), item("Matrix", 0x45, text(b"Matrix<float>") + sized(matrix)),
               item("DataKind", 0x12, sized(b"Height"))]
@@ -209,8 +214,11 @@ FILES = {"metropro/map.dat": metropro, "vk4/map.vk4": vk4, "vk4/map.vk6": vk6, "
          "opdx/profile.opdx": lambda: opdx(True)}
 
 if __name__ == "__main__":
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1] / "tests/fuzz/corpus")
-    for name, make in FILES.items():
-        path = root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(make())
+    root = pathlib.Path(__file__).parents[1] / "tests/fuzz/corpus"
+    made = {root / name: make() for name, make in FILES.items()}
+    if "--check" in sys.argv:
+        sys.exit("\n".join(f"{path} is another" for path, data in made.items()
+                           if not path.exists() or path.read_bytes() != data) or 0)
+    for path, data in made.items():
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(data)
