@@ -6,6 +6,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/files.hpp"
+#include "support/stored_archive.hpp"
 
 #include <bit>
 
@@ -14,12 +15,7 @@ namespace test {
 /// The file \p name, such as "opd/map.opd".
 inline std::string sample(const std::string& name) { return read(FSTIFF_TEST_DATA "/../fuzz/corpus/" + name); }
 
-/// \p value as \p size bytes.
-inline std::string little(std::int64_t value, std::size_t size) {
-    std::string bytes;
-    for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i));
-    return bytes;
-}
+/// \p value as \p size bytes, the most significant first.
 inline std::string big(std::int64_t value, std::size_t size) {
     const std::string bytes = little(value, size);
     return {bytes.rbegin(), bytes.rend()};
@@ -69,9 +65,7 @@ inline void check_known(const std::string& bytes, fstiff::io::SurfaceFormat form
     const fstiff::io::Surface found = fstiff::io::read_surface(input, "file", options);
     CHECK(found.record.format == format);
     CHECK(found.map().rows() == 3);
-    CHECK(!refusal([&] {
-               (void)fstiff::io::read_surface(bytes, "file", {.dx = 1.0});
-           }).empty());
+    CHECK(!refusal([&] { (void)fstiff::io::read_surface(bytes, "file", {.dx = 1.0}); }).empty());
 }
 
 }  // namespace test
