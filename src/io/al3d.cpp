@@ -24,8 +24,8 @@ public:
         const std::uint64_t columns = count("Cols"), rows = count("Rows"), place = count("DepthImageOffset");
         if (place == 0) refuse_file(file_.name(), {"holds no depth image; must hold heights, not texture alone"});
         const StoredGrid grid{place, 4, columns, rows, columns % 2 * 4};
-        const double missing = text("InvalidPixelValue").empty() ? std::numeric_limits<double>::quiet_NaN()
-                                                                 : invalid_value();
+        const double missing =
+            text("InvalidPixelValue").empty() ? std::numeric_limits<double>::quiet_NaN() : invalid_value();
         RawMap map;
         read_grid(map, file_, grid, [&](std::string_view height) {
             const double z = real_at(height, false);

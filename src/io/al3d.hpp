@@ -3,8 +3,8 @@
 /// \file
 /// Reads maps of Alicona (.al3d).
 ///
-/// "AliconaImaging", NUL, CR LF, and tags of 52 bytes, each a key (20 characters), a value (30) and CR LF. The first are
-/// Version and TagCount, the number of those that follow. Of them are used
+/// "AliconaImaging", NUL, CR LF, and tags of 52 bytes, each a key (20 characters), a value (30) and CR LF. The first
+/// are Version and TagCount, the number of those that follow. Of them are used
 ///
 ///     Cols, Rows, PixelSizeXMeter, PixelSizeYMeter [m], DepthImageOffset, InvalidPixelValue
 ///

@@ -31,9 +31,9 @@ std::string_view stored_heights(const FileBytes& file, const StoredGrid& grid) {
                      std::to_string(grid.columns) + " x " + std::to_string(grid.rows), "at least 2 x 1");
     const std::uint64_t row = grid.columns * grid.size + grid.padding;  // below 2^36
     if (grid.place > file.size() || grid.rows > (file.size() - grid.place) / row)
-        refuse_file(file.name(), {"declares ", grid.columns, " x ", grid.rows, " heights of ", grid.size,
-                                  " bytes from byte ", grid.place, " on, but has ", file.size(),
-                                  " bytes; must hold all"});
+        refuse_file(file.name(),
+                    {"declares ", grid.columns, " x ", grid.rows, " heights of ", grid.size, " bytes from byte ",
+                     grid.place, " on, but has ", file.size(), " bytes; must hold all"});
     return file.at(grid.place, row * grid.rows, "the heights");
 }
 

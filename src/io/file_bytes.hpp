@@ -46,10 +46,10 @@ private:
 
 /// Where the heights of a map stand, row after row.
 struct StoredGrid {
-    std::uint64_t place{};           // of the first height
-    std::size_t size{};              // bytes of a height
+    std::uint64_t place{};            // of the first height
+    std::size_t size{};               // bytes of a height
     std::uint64_t columns{}, rows{};  // below 2^32
-    std::uint64_t padding{};         // bytes behind each row, below 16
+    std::uint64_t padding{};          // bytes behind each row, below 16
 };
 
 /// \p value, which the file states as \p field. \throws domain_error unless it is finite and greater than 0.

@@ -3,6 +3,8 @@
 
 #include "io/file_bytes.hpp"
 
+#include <fstiff/io/units.hpp>
+
 #include <map>
 
 namespace fstiff::io {
@@ -64,7 +66,8 @@ private:
     /// A count of what each takes a byte of the file at least.
     std::uint64_t count() {
         const std::uint64_t value = take(form_ == 5 ? 8 : 4);
-        if (value > most_bytes) refuse_file(file_.name(), {"has a count of ", value, " in its header; must be below 2^31"});
+        if (value > most_bytes)
+            refuse_file(file_.name(), {"has a count of ", value, " in its header; must be below 2^31"});
         return value;
     }
     /// Past \p size bytes and what fills them up to a multiple of 4.
@@ -79,7 +82,8 @@ private:
     void each(std::uint64_t tag, const char* what, const Use& use) {
         const std::uint64_t found = take(4), many = count();
         if (found != tag && (found != 0 || many != 0))
-            refuse_file(file_.name(), {"has a tag ", found, " before its ", what, "; must be ", tag, ", or 0 for none"});
+            refuse_file(file_.name(),
+                        {"has a tag ", found, " before its ", what, "; must be ", tag, ", or 0 for none"});
         for (std::uint64_t i = 0; i < many; ++i) {
             if (++entries_ > 100000) refuse_file(file_.name(), {"has more than 100000 entries; must have fewer"});
             use();
@@ -170,7 +174,8 @@ private:
     const NcVariable& require(const std::string& name) const {
         const NcVariable* const found = header_.find(name);
         if (!found)
-            refuse_file(file_.name(), {"has no variable ", name, "; must be a surface as contact.engineering writes it"});
+            refuse_file(file_.name(),
+                        {"has no variable ", name, "; must be a surface as contact.engineering writes it"});
         return *found;
     }
     /// All bytes of \p variable, which is over as many points as the map has.
@@ -185,8 +190,7 @@ private:
                                                       : static_cast<double>(signed_at(bytes, true));
     }
     double number_at(const NcValues& values, const std::string& name) const {
-        if (values.count != 1 || values.type == 2)
-            refuse_field(file_.name(), name, "no number", "one number");
+        if (values.count != 1 || values.type == 2) refuse_field(file_.name(), name, "no number", "one number");
         return number(file_.at(values.place, nc_size(values.type), name), values.type, 0);
     }
     /// What the unit of \p variable is worth [m]; that of x where it has none.
@@ -212,7 +216,7 @@ private:
     }
 
     Record record_of(const RawMap& map, const NcVariable& heights) const {
-        static constexpr const char* types[] = {"",      "int8",   "text",  "int16", "int32", "float32",
+        static constexpr const char* types[] = {"",        "int8",  "text",   "int16",  "int32", "float32",
                                                 "float64", "uint8", "uint16", "uint32", "int64", "uint64"};
         Record record;
         record.say("form", std::string("NetCDF of contact.engineering, heights of ") + types[heights.values.type % 12]);
@@ -239,7 +243,8 @@ bool is_netcdf(std::string_view bytes) {
 Reading read_netcdf(std::string_view bytes, std::string_view name) {
     const detail::FileBytes file(bytes, std::string(name), true);
     if (!is_netcdf(bytes))
-        detail::refuse_file(file.name(), {"does not begin as a classic NetCDF file; must begin with CDF and 1, 2 or 5"});
+        detail::refuse_file(file.name(),
+                            {"does not begin as a classic NetCDF file; must begin with CDF and 1, 2 or 5"});
     return detail::NetcdfReader(file).read();
 }
 

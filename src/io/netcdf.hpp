@@ -14,11 +14,10 @@
 ///
 /// NaN and the attribute _FillValue of heights are missing points too. Rows are the index y.
 ///
-/// Reference   The NetCDF Classic Format Specification (Unidata); names as SurfaceTopography 1.27.1 (MIT licence) writes
-///             them
+/// Reference   The NetCDF Classic Format Specification (Unidata); names as in SurfaceTopography 1.27.1 (MIT licence)
 /// Units       map in m
-/// Valid       2 points a side at least, or one profile; heights that vary; no records; 100000 entries; NetCDF 4, which is HDF5, and
-///             profiles of unequal steps are refused
+/// Valid       2 points a side at least, or one profile; heights that vary; no records; at most 100000
+///             entries; NetCDF 4, which is HDF5, and profiles of unequal steps are refused
 /// Accuracy    number times unit, rounded once (tests/io/netcdf_test.cpp)
 
 #include "io/reading.hpp"

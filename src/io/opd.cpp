@@ -30,7 +30,8 @@ struct OpdHeader {
 Record record_of(const OpdHeader& file, const RawMap& map) {
     Record record;
     record.say("form", "Wyko or Bruker Vision (.opd), array " + shown_cell(file.array) + " of " +
-                           std::to_string(file.bits) + " bits" + (file.title.empty() ? "" : ", \"" + file.title + "\""));
+                           std::to_string(file.bits) + " bits" +
+                           (file.title.empty() ? "" : ", \"" + file.title + "\""));
     std::string others;
     for (const std::string& other : file.others) others += (others.empty() ? "" : ", ") + shown_cell(other);
     if (!others.empty()) record.say("other arrays", others + ", not read");
@@ -51,7 +52,8 @@ public:
         read_directory();
         const OpdBlock& array = heights();
         if (const OpdBlock* const title = find("Title"))
-            header_.title = printable(file_.words(title->place, (std::min<std::uint64_t>)(title->size, 80), "Title"), 80);
+            header_.title =
+                printable(file_.words(title->place, (std::min<std::uint64_t>)(title->size, 80), "Title"), 80);
         const double mult = number_of("Mult", 1);
         header_.step = require_step(file_.name(), "Wavelength / Mult", number_of("Wavelength", 0) / mult) * 1e-9;
         const double dx = number_of("Pixel_size", 0) * 1e-3;
@@ -114,7 +116,8 @@ private:
             if (const OpdBlock* const block = find(name); block && block->type == 3 && !chosen) chosen = block;
         for (const OpdBlock& block : blocks_)
             if (block.type == 3 && block.size > 0 && &block != chosen) header_.others.push_back(block.name);
-        if (!chosen) refuse_file(file_.name(), {"has no array of heights; must have RAW_DATA, OPD, Raw or SAMPLE_DATA"});
+        if (!chosen)
+            refuse_file(file_.name(), {"has no array of heights; must have RAW_DATA, OPD, Raw or SAMPLE_DATA"});
         header_.array = chosen->name;
         return *chosen;
     }
@@ -125,6 +128,9 @@ private:
         const std::uint64_t size = file_.number(array.place + 4, 2, "bytes of a height");
         if (size != 2 && size != 4) refuse_field(file_.name(), "bytes of a height", std::to_string(size), "2 or 4");
         header_.bits = static_cast<std::size_t>(8 * size);
+        if (6 + size * columns * rows > array.size)
+            refuse_file(file_.name(), {"declares ", columns, " x ", rows, " heights of ", size, " bytes in a block of ",
+                                       array.size, "; must hold all"});
         const std::string_view heights =
             stored_heights(file_, {array.place + 6, static_cast<std::size_t>(size), columns, rows, 0});
         allocate(map, static_cast<std::size_t>(rows), static_cast<std::size_t>(columns));

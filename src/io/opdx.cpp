@@ -3,6 +3,8 @@
 
 #include "io/file_bytes.hpp"
 
+#include <fstiff/io/units.hpp>
+
 #include <map>
 
 namespace fstiff::io {
@@ -47,7 +49,8 @@ private:
     std::uint64_t length(const std::string& path) {
         const std::uint64_t bytes = number(1, path);
         if (bytes != 1 && bytes != 2 && bytes != 4)
-            refuse_file(file_.name(), {"has a length of ", bytes, " bytes in ", shown_cell(path), "; must be 1, 2 or 4"});
+            refuse_file(file_.name(),
+                        {"has a length of ", bytes, " bytes in ", shown_cell(path), "; must be 1, 2 or 4"});
         const std::uint64_t size = number(static_cast<std::size_t>(bytes), path);
         (void)file_.at(place_, size, path);
         return size;
@@ -68,7 +71,8 @@ private:
         if (depth > 32) refuse_file(file_.name(), {"has more than 32 items within one another; must have fewer"});
         while (place_ < end) {
             const std::string path = folder + name(folder);
-            OpdxItem item{.type = static_cast<unsigned>(number(1, path))};
+            OpdxItem item;
+            item.type = static_cast<unsigned>(number(1, path));
             if (item.type == 0x7F) return;
             if (item.type == 0x7D || item.type == 0x46 || item.type == 0x47) {
                 const std::uint64_t inner_end = end_within(length(path), end, path);
@@ -98,7 +102,8 @@ private:
         const bool named = item.type == 0x00 || item.type == 0x45 || item.type == 0x40 || item.type == 0x42 ||
                            item.type == 0x0E || item.type == 0x7C;
         if (!named && item.type != 0x12 && item.type != 0x13 && item.type != 0x18)
-            refuse_file(file_.name(), {"holds ", shown_cell(path), " of the type ", item.type, "; must be a known one"});
+            refuse_file(file_.name(),
+                        {"holds ", shown_cell(path), " of the type ", item.type, "; must be a known one"});
         if (named) name(path);
         if (item.type == 0x00) {
             take(4, path);
@@ -146,6 +151,7 @@ public:
         if (is_map_) {
             const OpdxItem& matrix = required("Matrix");
             const StoredGrid grid{matrix.place, 4, points_of("Dimension2Points"), points_of("Dimension1Points"), 0};
+            require_whole(grid, matrix.size, 8);
             if (matrix.rows != grid.rows || matrix.columns != grid.columns)
                 refuse_file(file_.name(), {"declares ", grid.columns, " x ", grid.rows, " points over a matrix of ",
                                            matrix.columns, " x ", matrix.rows, "; must be as many"});
@@ -154,6 +160,7 @@ public:
             set_spacings(map, dx, grid.rows == 1 ? dx : step("Dimension1Extent", grid.rows), file_.name());
         } else {
             const StoredGrid grid{required("Array").place, 8, points_of("NumPoints"), 1, 0};
+            require_whole(grid, required("Array").size, 5);
             read_grid(map, file_, grid, [&](std::string_view height) { return real_at(height, false) * scale; });
             const double dx = step("Extent", grid.columns);
             set_spacings(map, dx, dx, file_.name());
@@ -199,6 +206,12 @@ private:
             refuse_field(file_.name(), name, number_text(value), "a whole number from 1 to 4294967295");
         return static_cast<std::uint64_t>(value);
     }
+    /// \throws unless the heights of \p grid fit into \p size bytes, the first \p before of which are others.
+    void require_whole(const StoredGrid& grid, std::uint64_t size, std::uint64_t before) const {
+        if (size < before || grid.rows > (size - before) / grid.size / grid.columns)
+            refuse_file(file_.name(), {"declares ", grid.columns, " x ", grid.rows, " heights, but has ", size,
+                                       " bytes of them; must hold all"});
+    }
     /// The quantity \p name [m].
     double scale_of(const std::string& name) {
         const OpdxItem& item = required(name);
@@ -237,7 +250,8 @@ bool is_opdx(std::string_view bytes) { return bytes.starts_with(detail::opdx_mag
 
 Reading read_opdx(std::string_view bytes, std::string_view name) {
     const detail::FileBytes file(bytes, std::string(name));
-    if (!is_opdx(bytes)) detail::refuse_file(file.name(), {"does not begin as a file of Dektak; must begin with VCA DATA"});
+    if (!is_opdx(bytes))
+        detail::refuse_file(file.name(), {"does not begin as a file of Dektak; must begin with VCA DATA"});
     return detail::OpdxReader(file).read();
 }
 

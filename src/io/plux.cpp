@@ -30,8 +30,7 @@ public:
         const double dx = step_at("FOV_X"), dy = step_at("FOV_Y");
         const std::string data = heights_name();
         const auto found = archive_.find(data);
-        if (!found)
-            refuse_field(name_, "LAYER_0/FILENAME_Z", shown_cell(data), "the name of a file of the archive");
+        if (!found) refuse_field(name_, "LAYER_0/FILENAME_Z", shown_cell(data), "the name of a file of the archive");
         const std::size_t size = archive_.size(*found);
         if (size % 4 != 0 || size / 4 != columns * rows)
             refuse_file(name_, {shown_cell(data), " has ", size, " bytes; must have 4 for each of ", columns, " x ",
@@ -71,7 +70,8 @@ private:
         for (const pugi::xml_node& node : root_.children())
             if (is_layer(node) && node.child("FILENAME_Z") && layers_++ == 0)
                 first = trimmed(node.child("FILENAME_Z").text().get());
-        if (layers_ == 0) refuse_file(name_, {"index.xml has no LAYER_0 with a FILENAME_Z; must have a layer of heights"});
+        if (layers_ == 0)
+            refuse_file(name_, {"index.xml has no LAYER_0 with a FILENAME_Z; must have a layer of heights"});
         while (first.starts_with("./") || first.starts_with(".\\")) first.erase(0, 2);
         return first;
     }

@@ -23,7 +23,6 @@ std::uint64_t stl_count(std::string_view bytes) {
 struct StlCorners {
     std::vector<double> x, y, z;
     double printed_x{}, printed_y{};  // what the last digit of a position is worth
-    bool text{};
 
     void add(double at_x, double at_y, double at_z) {
         x.push_back(at_x);
@@ -35,8 +34,9 @@ struct StlCorners {
 StlCorners binary_corners(const FileBytes& file) {
     const std::uint64_t triangles = file.number(80, 4, "the number of triangles");
     if (file.size() != stl_head + stl_triangle * triangles)
-        refuse_file(file.name(), {"declares ", triangles, " triangles, which make ", stl_head + stl_triangle * triangles,
-                                  " bytes, but has ", file.size(), "; must have as many"});
+        refuse_file(file.name(),
+                    {"declares ", triangles, " triangles, which make ", stl_head + stl_triangle * triangles,
+                     " bytes, but has ", file.size(), "; must have as many"});
     StlCorners corners;
     double largest_x = 0, largest_y = 0;
     for (std::uint64_t i = 0; i < triangles; ++i)
@@ -91,7 +91,7 @@ private:
 };
 
 StlCorners text_corners(std::string_view text, const std::string& name) {
-    StlCorners corners{.text = true};
+    StlCorners corners;
     PrintedDigits digits_x, digits_y;
     StlWords words(text, name);
     words.skip_line();  // solid and its name
@@ -181,9 +181,9 @@ Reading read_stl(std::string_view bytes, std::string_view name, const SurfaceOpt
     const StlCorners corners = text ? text_corners(bytes, file.name()) : binary_corners(file);
     const auto units = given_units(options.units, 1, file.name(), "one unit of x, y and heights, such as \"mm\"");
     if (units.empty())
-        refuse_file(file.name(), {"states no unit and none is given; must be ",
-                                  given_as(options.names, "units", "\"mm\""), ", one of ",
-                                  accepted_units(Dimension::length)});
+        refuse_file(file.name(),
+                    {"states no unit and none is given; must be ", given_as(options.names, "units", "\"mm\""),
+                     ", one of ", accepted_units(Dimension::length)});
     const double unit = unit_factor(units.back(), Dimension::length);
     const Grid grid = stl_grid(corners, file.name());
     RawMap map;

@@ -247,8 +247,7 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
         case SurfaceFormat::triples:
         case SurfaceFormat::matrix: {
             const bool utf16 = is_utf16(bytes);
-            const std::string text =
-                text_of(std::move(bytes), record.name, "numbers, or a file of another form");
+            const std::string text = text_of(std::move(bytes), record.name, "numbers, or a file of another form");
             found = read_text(record, text, options);
             if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
             break;

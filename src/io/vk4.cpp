@@ -69,9 +69,8 @@ Reading read_vk4_image(const FileBytes& file, VkHeader header) {
                           .rows = file.number(image + 4, 4, "rows")};
     header.step = vk_step(file, settings + 176, "step of the heights");
     RawMap map;
-    read_grid(map, file, grid, [&](std::string_view height) {
-        return static_cast<double>(unsigned_at(height, false)) * header.step;
-    });
+    read_grid(map, file, grid,
+              [&](std::string_view height) { return static_cast<double>(unsigned_at(height, false)) * header.step; });
     set_spacings(map, vk_step(file, settings + 168, "step of x"), vk_step(file, settings + 172, "step of y"),
                  file.name());
     Record record = record_of(header, map);
@@ -85,7 +84,8 @@ bool holds_vk4(std::string_view bytes) { return bytes.starts_with("VK4_") || byt
 }  // namespace detail
 
 bool is_vk4(std::string_view bytes) {
-    return detail::holds_vk4(bytes) || bytes.starts_with("VK6") || bytes.starts_with("VK7");
+    const bool packed = bytes.starts_with("VK6") || bytes.starts_with("VK7");
+    return detail::holds_vk4(bytes) || (packed && bytes.substr(0, 64).find('\0') != std::string_view::npos);
 }
 
 Reading read_vk4(std::string_view bytes, std::string_view name, const Unzip& unzip) {
@@ -95,7 +95,8 @@ Reading read_vk4(std::string_view bytes, std::string_view name, const Unzip& unz
     const std::string form(bytes.substr(0, 3));
     if (holds_vk4(bytes)) return read_vk4_image(FileBytes(bytes, file_name), {.form = form});
     if (!unzip)
-        refuse_file(file_name, {"is Keyence ", form, ", which this program was built without (it needs what X3P needs); "
+        refuse_file(file_name, {"is Keyence ", form,
+                                ", which this program was built without (it needs what X3P needs); "
                                 "must be saved as VK4"});
     const std::string inner = unzip(archive_at_end(FileBytes(bytes, file_name)), file_name, "Vk4File");
     if (!holds_vk4(inner)) refuse_file(file_name, {"holds a Vk4File that does not begin with VK4_; must begin so"});

@@ -50,7 +50,8 @@ TEST_CASE("Files of Wyko that cannot be meant are refused with block, value and 
     CHECK(contains(refusal(put(whole, entry(3), "X")), "has no block Wavelength"));
     CHECK(contains(refusal(put(whole, entry(5), "X")), "has no block Pixel_size"));
     CHECK(contains(refusal(put(whole, entry(4) + 16, little(5, 2))), "type of block Mult = 5: must be 6, 7, 8 or 12"));
-    CHECK(contains(refusal(put(whole, array, little(-1, 2))), "declares 65535 x 3 heights of 2 bytes"));
+    CHECK(
+        contains(refusal(put(whole, array, little(-1, 2))), "declares 65535 x 3 heights of 2 bytes in a block of 30"));
     CHECK(contains(refusal(put(whole, array + 4, little(1, 2))), "bytes of a height = 1: must be 2 or 4"));
     constexpr std::size_t wavelength = array + 30 + 18;
     CHECK(contains(refusal(put(whole, wavelength, little(-600.0F))), "Wavelength = -600"));

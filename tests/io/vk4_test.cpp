@@ -56,7 +56,7 @@ TEST_CASE("A .vk6 holds a .vk4 in an archive at its end") {
     const auto damaged = [&](const std::string& bytes) {
         return test::refusal([&] { (void)io::read_vk4(bytes, "file", unzipped); });
     };
-    CHECK(contains(damaged("VK7"), "has no zip archive behind its picture"));
+    CHECK(contains(damaged("VK7" + std::string(9, '\0')), "has no zip archive behind its picture"));
     CHECK(contains(damaged(put(whole, whole.size() - 6, little(5000, 4))), "not where its end says"));
     if (io::reads_x3p()) {
         test::check_known(whole, io::SurfaceFormat::vk4);
@@ -68,6 +68,7 @@ TEST_CASE("A .vk6 holds a .vk4 in an archive at its end") {
 TEST_CASE("Files of Keyence that cannot be meant are refused with field, value and range") {
     const std::string whole = test::sample("vk4/map.vk4");
     CHECK(contains(refusal("VK5_"), "does not begin as a file of Keyence VK"));
+    CHECK_FALSE(io::is_vk4("VK6000 profile, um"));
     CHECK(contains(refusal(put(whole, 36, little(0, 4))), "holds no image of heights"));
     CHECK(contains(refusal(put(whole, 36, little(-1, 4))), "ends within bits of a height"));
     CHECK(contains(refusal(put(whole, 12, little(-1, 4))), "ends within step of the heights"));
