@@ -36,7 +36,7 @@ class NcHeader {
 public:
     explicit NcHeader(const FileBytes& file) : file_(file) {
         form_ = file.number(3, 1, "the header");
-        count();  // of records
+        take(form_ == 5 ? 8 : 4);  // of records, all ones where it is not known
         each(10, "dimensions", [&] {
             const std::string name = text();
             dimensions_.emplace_back(name, count());
@@ -118,7 +118,7 @@ private:
         }
         found.attributes = attributes();
         found.values.type = values().type;
-        count();  // its bytes, which its dimensions tell too
+        take(form_ == 5 ? 8 : 4);  // its bytes, which its dimensions tell too
         found.values.place = take(form_ == 1 ? 4 : 8);
         return found;
     }

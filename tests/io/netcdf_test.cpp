@@ -56,6 +56,7 @@ TEST_CASE("Files of NetCDF that are no surface are refused with variable, value 
     CHECK(contains(refusal(with("mask", 8, big(0, 4))), "has a mask that is not over what heights are"));
     CHECK(contains(refusal(replaced(whole(), "um", "kg")), "unit of heights = \"kg\": must be a unit of length"));
     test::check_sample(read(replaced(whole(), "um", "nm")), 0.5e-6, 0.25e-6, 1e-9, true);
+    test::check_sample(read(put(whole(), 4, big(-1, 4))), 0.5e-6, 0.25e-6, 1e-6, true);  // records not counted
     // the unit of heights is that of x where it is not stated
     test::check_sample(read(replaced(whole(), "unit", "Unit")), 0.5e-6, 0.25e-6, 1e-6, true);
     CHECK(contains(refusal(replaced(whole(), "length", "Length")), "has no length of x"));
