@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/known_binary.hpp"
 
+#include "io/stl.hpp"
+
 namespace fstiff::inline v0_1::io::detail {
 
 namespace {
@@ -26,16 +28,8 @@ constexpr std::array known_binaries{
     KnownBinary{std::string_view("MM\0*", 4), "a TIFF picture", from_the_instrument},
     KnownBinary{"%PDF-", "a PDF document", no_heights},
     KnownBinary{"\x89HDF\r\n", "an HDF5 file", from_python},
-    KnownBinary{"CDF\x01", "a NetCDF file", from_python},
-    KnownBinary{"CDF\x02", "a NetCDF file", from_python},
-    KnownBinary{"CDF\x05", "a NetCDF file", from_python},
     KnownBinary{"MATLAB 5.0", "a MATLAB file", "write its matrix as text"},
     KnownBinary{"GWYO", "a file of Gwyddion 1 (.gwy)", from_gwyddion},
-    KnownBinary{std::string_view("\x01\0Directory", 11), "a Wyko file (.opd)", from_the_instrument},
-    KnownBinary{"\x88\x1B\x03\x6F", "a Zygo MetroPro file (.dat)", from_the_instrument},
-    KnownBinary{"\x88\x1B\x03\x70", "a Zygo MetroPro file (.dat)", from_the_instrument},
-    KnownBinary{"\x88\x1B\x03\x71", "a Zygo MetroPro file (.dat)", from_the_instrument},
-    KnownBinary{"VK4_", "a Keyence file (.vk4)", from_the_instrument},
     KnownBinary{"\\*File list", "a Nanoscope file of an atomic force microscope", from_the_instrument},
     KnownBinary{"\x1F\x8B", "a file packed by gzip", unpack},
     KnownBinary{"BZh", "a file packed by bzip2", unpack},
@@ -64,11 +58,6 @@ std::string known_binary_refusal(std::string_view bytes) {
             name = known.name;
             way = known.way;
         }
-    // Sensofar .plux is a zip archive; its older .plu begins with a date and holds NUL bytes
-    if (name.starts_with("a zip") && bytes.substr(0, 4096).find("LAYER_0") != std::string_view::npos) {
-        name = "a Sensofar file (.plux)";
-        way = from_the_instrument;
-    }
     if (name.empty()) return {};
     return "is binary: " + std::string(name) + ", which is not read; must be " + std::string(readable_forms) + ": " +
            std::string(way);
@@ -78,6 +67,7 @@ bool may_hold_nul_bytes(std::string_view bytes) {
     for (const std::string_view first : {"PK", "\x93NUMPY", "Gwyddion Simple Field", "GWYP", "DIGITAL SURF",
                                          "DSCOMPRESSED", "ISO 5436", "\xFF\xFE", "\xFE\xFF"})
         if (bytes.starts_with(first)) return true;
+    if (form_of_first_bytes(bytes) != SurfaceFormat::automatic || may_be_stl(bytes)) return true;
     return bytes.size() > 4 && (bytes.substr(1, 3) == "ISO" || bytes.substr(1, 3) == "BCR");
 }
 

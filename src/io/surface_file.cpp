@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/surface_file.hpp>
 
+#include "io/al3d.hpp"
 #include "io/gsf.hpp"
 #include "io/gwy.hpp"
 #include "io/map_text.hpp"
+#include "io/metropro.hpp"
+#include "io/netcdf.hpp"
 #include "io/npy.hpp"
+#include "io/opd.hpp"
+#include "io/opdx.hpp"
+#include "io/plu.hpp"
+#include "io/plux.hpp"
 #include "io/profile_text.hpp"
 #include "io/sdf.hpp"
 #include "io/smd.hpp"
+#include "io/stl.hpp"
 #include "io/sur.hpp"
+#include "io/vk4.hpp"
 #include "io/x3p.hpp"
 
 #include <tuple>
@@ -26,7 +35,7 @@ void check_options(SurfaceFormat format, const SurfaceOptions& options, const st
     const bool text = profile || matrix || format == SurfaceFormat::triples;
     const bool bare = format == SurfaceFormat::npy;  // states neither units nor steps
     const std::pair<const char*, bool> useless[] = {
-        {"units", !options.units.empty() && !text && !bare},
+        {"units", !options.units.empty() && !text && !bare && format != SurfaceFormat::stl},
         {"spacing", options.spacing && !profile && !bare},
         {"column", options.column != 0 && !profile},
         {"x-column", options.x_column != 0 && !profile},
@@ -42,6 +51,12 @@ void check_options(SurfaceFormat format, const SurfaceOptions& options, const st
         if (refused)
             refuse_file(name, {"is read as ", surface_format_name(format), ", which has no use for ", option,
                                "; must not be given, or ", options.names.format, " must be another"});
+}
+
+/// Whether the end of the zip archive \p bytes, which lists its files, names index.xml and no main.xml.
+bool is_plux(std::string_view bytes) {
+    const std::string_view list = bytes.substr(bytes.size() - (std::min<std::size_t>)(bytes.size(), 1 << 16));
+    return list.find("index.xml") != std::string_view::npos && list.find("main.xml") == std::string_view::npos;
 }
 
 /// The form of a text, and why.
@@ -105,12 +120,20 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
 
 SurfaceFormat form_of_first_bytes(std::string_view bytes) {
     if (is_sdf(bytes)) return SurfaceFormat::sdf;
-    if (bytes.starts_with("PK\3\4")) return SurfaceFormat::x3p;
+    if (bytes.starts_with("PK\3\4")) return detail::is_plux(bytes) ? SurfaceFormat::plux : SurfaceFormat::x3p;
     if (is_npy(bytes)) return SurfaceFormat::npy;
     if (is_gsf(bytes)) return SurfaceFormat::gsf;
     if (is_gwy(bytes)) return SurfaceFormat::gwy;
     if (is_smd(bytes)) return SurfaceFormat::smd;
-    return is_sur(bytes) ? SurfaceFormat::sur : SurfaceFormat::automatic;
+    if (is_sur(bytes)) return SurfaceFormat::sur;
+    if (is_metropro(bytes)) return SurfaceFormat::metropro;
+    if (is_vk4(bytes)) return SurfaceFormat::vk4;
+    if (is_opd(bytes)) return SurfaceFormat::opd;
+    if (is_netcdf(bytes)) return SurfaceFormat::netcdf;
+    if (is_opdx(bytes)) return SurfaceFormat::opdx;
+    if (is_al3d(bytes)) return SurfaceFormat::al3d;
+    if (is_plu(bytes)) return SurfaceFormat::plu;
+    return is_stl(bytes) ? SurfaceFormat::stl : SurfaceFormat::automatic;
 }
 
 bool reads_x3p() {
@@ -158,6 +181,22 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
     return read_profile(std::move(table), record.name, options);
 }
 
+/// Reads bytes of the form \p format, which is a zip archive or may hold one.
+Reading read_packed(SurfaceFormat format, std::string_view bytes, const std::string& name,
+                    [[maybe_unused]] const SurfaceOptions& options) {
+#ifdef FSTIFF_HAS_X3P
+    if (format == SurfaceFormat::x3p) return read_x3p(bytes, name, options);
+    if (format == SurfaceFormat::plux) return read_plux(bytes, name, options);
+    return read_vk4(bytes, name, [&](std::string_view archive, const std::string& called, std::string_view entry) {
+        return zip_entry(archive, called, entry, options.x3p_limits);
+    });
+#else
+    if (format == SurfaceFormat::vk4) return read_vk4(bytes, name);
+    refuse_file(name, {"is ", format == SurfaceFormat::x3p ? "X3P" : "a Sensofar file (.plux)",
+                       ", which this program was built without; must be another form"});
+#endif
+}
+
 /// Reads bytes of the form \p format, which is no table of numbers.
 Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
                     const SurfaceOptions& options) {
@@ -174,12 +213,22 @@ Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::str
             return read_smd(bytes, name);
         case SurfaceFormat::sur:
             return read_sur(bytes, name, inflate_where_built());
+        case SurfaceFormat::metropro:
+            return read_metropro(bytes, name);
+        case SurfaceFormat::opd:
+            return read_opd(bytes, name);
+        case SurfaceFormat::al3d:
+            return read_al3d(bytes, name);
+        case SurfaceFormat::plu:
+            return read_plu(bytes, name);
+        case SurfaceFormat::netcdf:
+            return read_netcdf(bytes, name);
+        case SurfaceFormat::opdx:
+            return read_opdx(bytes, name);
+        case SurfaceFormat::stl:
+            return read_stl(bytes, name, options);
         default:
-#ifdef FSTIFF_HAS_X3P
-            return read_x3p(bytes, name, options);
-#else
-            refuse_file(name, {"is X3P, which this program was built without; must be another form"});
-#endif
+            return read_packed(format, bytes, name, options);
     }
 }
 
@@ -198,8 +247,7 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
         case SurfaceFormat::triples:
         case SurfaceFormat::matrix: {
             const bool utf16 = is_utf16(bytes);
-            const std::string text =
-                text_of(std::move(bytes), record.name, "numbers, or SDF, X3P, .npy, .gsf, .gwy, .sur or .smd");
+            const std::string text = text_of(std::move(bytes), record.name, "numbers, or a file of another form");
             found = read_text(record, text, options);
             if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
             break;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::string ZipArchive::content(std::size_t index) const {
     return text;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -33,10 +33,11 @@ using Of = SurfaceOptions;
 // clang-format off
 constexpr SurfaceOptionRow rows[] = {
     {"format", file, &Of::format, always,
-     "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd",
+     "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd, "
+     "metropro, vk4, opd, al3d, plu, plux, stl, netcdf or opdx",
      {.flag = "input-format", .json = "input_format"}},
     {"units", file, &Of::units, always,
-     "units of lengths and heights of a text or .npy, such as um,nm, or one for both; replace those of the file"},
+     "units of lengths and heights of a text, .npy or .stl, such as um,nm, or one for both; replace those of the file"},
     {"spacing", step_of_profile, &Of::spacing, always,
      "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file"},
     {"column", file_of_profile, &Of::column, always,

@@ -26,10 +26,7 @@ TEST_CASE("A binary file is called what its first bytes say, with the way out") 
                                                          {"MM\0*"s, "TIFF"},
                                                          {"%PDF-1.7\n"s, "PDF"},
                                                          {"\x89HDF\r\n\x1A\n"s, "HDF5"},
-                                                         {"CDF\x01\0"s, "NetCDF"},
                                                          {"GWYO\0"s, "Gwyddion 1"},
-                                                         {"\x01\0Directory"s, "Wyko"},
-                                                         {"\x88\x1B\x03\x6F"s, "Zygo"},
                                                          {"\x1F\x8B\x08"s, "gzip"},
                                                          {"\xD0\xCF\x11\xE0\xA1"s, ".xls"},
                                                          {"\\*File list\0"s, "Nanoscope"}};

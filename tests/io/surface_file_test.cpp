@@ -188,7 +188,8 @@ TEST_CASE("Formats have names") {
     for (const char* name : {"auto", "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur"})
         CHECK(io::surface_format_name(io::surface_format(name)) == name);
     CHECK(has(test::refusal([] { (void)io::surface_format("bmp"); }),
-              "auto, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd"));
+              "auto, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd, metropro, vk4, opd, al3d, plu, plux, "
+              "stl, netcdf, opdx"));
 }
 
 TEST_CASE("What the readers of text warn of is told of the surface") {

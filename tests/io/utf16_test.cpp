@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/utf16.hpp"
+
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"

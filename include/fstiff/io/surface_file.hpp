@@ -4,8 +4,9 @@
 /// A measured file of any known form: a profile or a map, with the form that was recognised and every decision.
 /// Compiled: link fstiff::io.
 ///
-/// Surface data files (SDF), X3P, arrays of NumPy, files and simple fields of Gwyddion, files of Digital Surf and
-/// profiles of ISO 5436-2 are known by their first bytes. Other text is known by the columns of its first row: one or
+/// Surface data files (SDF), X3P, arrays of NumPy, files and simple fields of Gwyddion, files of Digital Surf, profiles
+/// of ISO 5436-2, and maps of Zygo, Keyence, Wyko, Alicona and Sensofar are known by their first bytes, maps made of
+/// triangles (STL) by their size or first words. Other text is known by the columns of its first row: one or
 /// two make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four
 /// and more are a matrix, unless they begin with x, y and z, titles with units stand above them, or
 /// SurfaceOptions::column says that they are columns of a profile. Columns that number the points do not count; a
@@ -37,7 +38,28 @@
 namespace fstiff::inline v0_1::io {
 
 /// The forms of files that are read.
-enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd };
+enum class SurfaceFormat {
+    automatic,
+    profile,
+    triples,
+    matrix,
+    sdf,
+    x3p,
+    npy,
+    gsf,
+    gwy,
+    sur,
+    smd,
+    metropro,
+    vk4,
+    opd,
+    al3d,
+    plu,
+    plux,
+    stl,
+    netcdf,
+    opdx
+};
 
 /// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
 /// programs write an increment that is not to be applied to them.
@@ -49,17 +71,16 @@ namespace fstiff::inline v0_1 {
 
 template <>
 inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
-    {io::SurfaceFormat::automatic, "auto"},
-    {io::SurfaceFormat::profile, "profile"},
-    {io::SurfaceFormat::triples, "triples"},
-    {io::SurfaceFormat::matrix, "matrix"},
-    {io::SurfaceFormat::sdf, "sdf"},
-    {io::SurfaceFormat::x3p, "x3p"},
-    {io::SurfaceFormat::npy, "npy"},
-    {io::SurfaceFormat::gsf, "gsf"},
-    {io::SurfaceFormat::gwy, "gwy"},
-    {io::SurfaceFormat::sur, "sur"},
-    {io::SurfaceFormat::smd, "smd"},
+    {io::SurfaceFormat::automatic, "auto"},  {io::SurfaceFormat::profile, "profile"},
+    {io::SurfaceFormat::triples, "triples"}, {io::SurfaceFormat::matrix, "matrix"},
+    {io::SurfaceFormat::sdf, "sdf"},         {io::SurfaceFormat::x3p, "x3p"},
+    {io::SurfaceFormat::npy, "npy"},         {io::SurfaceFormat::gsf, "gsf"},
+    {io::SurfaceFormat::gwy, "gwy"},         {io::SurfaceFormat::sur, "sur"},
+    {io::SurfaceFormat::smd, "smd"},         {io::SurfaceFormat::metropro, "metropro"},
+    {io::SurfaceFormat::vk4, "vk4"},         {io::SurfaceFormat::opd, "opd"},
+    {io::SurfaceFormat::al3d, "al3d"},       {io::SurfaceFormat::plu, "plu"},
+    {io::SurfaceFormat::plux, "plux"},       {io::SurfaceFormat::stl, "stl"},
+    {io::SurfaceFormat::netcdf, "netcdf"},   {io::SurfaceFormat::opdx, "opdx"},
 });
 template <>
 inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
@@ -69,8 +90,7 @@ inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io
 
 namespace fstiff::inline v0_1::io {
 
-/// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "gwy", "sur", "smd" or "auto". \throws domain_error
-/// listing them.
+/// "profile", "triples", "matrix", "sdf", "x3p" and so on, or "auto". \throws domain_error listing them.
 [[nodiscard]] SurfaceFormat surface_format(std::string_view name);
 /// The word of \p format, as surface_format() takes it.
 [[nodiscard]] std::string_view surface_format_name(SurfaceFormat format);
@@ -98,7 +118,7 @@ struct X3pLimits {
 /// Only what the form has use for may be given.
 struct SurfaceOptions {
     SurfaceFormat format = SurfaceFormat::automatic;
-    std::string units{};  ///< of text and npy: "um,nm" (lengths, heights), "um" (both); replaces the header's
+    std::string units{};  ///< of text, npy, stl: "um,nm" (lengths, heights), "um" (both); replaces the header's
     std::optional<double> spacing{};   ///< of a profile and npy [m]; replaces the positions of the file
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
     std::size_t x_column = 0;          ///< of a profile, with the positions, counted from 1; 0: the first that may be

@@ -20,7 +20,7 @@ struct Row {
 };
 
 /// The ending of a surface's file decides nothing: its first bytes and lines do.
-constexpr std::array<Row, 13> rows{{
+constexpr std::array<Row, 22> rows{{
     {"profile", ".csv .txt .dat .asc ...", "text: heights, or position and height in a line",
      "one or two columns, or --spacing or --column", "--units without a header that has them; --spacing of heights"},
     {"triples", ".xyz .csv .txt ...", "text: x, y, z in a line", "three columns that fill a rectangular grid",
@@ -41,6 +41,18 @@ constexpr std::array<Row, 13> rows{{
      "its first bytes, DIGITAL SURF or DSCOMPRESSED", "nothing"},
     {"smd", ".smd .prf", "profile of ISO 5436-2, and its elder form of Mahr and Taylor Hobson",
      "its first line, ISO 5436, or its second, which ends with PRF", "nothing"},
+    {"metropro", ".dat", "map of Zygo MetroPro", "its first bytes", "nothing"},
+    {"vk4", ".vk3 .vk4 .vk6 .vk7", "map of Keyence VK; .vk6 and .vk7 where fstiff reads X3P",
+     "its first bytes, VK3_ to VK7", "nothing"},
+    {"opd", ".opd", "map of Wyko and Bruker Vision", "its first bytes", "nothing"},
+    {"al3d", ".al3d", "map of Alicona", "its first bytes, AliconaImaging", "nothing"},
+    {"plu", ".plu .apx", "map of Sensofar and Leica DCM", "the date and the counts in its header", "nothing"},
+    {"plux", ".plux", "map of Sensofar, where fstiff reads X3P",
+     "its first bytes, those of a ZIP archive, and its index.xml", "nothing"},
+    {"stl", ".stl", "triangles over a grid of x and y, binary or text", "its size, or its first words, solid and facet",
+     "--units"},
+    {"netcdf", ".nc", "surface of contact.engineering, classic NetCDF", "its first bytes, CDF", "nothing"},
+    {"opdx", ".opdx", "profile or map of Bruker Dektak", "its first bytes, VCA DATA", "nothing"},
     {"scene", ".toml", "TOML, as run --example prints it", "an argument of run, identify and report", "nothing"},
     {"surface", ".json", "the JSON of measure", "an argument of --surface, or surface.from in a scene", "nothing"},
     {"curve", ".csv", "text: pressure, and stiffness or reflection, with their errors if they are known",
@@ -80,7 +92,7 @@ std::string text() {
                std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  asks for       " +
                std::string(row.asked) + "\n";
     return all +
-           "\nThe first ten are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending "
+           "\nThe first nineteen are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending "
            "of\n"
            "a file decides nothing; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
            "byte\n"

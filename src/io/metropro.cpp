@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/metropro.hpp"
+
+#include "io/file_bytes.hpp"
+
+namespace fstiff::inline v0_1::io {
+
+namespace detail {
+
+namespace {
+
+constexpr std::string_view metropro_magic = "\x88\x1B\x03";
+constexpr std::uint64_t metropro_short = 834, metropro_long = 4096;  // bytes of the header
+
+/// What one unit of the numbers is worth, with its sign [m].
+double metropro_step(const FileBytes& file) {
+    const double scale = file.positive(164, 4, "scale factor of the interferometer");
+    const double wavelength = file.positive(168, 4, "wavelength");
+    const double obliquity = file.positive(176, 4, "obliquity factor");
+    const std::int64_t code = file.integer(218, 2, "phase resolution");
+    if (code < 0 || code > 2) refuse_field(file.name(), "phase resolution", std::to_string(code), "0, 1 or 2");
+    const double sign = file.integer(232, 2, "sign") == 0 ? 1 : -1;
+    return sign * scale * obliquity * wavelength / (code == 0 ? 4096 : code == 1 ? 32768 : 131072);
+}
+
+Record record_of(const FileBytes& file, const RawMap& map, double step, std::size_t end) {
+    Record record;
+    const std::string part(file.words(258, 40, "name of the part"));
+    record.say("form", "Zygo MetroPro" + (part.empty() ? "" : ", " + shown_cell(part)));
+    record.say("units", "m, heights in steps of " + number_text(std::abs(step)) +
+                            " m, from wavelength, scale factor and obliquity factor");
+    record.say("spacing", "from the step of x and y in the header");
+    record.say_points(map);
+    record.say_trailer(file.size() - end);
+    if (step < 0)
+        record.warnings.push_back("the file states that the sign of its heights is inverted; they were turned over");
+    record.resolution = std::abs(step);
+    return record;
+}
+
+}  // namespace
+
+}  // namespace detail
+
+bool is_metropro(std::string_view bytes) {
+    return bytes.size() > 3 && bytes.starts_with(detail::metropro_magic) && bytes[3] >= '\x6F' && bytes[3] <= '\x71';
+}
+
+Reading read_metropro(std::string_view bytes, std::string_view name) {
+    using namespace detail;
+    const FileBytes file(bytes, std::string(name), true);
+    if (!is_metropro(bytes)) refuse_file(file.name(), {"does not begin as a file of Zygo MetroPro; must begin so"});
+    (void)file.at(0, metropro_short, "its header");
+    const std::uint64_t header = bytes[3] == '\x71' ? metropro_long : metropro_short;
+    if (const std::uint64_t stated = file.number(6, 4, "bytes of the header"); stated != header)
+        refuse_field(file.name(), "bytes of the header", std::to_string(stated), std::to_string(header));
+    // of uint16 each: the product stays below 2^49
+    const std::uint64_t intensities =
+        2 * file.number(52, 2, "columns") * file.number(54, 2, "rows") * file.number(56, 2, "frames");
+    const StoredGrid grid{.place = header + intensities,
+                          .size = 4,
+                          .columns = file.number(68, 2, "columns"),
+                          .rows = file.number(70, 2, "rows")};
+    if (grid.columns == 0 && grid.rows == 0) refuse_file(file.name(), {"holds no heights; must hold a map of them"});
+    const double step = metropro_step(file);
+    RawMap map;
+    read_grid(map, file, grid, [&](std::string_view height) {
+        const std::int64_t number = signed_at(height, true);
+        return number >= 2147483640 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(number) * step;
+    });
+    const double lateral = file.positive(184, 4, "step of x and y");
+    set_spacings(map, lateral, lateral, file.name());
+    Record record = record_of(file, map, step, static_cast<std::size_t>(grid.place + 4 * grid.columns * grid.rows));
+    return {std::move(map), std::move(record)};
+}
+
+}  // namespace fstiff::inline v0_1::io

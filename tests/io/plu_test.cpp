@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/plu.hpp"
+
+#include "support/samples.hpp"
+
+namespace plu_test {
+
+using namespace fstiff;
+using test::contains;
+using test::little;
+using test::put;
+
+namespace {
+
+io::Reading read(const std::string& bytes) { return io::read_plu(bytes, "file.plu"); }
+std::string refusal(const std::string& bytes) {
+    return test::refusal([&] { (void)read(bytes); });
+}
+
+}  // namespace
+
+TEST_CASE("A map of Sensofar is float32 in micrometres, and is known by its date and counts") {
+    const std::string whole = test::sample("plu/map.plu");
+    test::check_sample(read(whole), 0.5e-6, 0.25e-6, 1e-6, true);
+    test::check_known(whole, io::SurfaceFormat::plu);
+    test::check_cut(whole.substr(0, 556), read);  // the lowest, the highest and a picture follow
+    CHECK(read(put(whole, 489, little(3, 1))).record.said("other layers") == "2, not read");
+    CHECK_FALSE(io::is_plu(whole.substr(0, 499)));
+    CHECK_FALSE(io::is_plu(std::string(600, '\0')));
+    CHECK_FALSE(io::is_plu(put(whole, 388, little(0, 4))));
+}
+
+TEST_CASE("Files of Sensofar that cannot be meant are refused with field, value and range") {
+    const std::string whole = test::sample("plu/map.plu");
+    CHECK(contains(refusal("nothing"), "ends within its header"));
+    CHECK(contains(refusal(put(whole, 0, "\1")), "does not begin as a file of Sensofar"));
+    CHECK(contains(refusal(put(whole, 428, little(1, 4))), "type of the measurement = 1: must be 3"));
+    CHECK(contains(refusal(put(whole, 489, little(0, 1))), "layers = 0: must be at least 1"));
+    CHECK(contains(refusal(put(whole, 504, little(-1, 4))), "declares 4294967295 x 3 heights of 4 bytes"));
+    CHECK(contains(refusal(put(whole, 500, little(0, 4))), "4 x 0: must be at least 2 x 1"));
+    CHECK(contains(refusal(put(whole, 404, little(0.0F))), "step of x = 0"));
+    CHECK(contains(refusal(put(whole, 408, little(-1.0F))), "step of y = -1"));
+    CHECK(contains(refusal(put(whole, 508, little(-INFINITY))), "holds infinity in row 1, column 1"));
+}
+
+}  // namespace plu_test

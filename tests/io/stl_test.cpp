@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/stl.hpp"
+
+#include "support/samples.hpp"
+
+namespace stl_test {
+
+using namespace fstiff;
+using test::contains;
+using test::little;
+using test::put;
+using test::replaced;
+
+namespace {
+
+io::Reading read(const std::string& bytes) { return io::read_stl(bytes, "file.stl", {.units = "um"}); }
+std::string refusal(const std::string& bytes) {
+    return test::refusal([&] { (void)read(bytes); });
+}
+/// Where corner \p corner of triangle \p triangle stands in a binary file.
+constexpr std::size_t place(std::size_t triangle, std::size_t corner) { return 84 + 50 * triangle + 12 + 12 * corner; }
+
+}  // namespace
+
+TEST_CASE("Triangles over a grid are a map, binary and text, whose points without a corner are missing") {
+    for (const char* name : {"stl/map.stl", "stl/text.stl"}) {
+        CAPTURE(name);
+        const std::string whole = test::sample(name);
+        const io::Reading found = read(whole);
+        REQUIRE(found.map.rows == 3);
+        REQUIRE(found.map.columns == 4);
+        CHECK(test::ulps(found.map.dx, 0.5e-6) <= 1);
+        CHECK(test::ulps(found.map.dy, 0.25e-6) <= 1);
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t column = 0; column < 4; ++column)
+                if ((row == 1 && column == 2) || (row == 0 && column == 3))
+                    CHECK(std::isnan(found.map.at(row, column)));
+                else
+                    CHECK(test::ulps(found.map.at(row, column),
+                                     static_cast<double>(10 * row + column * column) * 1e-6) <= 1);
+        test::check_known(whole, io::SurfaceFormat::stl, {.units = "um"});
+        CHECK(contains(test::refusal([&] { (void)io::read_surface(whole, "file"); }),
+                       "states no unit and none is given; must be given as units = \"mm\""));
+    }
+    test::check_cut(test::sample("stl/map.stl"), read);
+    const std::string text = test::sample("stl/text.stl");
+    test::check_cut(text.substr(0, text.find("endsolid") + 7), read);
+}
+
+TEST_CASE("Triangles that are no height over x and y are refused in words") {
+    const std::string whole = test::sample("stl/map.stl");
+    CHECK(contains(refusal(put(whole, 80, little(7, 4))), "declares 7 triangles, which make 434 bytes, but has 384"));
+    CHECK(contains(refusal(put(whole, 80, little(-1, 4))), "declares 4294967295 triangles"));
+    CHECK(contains(refusal(put(whole, place(0, 0), little(0.0123F))), "corners lie on no regular grid"));
+    CHECK(contains(refusal(put(whole, place(1, 1) + 8, little(77.0F))), "has two heights at x = "));
+    CHECK(contains(refusal(put(whole, place(0, 1), little(0.0F) + little(0.25F) + little(10.0F))),
+                   "has a triangle 1 over 0 x 1 cells"));
+    CHECK(contains(refusal(put(whole, place(1, 1), little(std::nanf("")))), "has a triangle 2 with a corner that"));
+    CHECK(contains(refusal("solid of nothing\nfacet"), "in triangle 1; must have normal there"));
+    const std::string text = test::sample("stl/text.stl");
+    CHECK(contains(refusal(replaced(text, "endloop", "endloup")), "has \"endloup\" in triangle 1; must have endloop"));
+    CHECK(contains(refusal(replaced(text, "vertex 0.5", "vertex 0,5")), "has \"0,5\" in triangle 1; must be a number"));
+    CHECK(contains(refusal(replaced(text, "endsolid", "end")), "has \"end\" after 6 triangles; must have facet or"));
+    CHECK(contains(test::refusal([&] { (void)io::read_stl(whole, "file", {.units = "um,nm"}); }), "units = "));
+}
+
+TEST_CASE("A stream may be triangles while it is not longer than they are") {
+    const std::string whole = test::sample("stl/map.stl");
+    CHECK(io::may_be_stl(whole.substr(0, 200)));
+    CHECK_FALSE(io::is_stl(whole.substr(0, 200)));
+    CHECK_FALSE(io::may_be_stl(whole + "more"));
+    CHECK_FALSE(io::may_be_stl(std::string(70000, '\0')));
+}
+
+}  // namespace stl_test

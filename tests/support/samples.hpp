@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The files of tools/make_surface_samples.py: what they hold, and how a test changes them.
+#include "io/reading.hpp"
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/files.hpp"
+#include "support/stored_archive.hpp"
+
+#include <bit>
+
+namespace test {
+
+/// The file \p name, such as "opd/map.opd".
+inline std::string sample(const std::string& name) { return read(FSTIFF_TEST_DATA "/../fuzz/corpus/" + name); }
+
+/// \p value as \p size bytes, the most significant first.
+inline std::string big(std::int64_t value, std::size_t size) {
+    const std::string bytes = little(value, size);
+    return {bytes.rbegin(), bytes.rend()};
+}
+inline std::string little(float value) { return little(std::bit_cast<std::int32_t>(value), 4); }
+inline std::string big(float value) { return big(std::bit_cast<std::int32_t>(value), 4); }
+
+/// \p bytes with \p field at \p place.
+inline std::string put(std::string bytes, std::size_t place, const std::string& field) {
+    return bytes.replace(place, field.size(), field);
+}
+
+/// \p map holds the heights of a sample times \p unit, and NaN at row 1, column 2 where a point is \p missing.
+inline void check_sample(const fstiff::io::Reading& found, double dx, double dy, double unit, bool missing) {
+    REQUIRE(found.map.rows == 3);
+    REQUIRE(found.map.columns == 4);
+    CHECK(ulps(found.map.dx, dx) <= 1);
+    CHECK(ulps(found.map.dy, dy) <= 1);
+    CHECK(found.record.missing == (missing ? 1U : 0U));
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 4; ++column) {
+            CAPTURE(row, column);
+            if (missing && row == 1 && column == 2)
+                CHECK(std::isnan(found.map.at(row, column)));
+            else
+                CHECK(ulps(found.map.at(row, column), static_cast<double>(10 * row + column * column) * unit) <= 2);
+        }
+    CHECK(found.record.warnings.empty());
+}
+
+/// Every beginning of \p bytes is refused with a sentence by \p call(bytes).
+template <class Call>
+void check_cut(const std::string& bytes, const Call& call) {
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        CAPTURE(size);
+        const std::string said = refusal([&] { (void)call(bytes.substr(0, size)); });
+        REQUIRE(!said.empty());
+        REQUIRE(said.find('\n') == std::string::npos);
+    }
+}
+
+/// \p bytes is known as \p format, and read so.
+inline void check_known(const std::string& bytes, fstiff::io::SurfaceFormat format,
+                        const fstiff::io::SurfaceOptions& options = {}) {
+    CHECK(fstiff::io::form_of_first_bytes(bytes) == format);
+    std::istringstream input(bytes);
+    const fstiff::io::Surface found = fstiff::io::read_surface(input, "file", options);
+    CHECK(found.record.format == format);
+    CHECK(found.map().rows() == 3);
+    CHECK(!refusal([&] { (void)fstiff::io::read_surface(bytes, "file", {.dx = 1.0}); }).empty());
+}
+
+}  // namespace test
