@@ -105,7 +105,7 @@ const byName = () => surface && surface.measured && surface.kind === "map";
 
 /// The scene of the fields: of a map by its measured parameters, which is quick, or with \p points of boundary elements.
 function sceneText(points) {
-    const lines = ["[surface]"];
+    const lines = [...(surface ? [`name = ${text(surface.name)}`, ""] : []), "[surface]"];
     if (!surface) {
         lines.push('rms_height   = "0.8 um"', 'peak_radius  = "40 um"', 'peak_density = "500 /mm^2"');
     } else {
@@ -257,7 +257,7 @@ function show(document_, begun) {
 async function makeReport() {
     const scene = new TextDecoder().decode(made["scene.toml"]);
     const files = await run(["report", "scene.toml", "-o", "report"], sceneFiles(scene));
-    made = { ...made, "report.html": files["./report/report.html"] };
+    made = { ...made, "report.html": files["report.html"] };
     showDownloads();
     $("said").textContent = "The report is ready.";
     $("downloads").lastElementChild.firstElementChild.focus();
