@@ -12,7 +12,7 @@ const optionIds = ["units", "spacing", "dx", "dy", "missing"];
 let surface = null;   // { name, bytes, kind }, kind as fstiff measure says: profile or map; measured: its JSON
 let edited = false;   // the scene's text is the reader's own
 let made = {};        // files that can be taken along
-let worker = null, waiting = null;
+let worker = null, waiting = null, turns = 0;
 
 // The program: unpacked and compiled once, while the reader looks for a file.
 const compiled = (async () => {
@@ -26,8 +26,9 @@ const script = URL.createObjectURL(new Blob([fstiff_engine.script], { type: "tex
 async function startWorker() {
     const module = await compiled;
     if (worker) return;
-    worker = new Worker(script);
+    const started = worker = new Worker(script);
     worker.onmessage = ({ data }) => {
+        if (started !== worker) return;
         if ("progress" in data) showProgress(data.progress);
         else finish(data);
     };
@@ -43,7 +44,9 @@ function finish(result) {
 
 /// Runs `fstiff words...` in a folder that holds files. An answer with status 4 is one that its warnings speak against.
 async function run(words, files) {
+    const turn = turns;
     await startWorker();
+    if (turn !== turns) throw new Error("Stopped.");  // by a later one, while the program was unpacked
     const result = await new Promise((resolve) => {
         waiting = resolve;
         worker.postMessage({ words, files });
@@ -70,8 +73,9 @@ function showProgress(text) {
     $("left").textContent = text.replace(/ \[.*\]/, ":");
 }
 
-/// One computation at a time; whatever goes wrong is one sentence.
+/// One computation at a time, the latest; whatever goes wrong is one sentence.
 async function working(title, steps) {
+    const turn = ++turns;
     if (waiting) stop();
     $("problem").hidden = true;
     $("said").textContent = title + " …";
@@ -81,12 +85,13 @@ async function working(title, steps) {
     try {
         await steps();
     } catch (error) {
+        if (turn !== turns) return;
         $("said").textContent = "";
         $("problem").textContent = error.message;
         $("problem").hidden = false;
         if (/units|--dx|spacing|--missing|unit /.test(error.message)) $("reading").open = true;
     }
-    $("working").hidden = true;
+    if (turn === turns) $("working").hidden = true;
 }
 
 const text = (value) => JSON.stringify(value);  // a text of JSON is one of TOML

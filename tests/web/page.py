@@ -22,7 +22,7 @@ import same_numbers
 # Shares and correlations are parts of 1.
 difference = functools.partial(same_numbers.difference, of_one=("matrix", "measurement", "cut_offs", "shape", "prior", "law"))
 
-ITERATED = 1e-11  # boundary elements, which an iteration solves
+ITERATED = 1e-9  # plastic boundary elements, which an iteration solves: K agrees to 1e-12, the gap to 2e-10
 problems = []
 ANSWERED = "!document.getElementById('answer').hidden && document.getElementById('working').hidden"
 REFUSED = "!document.getElementById('problem').hidden && document.getElementById('working').hidden"
@@ -153,7 +153,7 @@ def boundary_elements(desk, figures):
         check("boundary elements" in text(page, "table"), "no boundary elements in the answer")
         bars = page.run("bars")
         check(len(bars) > 2 and all(0 <= value <= 1 for _, value in bars), f"progress: {bars}")
-        compare(desk, page, "boundary elements of 128²", tolerance=ITERATED)
+        compare(desk, page, "boundary elements of 128²")
         page.run("document.getElementById('points').value = '256'; bars.length = 0")
         fill(page, "hardness", "3")
         click(page, "solve")
@@ -164,6 +164,8 @@ def boundary_elements(desk, figures):
         check(text(page, "problem") == "Stopped.", f"stop: {text(page, 'problem')}")
         answer_to(page, lambda: click(page, "solve"))
         compare(desk, page, "boundary elements of 256², after a stop", tolerance=ITERATED)
+        answer_to(page, lambda: (click(page, "solve"), click(page, "compute")))
+        check("boundary elements" not in text(page, "table"), "two computations at once: not the latest is shown")
 
 
 def refusals(desk):
