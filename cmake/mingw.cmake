@@ -12,21 +12,7 @@ set(CMAKE_CXX_FLAGS_INIT -fno-ipa-ra)
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -s")
 set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static -s")
 
-# What consists of headers alone is taken from this machine, by links: all of /usr/include is not for Windows.
-set(FSTIFF_HEADERS /usr/include CACHE PATH "Folder that holds CLI, nlohmann, toml++ and catch2")
-set(headers ${CMAKE_BINARY_DIR}/headers)
-get_property(is_trial GLOBAL PROPERTY IN_TRY_COMPILE)
-if(NOT is_trial)
-    file(MAKE_DIRECTORY ${headers}/include)
-    foreach(folder IN ITEMS CLI nlohmann toml++ catch2)
-        file(CREATE_LINK ${FSTIFF_HEADERS}/${folder} ${headers}/include/${folder} SYMBOLIC)
-    endforeach()
-    foreach(package IN ITEMS CLI11 nlohmann_json tomlplusplus)
-        file(WRITE ${headers}/lib/cmake/${package}/${package}Config.cmake
-             "add_library(${package}::${package} INTERFACE IMPORTED)\n"
-             "target_include_directories(${package}::${package} SYSTEM INTERFACE ${headers}/include)\n")
-    endforeach()
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/staged-headers.cmake)
 set(CMAKE_FIND_ROOT_PATH ${headers} /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)

@@ -24,14 +24,14 @@ import sys
 # layers: a folder includes itself and the levels before its own; folders on one level never include each other.
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
           "ultrasound", "measured", "validity", "fit", "double", "io")
-PRIVATE = ("io", "document", "instances", "surface", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
+PRIVATE = ("io", "document", "instances", "surface", "scene", "sweep c web", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
 OPT_IN = ("math/gaussian_moment_table_extended.hpp",)  # not in fstiff.hpp
 OF_THREADS = "barrier condition_variable future latch mutex semaphore shared_mutex stop_token thread".split()
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, and of folders.
 FILE_LINES, FUNCTION_LINES = 400, 60
-TOTALS = {"include": 26960, "src without io": 23520, "tools": 3530}
+TOTALS = {"include": 26960, "src without io": 23530, "tools": 3530}
 
 
 def read(path):

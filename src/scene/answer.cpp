@@ -99,7 +99,7 @@ Curve solved(const Scene& scene, const Results& results, const Curve& base, cons
     }
     if (places.empty()) return none;
     const double hardness = of.law_options.hardness = answer.flows ? hardness_of(scene) : 0;
-    for_each_contact(of, results.modulus, progress, [&](Curve curve, const auto& contact) {
+    for_each_contact(of, results.modulus, {}, [&](Curve curve, const auto& contact) {
         const auto made = contact();
         const auto points = points_of(of, *curve.law, *made, Quantity::all, progress);
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -116,7 +116,7 @@ Curve solved(const Scene& scene, const Results& results, const Curve& base, cons
 /// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others lie
 /// on lines over ln p.
 std::vector<double> changes(const Scene& scene, const HeightMap<double>& map, const Curve& solved, double modulus,
-                            double hardness) {
+                            double hardness, const ProgressHook& progress) {
     const std::size_t count = solved.states.size(), most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
     std::vector<double> pressures;
     std::vector<std::size_t> places;
@@ -125,7 +125,7 @@ std::vector<double> changes(const Scene& scene, const HeightMap<double>& map, co
         pressures.push_back(solved.states[places.back()].pressure.value);
     }
     const LawOptions& of = scene.law_options;
-    const auto found = truth(map, modulus, pressures, {of.points, of.edges, hardness, false});
+    const auto found = truth(map, modulus, pressures, {of.points, of.edges, hardness, false, progress});
     std::vector<double> all(count);
     for (std::size_t k = 0; k < places.size(); ++k) {
         const double change = std::log(found[k].state.stiffness / solved.states[places[k]].stiffness.value);
@@ -142,10 +142,10 @@ std::vector<double> changes(const Scene& scene, const HeightMap<double>& map, co
 /// What the filter of lambda_s and the plane that was removed may have changed of K of \p solved: the filter by the
 /// neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be the surface's own.
 std::vector<parts::CauseSpread<double>> of_cut_offs(const Scene& scene, const Curve& solved, double modulus,
-                                                    double hardness) {
+                                                    double hardness, const ProgressHook& progress) {
     std::vector<parts::CauseSpread<double>> all(solved.states.size());
     const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
-        const std::vector<double> of_map = changes(scene, map, solved, modulus, hardness);
+        const std::vector<double> of_map = changes(scene, map, solved, modulus, hardness, progress);
         for (std::size_t i = 0; i < all.size(); ++i) {
             const double change = factor * of_map[i];
             all[i].low = -std::hypot(all[i].low, both_ways ? change : std::min(0.0, change));
@@ -253,7 +253,7 @@ StiffnessAnswer answer_of(const Scene& scene, const Results& results, Curve base
         if (answer.flows && state.loading_stiffness.value > 0) reason.loading_stiffness = state.loading_stiffness.value;
     }
     const Curve elements = solved(scene, results, base, answer, progress);
-    const auto cut_offs = of_cut_offs(scene, elements, results.modulus, answer.flows ? hardness_of(scene) : 0);
+    const auto cut_offs = of_cut_offs(scene, elements, results.modulus, answer.flows ? hardness_of(scene) : 0, progress);
     std::vector<parts::SampledBand<double>> bands;
     for (std::size_t i = 0; i < base.states.size(); ++i) {
         AnswerReason& reason = answer.reasons[i];

@@ -56,6 +56,7 @@ WRITTEN = {  # by --update, in its order
 | scene |  |
 | sweep | io |
 | c |  |
+| web |  |
 | cli/document |  |
 | cli/input | cli/document |
 | cli/picture |  |

@@ -51,4 +51,19 @@ TEST_CASE("100000 pressures show a bar") {
     CHECK(test::contains(shown.out, "\r\x1b[K"));  // wiped before the warnings
 }
 
+TEST_CASE("Boundary elements of an answer show a bar") {
+    if (test::shell("script -qec true /dev/null").status != 0)
+        SKIP_CASE("`script` makes no terminal here: the bar is not tested");
+    const test::Folder folder;
+    const std::string map = folder / "map.csv";
+    REQUIRE(test::run_fstiff("generate map --points 256 --spacing '1 um' --hurst 0.8 --rms '1 um' --longest '64 um' -o '" + map +
+                             "'").status == 0);
+    const auto shown = test::shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' run --surface '" + map +
+                                   "' --format csv -o '" + folder / "run.csv" + "'\" /dev/null");
+    INFO(shown.out);
+    CHECK(shown.status == 0);
+    CHECK(test::contains(shown.out, "points ["));
+    CHECK(test::contains(shown.out, "pressures ["));
+}
+
 }  // namespace progress_test
