@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A whole contact: the separation for a pressure, and the tabulated law.
-#include "hybrid_of_map.hpp"
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include "methods.hpp"
 #include "row.hpp"
 
@@ -46,7 +46,7 @@ struct LawOfMap {
 };
 const LawOfMap& law_of_map() {
     static const LawOfMap kept = [] {
-        const auto hybrid = hybrid_of_map(test::half_space_map("gaussian"));
+        const auto hybrid = hybrid_of_map(test::half_space_map("gaussian"), 1.0, fstiff::Edges::periodic);
         LawOfMap out{fstiff::ContactLaw<double>::tabulate(hybrid, {.min_pressure = 1e-4, .max_pressure = 0.02}), {}};
         for (int i = 0; i < 200; ++i) {
             const double p = 1.1e-4 * std::pow(170.0, i / 199.0);

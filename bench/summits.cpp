@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The contact of maps: summits that push each other down, and the hybrid law from the heights on.
-#include "hybrid_of_map.hpp"
 #include "row.hpp"
 
 #include "support/half_space_maps.hpp"
 #include "support/map_kinds.hpp"
 #include "support/table.hpp"
 
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
@@ -48,7 +48,8 @@ const Rows rows_of_summits([] {
             AccuracyCollector collector;
             for (std::size_t row = 0; row < table.size(); ++row) {
                 if (table.text(row, "map") != "gaussian" || table.input(row, "p_star") < 0.0009) continue;
-                collector.add(hybrid_of_map(test::half_space_map("gaussian")).stiffness(table.input(row, "p_over_E")),
+                collector.add(hybrid_of_map(test::half_space_map("gaussian"), 1.0, fstiff::Edges::periodic)
+                                  .stiffness(table.input(row, "p_over_E")),
                               table.input(row, "stiffness_times_L_over_E"));
                 collector.add_cost(256 * 256);
             }
@@ -56,7 +57,7 @@ const Rows rows_of_summits([] {
         },
         [](benchmark::State& state) {
             const auto map = test::half_space_map("gaussian");
-            for (auto _ : state) benchmark::DoNotOptimize(hybrid_of_map(map).stiffness(1e-3));
+            for (auto _ : state) benchmark::DoNotOptimize(hybrid_of_map(map, 1.0, fstiff::Edges::periodic).stiffness(1e-3));
         });
 });
 

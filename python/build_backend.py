@@ -2,7 +2,7 @@
 """The build backend of pip and build: scikit-build-core, with an sdist that builds without root.
 
 Of what fstiff needs three packages are headers alone. The sdist takes along those of the machine that makes it, in third_party,
-each with the file that find_package() finds it by; python/THIRD_PARTY.txt has their licences.
+each with the file that find_package() finds it by; THIRD_PARTY.txt has their licences.
 """
 
 import io

@@ -111,6 +111,7 @@
 #include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/kinked_tabulator.hpp>
 #include <fstiff/contact/law_means.hpp>

@@ -127,10 +127,10 @@ def check_others(root, version, packages, options):
     citation = (root / "CITATION.cff").read_text(encoding="utf-8")
     agree("CITATION.cff", set(re.findall(r"^version: (.*)", citation, re.M)), {version})
     carried = (root / "python/build_backend.py").read_text(encoding="utf-8")
-    third_party = (root / "python/THIRD_PARTY.txt").read_text(encoding="utf-8").lower().replace("toml++", "tomlplusplus")
+    third_party = (root / "THIRD_PARTY.txt").read_text(encoding="utf-8").lower().replace("toml++", "tomlplusplus")
     for package in OF_PYTHON:
         word = {"Eigen3": "eigen", "nlohmann_json": "nlohmann"}.get(package, package.lower())
-        expect(word in third_party, f"python/THIRD_PARTY.txt does not name {package}")
+        expect(word in third_party, f"THIRD_PARTY.txt does not name {package}")
         expect(package in carried or package in ("PUGIXML", "ZLIB", "nanobind"), f"an sdist does not carry {package}")
 
 

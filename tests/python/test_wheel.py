@@ -69,7 +69,7 @@ def test_the_sdist_has_the_headers_and_their_licences():
     sdist = made("FSTIFF_SDIST")
     with tarfile.open(sdist) as archive:
         names = {name.split("/", 1)[1] for name in archive.getnames()}
-    assert {"LICENSE", "python/THIRD_PARTY.txt", "third_party/Eigen3/unsupported/Eigen/FFT"} <= names
+    assert {"LICENSE", "THIRD_PARTY.txt", "third_party/Eigen3/unsupported/Eigen/FFT"} <= names
     for package, header in (("Eigen3", "Eigen/Core"), ("nlohmann_json", "nlohmann/json.hpp"), ("tomlplusplus", "toml++/toml.h")):
         assert {f"third_party/{package}/{header}", f"third_party/{package}/{package}Config.cmake"} <= names
     assert not [name for name in names if name.startswith(("tests/", "bench/", "build/", ".ci", ".clang"))]
@@ -89,7 +89,7 @@ def test_an_sdist_follows_no_link_of_the_build_folder(root, tmp_path):
     clone = tmp_path / "clone"
     for part in ("python", "include/fstiff/core", "build", "outside"):
         (clone.parent if part == "outside" else clone).joinpath(part).mkdir(parents=True, exist_ok=True)
-    for file in ("pyproject.toml", "LICENSE", "docs/python.md", "python/build_backend.py", "python/THIRD_PARTY.txt",
+    for file in ("pyproject.toml", "LICENSE", "docs/python.md", "python/build_backend.py", "THIRD_PARTY.txt",
                  "include/fstiff/core/version.hpp"):
         (clone / file).parent.mkdir(exist_ok=True)
         shutil.copy(root / file, clone / file)
@@ -129,7 +129,7 @@ def test_one_wheel_is_for_all_pythons_from_3_12_on(wheel):
 
 def test_the_wheel_has_the_licences_of_what_is_linked_in(wheel):
     with zipfile.ZipFile(wheel) as archive:
-        (name,) = [name for name in archive.namelist() if name.endswith("licenses/python/THIRD_PARTY.txt")]
+        (name,) = [name for name in archive.namelist() if name.endswith("licenses/THIRD_PARTY.txt")]
         text = archive.read(name).decode()
     for project in ("Eigen", "toml++", "JSON for C++", "pugixml", "robin-map", "nanobind", "zlib"):
         assert f"\n{project} " in text

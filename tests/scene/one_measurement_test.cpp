@@ -5,6 +5,7 @@
 #include "support/skip.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/measured/pooled_surface.hpp>
 #include <fstiff/measured/widened_band.hpp>
 #ifdef FSTIFF_TEST_HAS_C
@@ -236,6 +237,24 @@ TEST_CASE("The command and the headers find the same K and the same band of it")
         const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
         require_same_band(results.curves[0], stiffness_band(found, pressures, hertz, modulus));
         require_same_band(results.curves[1], stiffness_band(found, pressures, fractal, modulus));
+    }
+}
+
+TEST_CASE("The command and the headers find the same K of a map by hybrid") {
+    const test::Folder folder;
+    const auto file = folder.write(
+        "made.txt", test::map_text(128, 0.5e-6, {.hurst = 0.8, .rms = 0.2e-6, .longest_wavelength = 20e-6, .seed = 3}));
+    const auto results = test::results_of(
+        "[surface]\nfrom = \"made.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+        "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\nlaws = [\"hybrid\"]\n",
+        folder / "scene.toml");
+    REQUIRE(results.curves.size() == 1);
+    const auto read = scene::read_surface_input(test::surface_options("", file)).surface.data;
+    const auto map = parts::prepare(std::get<HeightMap<double>>(read)).map;
+    const auto contact = hybrid_of_map(map, effective_modulus<double>({205e9, 0.3}, {205e9, 0.3}));
+    for (const scene::Point& point : results.curves[0].points) {
+        const double p = point.state.pressure.value;
+        CHECK(test::relative_error(contact.at_pressure(p).stiffness.value, point.state.stiffness.value) < 1e-12);
     }
 }
 
