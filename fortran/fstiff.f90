@@ -106,6 +106,17 @@ module fstiff
             type(c_ptr), intent(out) :: made
             integer(c_int) :: status
         end function
+        function fstiff_sensitivity(law, surface, body, pressure, by_pressure, by_surface, by_body) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: law(*)
+            type(fstiff_roughness), intent(in) :: surface
+            type(fstiff_body), intent(in) :: body
+            real(c_double), value :: pressure
+            real(c_double), intent(out) :: by_pressure
+            type(fstiff_roughness), intent(inout) :: by_surface
+            type(fstiff_body), intent(inout) :: by_body
+            integer(c_int) :: status
+        end function
         function fstiff_contact_of_scene(text, length, name, law, peaks, made) bind(c) result(status)
             import
             character(kind=c_char), intent(in) :: text(*), name(*)

@@ -101,6 +101,12 @@ typedef struct fstiff_body {
 FSTIFF_API int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
                                    fstiff_contact** made);
 
+/** The derivatives of K under the pressure [Pa], at constant pressure, for a contact that fstiff_contact_make takes: by the
+ * pressure (dK/dp [1/m]), and in each member of by_surface and by_body by that member [Pa/m per its unit]; 0 for what is not
+ * known. Results may be NULL; both structs have their sizes set. Within 1e-7 K of x dK/dx. */
+FSTIFF_API int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const fstiff_body* body, double pressure,
+                                  double* by_pressure, fstiff_roughness* by_surface, fstiff_body* by_body);
+
 /** A contact of the text of a scene (docs/scene.md), length bytes of TOML: entry `law` of contact.laws and entry `peaks` of the
  * distributions of peaks, both counted from 0; `peaks` is 0 for a law without joint peaks. name is what messages call the text,
  * and files that it names are searched beside it; NULL stands for "scene" in the current folder. The points of the scene are not

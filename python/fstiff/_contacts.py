@@ -214,6 +214,17 @@ class Contact:
         """
         return Law(self._core.tabulate(min_pressure, max_pressure, outside))
 
+    def sensitivity(self, pressure: float) -> dict[str, float]:
+        """dK/dx [Pa/m per SI unit of x] at constant `pressure` [Pa], for "pressure" and each number that the contact was made of.
+
+        Differences of six points, within 1e-7 K of x dK/dx. A contact of a measured surface or of a scene raises ValueError.
+        """
+        make, arguments = self._recipe
+        if make is not _remade or arguments[3] is not None:
+            raise ValueError("sensitivity(): needs a contact of plain numbers")
+        law, given, interaction, _ = arguments
+        return _core.sensitivity(law, given, interaction, pressure)
+
     def __reduce__(self) -> tuple[Callable[..., Contact], tuple[Any, ...]]:
         return self._recipe
 

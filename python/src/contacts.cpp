@@ -125,30 +125,32 @@ Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<s
     return {results, why};
 }
 
-OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
-                      const std::string& interaction, const scene::MeasuredSurface* measured) {
-    const nb::gil_scoped_release free;
+/// Numbers by their names.
+scene::ContactNumbers numbers_of_contact(const std::map<std::string, double>& numbers, const std::string& interaction) {
     const auto optional = [&](const char* name) {
         const auto found = numbers.find(name);
         return found == numbers.end() ? std::optional<double>() : found->second;
     };
     const auto number = [&](const char* name) { return optional(name).value_or(0); };
-    return scene::contact_of(
-        law,
-        {.surface = {number("rms_height"), number("peak_radius"), number("peak_density"), number("max_peak_height")},
-         .r = optional("r"),
-         .theta = optional("theta"),
-         .fractal_dimension = number("fractal_dimension"),
-         .rms_gradient = number("rms_gradient"),
-         .skewness = number("skewness"),
-         .kurtosis = number("kurtosis"),
-         .effective_modulus = number("effective_modulus"),
-         .poisson_ratio = optional("poisson_ratio"),
-         .yield_strength = number("yield_strength"),
-         .hardness = number("hardness"),
-         .reading = parse<InteractionReading>(interaction, "interaction"),
-         .interaction_length = number("interaction_length")},
-        measured, until_interrupted());
+    return {.surface = {number("rms_height"), number("peak_radius"), number("peak_density"), number("max_peak_height")},
+            .r = optional("r"),
+            .theta = optional("theta"),
+            .fractal_dimension = number("fractal_dimension"),
+            .rms_gradient = number("rms_gradient"),
+            .skewness = number("skewness"),
+            .kurtosis = number("kurtosis"),
+            .effective_modulus = number("effective_modulus"),
+            .poisson_ratio = optional("poisson_ratio"),
+            .yield_strength = number("yield_strength"),
+            .hardness = number("hardness"),
+            .reading = parse<InteractionReading>(interaction, "interaction"),
+            .interaction_length = number("interaction_length")};
+}
+
+OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
+                      const std::string& interaction, const scene::MeasuredSurface* measured) {
+    const nb::gil_scoped_release free;
+    return scene::contact_of(law, numbers_of_contact(numbers, interaction), measured, until_interrupted());
 }
 
 /// Arrays of the caller that are filled; none: new ones.
@@ -253,6 +255,14 @@ void add_contacts(nb::module_& m) {
             return effective_modulus(Material<double>{modulus, poisson}, Material<double>{modulus2, poisson2});
         },
         nb::arg("youngs_modulus"), nb::arg("poisson_ratio"), nb::arg("youngs_modulus2"), nb::arg("poisson_ratio2"));
+    m.def(
+        "sensitivity",
+        [](const std::string& law, const std::map<std::string, double>& numbers, const std::string& interaction,
+           double pressure) {
+            const nb::gil_scoped_release free;
+            return scene::sensitivity_of(law, numbers_of_contact(numbers, interaction), pressure);
+        },
+        nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"), nb::arg("pressure"));
     m.def("law_names", [] {
         std::vector<std::string> names;
         for (const std::string_view name : scene::law_names()) names.emplace_back(name);

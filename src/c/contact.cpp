@@ -123,6 +123,44 @@ int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const 
     });
 }
 
+int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const fstiff_body* body, double pressure,
+                       double* by_pressure, fstiff_roughness* by_surface, fstiff_body* by_body) {
+    return guarded([&]() -> int {
+        not_null(law, "law");
+        const fstiff_roughness roughness = taken(surface, "surface");
+        if (by_surface) sized(by_surface, "by_surface");
+        if (by_body) sized(by_body, "by_body");
+        auto by = fstiff::scene::sensitivity_of(law, numbers_of(roughness, taken(body, "body")), pressure);
+        bool finite = true;
+        for (const auto& [name, slope] : by) finite = finite && std::isfinite(slope);
+        if (const int status = handed_on(finite)) return status;
+        put(by_pressure, by["pressure"]);
+        if (by_surface)
+            give({.size = 0,
+                  .rms_height = by["rms_height"],
+                  .peak_radius = by["peak_radius"],
+                  .peak_density = by["peak_density"],
+                  .max_peak_height = by["max_peak_height"],
+                  .r = by["r"],
+                  .theta = by["theta"],
+                  .fractal_dimension = by["fractal_dimension"],
+                  .rms_gradient = by["rms_gradient"],
+                  .skewness = by["skewness"],
+                  .kurtosis = by["kurtosis"]},
+                 *by_surface);
+        if (by_body)
+            give({.size = 0,
+                  .effective_modulus = by["effective_modulus"],
+                  .yield_strength = by["yield_strength"],
+                  .hardness = by["hardness"],
+                  .poisson_ratio = by["poisson_ratio"],
+                  .interaction_length = by["interaction_length"],
+                  .interaction = 0},
+                 *by_body);
+        return FSTIFF_OK;
+    });
+}
+
 int fstiff_contact_of_scene(const char* text, size_t length, const char* name, size_t law, size_t peaks,
                             fstiff_contact** made) {
     return made_by(made, [&] {

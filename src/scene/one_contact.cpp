@@ -6,8 +6,14 @@
 
 #include <fstiff/measured/uncertain_sum.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace fstiff::scene {
 namespace {
@@ -89,6 +95,48 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
     return of;
 }
 
+/// A number of a contact and the open interval in which it has a meaning.
+struct Number {
+    const char* name;
+    double* value;
+    double low = 0, high = std::numeric_limits<double>::infinity();
+};
+
+/// The numbers that are known.
+std::vector<Number> known_numbers(ContactNumbers& of) {
+    constexpr double most = std::numeric_limits<double>::infinity();
+    std::vector<Number> all{{"rms_height", &of.surface.rms_height},
+                            {"peak_radius", &of.surface.peak_radius},
+                            {"peak_density", &of.surface.peak_density},
+                            {"max_peak_height", &of.surface.max_peak_height},
+                            {"fractal_dimension", &of.fractal_dimension, 1, 2},
+                            {"rms_gradient", &of.rms_gradient},
+                            {"skewness", &of.skewness, -most},
+                            {"kurtosis", &of.kurtosis, 1},
+                            {"effective_modulus", &of.effective_modulus},
+                            {"yield_strength", &of.yield_strength},
+                            {"hardness", &of.hardness},
+                            {"interaction_length", &of.interaction_length}};
+    std::erase_if(all, [](const Number& one) { return *one.value == 0; });
+    if (of.r) all.push_back({"r", &*of.r, 0, 1});
+    if (of.theta) all.push_back({"theta", &*of.theta, 0, std::numbers::pi / 2});
+    if (of.poisson_ratio) all.push_back({"poisson_ratio", &*of.poisson_ratio, -1, 0.5});
+    return all;
+}
+
+/// df/dx where \p x lies in \p of: central, and forward from the lower end.
+template <class F>
+double difference(const Number& of, double x, const F& f) {
+    if (x <= of.low) {
+        const double h = 1e-3;
+        return (-137 * f(x) + 300 * f(x + h) - 300 * f(x + 2 * h) + 200 * f(x + 3 * h) - 75 * f(x + 4 * h) +
+                12 * f(x + 5 * h)) /
+               (60 * h);
+    }
+    const double scale = x == 0 ? 1 : std::abs(x), h = 2e-3 * std::min({scale, x - of.low, of.high - x});
+    return (45 * (f(x + h) - f(x - h)) - 9 * (f(x + 2 * h) - f(x - 2 * h)) + (f(x + 3 * h) - f(x - 3 * h))) / (60 * h);
+}
+
 }  // namespace
 
 OneContact contact_of(const std::string& law, const ContactNumbers& numbers, const MeasuredSurface* measured,
@@ -100,6 +148,28 @@ OneContact contact_of(const std::string& law, const ContactNumbers& numbers, con
 OneContact contact_of(Scene of, std::size_t law, std::size_t peaks, const ProgressHook& progress) {
     const double modulus = effective_modulus(of.upper, of.lower);
     return contact_of(std::move(of), modulus, law, peaks, progress);
+}
+
+std::map<std::string, double> sensitivity_of(const std::string& law, ContactNumbers numbers, double pressure) {
+    require_positive("pressure", pressure);
+    const auto stiffness = [&] {
+        const OneContact one = contact_of(law, numbers);
+        const auto point = one.contact->at_pressures(std::span(&pressure, 1), Quantity::stiffness).front();
+        if (!point.ok()) throw domain_error("pressure: " + point.reason);
+        return point.state.stiffness.value;
+    };
+    std::vector<Number> all = known_numbers(numbers);
+    all.push_back({"pressure", &pressure});
+    std::map<std::string, double> slopes;
+    for (const Number& one : all) {
+        const double x = *one.value;
+        slopes[one.name] = difference(one, x, [&](double changed) {
+            *one.value = changed;
+            return stiffness();
+        });
+        *one.value = x;
+    }
+    return slopes;
 }
 
 }  // namespace fstiff::scene

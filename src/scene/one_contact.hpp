@@ -5,6 +5,7 @@
 #include "scene/scene.hpp"
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,5 +46,11 @@ struct OneContact {
 /// The contact of entry \p law of the laws of \p of on entry \p peaks of its distributions of peaks, both from 0.
 /// \throws no_such_entry, domain_error as the law.
 [[nodiscard]] OneContact contact_of(Scene of, std::size_t law, std::size_t peaks, const ProgressHook& progress = {});
+
+/// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of \p numbers that
+/// is known, by its name. By differences of six points: within 1e-7 K of x dK/dx (tests/scene/one_contact_test.cpp).
+/// \throws domain_error as contact_of, and for a pressure that the law does not reach.
+[[nodiscard]] std::map<std::string, double> sensitivity_of(const std::string& law, ContactNumbers numbers,
+                                                           double pressure);
 
 }  // namespace fstiff::scene

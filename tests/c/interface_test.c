@@ -566,6 +566,38 @@ static void test_conductance(void) {
     fstiff_document_free(made);
 }
 
+/* ---- Sensitivities ---- */
+
+static double stiffness_of(const fstiff_roughness* surface, const fstiff_body* body) {
+    fstiff_contact* contact = NULL;
+    double pressure = 1e7, stiffness = 0;
+    fstiff_points points = {.size = sizeof points, .stiffness = &stiffness};
+    CHECK(fstiff_contact_make("hertz", surface, body, &contact) == FSTIFF_OK);
+    CHECK(fstiff_contact_at_pressures(contact, &pressure, 1, &points) == FSTIFF_OK);
+    fstiff_contact_free(contact);
+    return stiffness;
+}
+
+static void test_sensitivity(void) {
+    const fstiff_roughness fine = fine_surface();
+    const fstiff_body body = steel();
+    fstiff_roughness by = {.size = sizeof by}, up = fine, down = fine;
+    fstiff_body by_body = {.size = sizeof by_body};
+    double by_pressure = 0;
+    CHECK(fstiff_sensitivity("hertz", &fine, &body, 1e7, &by_pressure, &by, &by_body) == FSTIFF_OK);
+    const double h = 1e-4 * fine.rms_height;
+    up.rms_height += h, down.rms_height -= h;
+    const double slope = (stiffness_of(&up, &body) - stiffness_of(&down, &body)) / (2 * h);
+    CHECK(fabs(by.rms_height - slope) < 1e-6 * fabs(slope));
+    CHECK(by.size == sizeof by && by_body.size == sizeof by_body);
+    CHECK(by_pressure > 0 && by_body.effective_modulus > 0 && by.rms_gradient == 0);
+    CHECK(fstiff_sensitivity("hertz", &fine, &body, 1e7, NULL, NULL, NULL) == FSTIFF_OK);
+    REFUSES(FSTIFF_REFUSED, "pressure", fstiff_sensitivity("hertz", &fine, &body, -1, &by_pressure, &by, &by_body));
+    by.size = 8;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "by_surface->size = 8",
+            fstiff_sensitivity("hertz", &fine, &body, 1e7, &by_pressure, &by, &by_body));
+}
+
 /* ---- Refusals ---- */
 
 static void test_refusals(void) {
@@ -854,6 +886,7 @@ int main(int argc, char** argv) {
         test_scene(scene);
         test_law(argv[3]);
         test_tangents();
+        test_sensitivity();
         test_law_of_a_map();
         test_measurement();
         test_documents();

@@ -356,3 +356,14 @@ def test_a_notebook_shows_a_table():
     html = CONTACTS["hertz"].at_pressures([1e6, 1e7])._repr_html_()
     assert html.startswith("<p>&lt;fstiff.Points of hertz: 2 points&gt;</p><table><tr><th>pressure_Pa</th>")
     assert html.count("<tr>") == 3 and html.endswith("</td></tr></table>")
+
+
+def test_sensitivities_are_differences_of_the_contact():
+    by = CONTACTS["hertz"].sensitivity(1e7)
+    assert {"pressure", "rms_height", "peak_radius", "peak_density", "r", "theta", "effective_modulus"} <= set(by)
+    h = 1e-4 * FINE["rms_height"]
+    up, down = (fstiff.Contact("hertz", **{**FINE, "rms_height": FINE["rms_height"] + s * h}) for s in (1, -1))
+    slope = (up.at_pressures(1e7).stiffness - down.at_pressures(1e7).stiffness) / (2 * h)
+    assert by["rms_height"] == pytest.approx(float(slope), rel=1e-6)
+    with pytest.raises(ValueError, match="^sensitivity.*plain numbers"):
+        fstiff.Scene().contact().sensitivity(1e7)

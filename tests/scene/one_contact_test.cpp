@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include <limits>
@@ -137,6 +138,41 @@ TEST_CASE("a number that may be 0 is not taken for 0 where it was not given") {
     CHECK(contact_of("jackson_green", numbers).contact);
     numbers.theta.reset();
     CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "law hertz: needs theta");
+}
+
+TEST_CASE("the sensitivities of plain numbers are the exact derivatives of the headers") {
+    ContactNumbers numbers{.surface = {0.832e-6, 40e-6, 500e6}, .r = 0.5, .theta = 1.0, .fractal_dimension = 1.4};
+    numbers.effective_modulus = 112.6e9;
+    const PeakDistribution<double> peaks(0.5, 1.0);
+    const double p = 1e7;
+    const auto check = [&](const std::string& law, const Sensitivity<double>& exact) {
+        const auto by = sensitivity_of(law, numbers, p);
+        const auto agrees = [&](const char* name, double x, double wanted) {
+            INFO(law << ", " << name);
+            CHECK(std::abs(by.at(name) - wanted) * x < 1e-7 * exact.stiffness);
+        };
+        agrees("pressure", p, exact.pressure);
+        agrees("rms_height", 0.832e-6, exact.rms_height);
+        agrees("peak_radius", 40e-6, exact.peak_radius);
+        agrees("peak_density", 500e6, exact.peak_density);
+        agrees("effective_modulus", 112.6e9, exact.effective_modulus);
+        agrees("r", 1, exact.r);
+        agrees("theta", 1, exact.theta);
+        agrees("fractal_dimension", 1.4, exact.fractal_dimension);
+    };
+    check("hertz", sensitivity(RoughContact(numbers.surface, peaks, HertzLaw<double>{}, 112.6e9), p));
+    check("fractal_consistent",
+          sensitivity(RoughContact(numbers.surface, peaks, FractalConsistentLaw<double>(1.4), 112.6e9), p));
+}
+
+TEST_CASE("a sensitivity by r at r = 0 is taken from above, and bad numbers are refused") {
+    ContactNumbers numbers{.surface = {0.832e-6, 40e-6, 500e6}, .r = 0.0, .theta = 1.0};
+    numbers.effective_modulus = 112.6e9;
+    const RoughContact contact(numbers.surface, PeakDistribution<double>(0.0, 1.0), HertzLaw<double>{}, 112.6e9);
+    const auto exact = sensitivity(contact, 1e7);
+    CHECK(std::abs(sensitivity_of("hertz", numbers, 1e7).at("r") - exact.r) < 1e-7 * exact.stiffness);
+    CHECK_THROWS_AS(sensitivity_of("hertz", numbers, -1), domain_error);
+    CHECK_THROWS_AS(sensitivity_of("none", numbers, 1e7), domain_error);
 }
 
 }  // namespace one_contact_test
