@@ -9,7 +9,7 @@
     tools/make_benchmarks.py --check    exit code 1 when they are not what bench/results.json gives
 
 The least processor time of the repetitions of each row goes to bench/results.json, with its errors and the machine's name. From
-it are written the tables between <!-- benchmarks --> and <!-- /benchmarks --> in README.md and docs/benchmarks.md, and
+it are written the tables between <!-- benchmarks --> and <!-- /benchmarks --> in docs/benchmarks.md, and
 docs/benchmarks.svg. A row whose verification failed is shown as such, without a time.
 """
 import argparse
@@ -199,22 +199,6 @@ class Report:
                 lines += [f"## {title}", "", *table(["row", *head] + ["values beyond their error estimate"] * kernel, body)]
         return "\n".join(lines + [self.source()])
 
-    def summary(self):
-        wanted = (
-            ("integrals/fstiff/four/plain/1e-12", "fstiff, all four integrals, 1e-12"),
-            ("integrals/fstiff/four/plain/1e-03", "fstiff, all four integrals, 1e-3"),
-            ("integrals/gauss_legendre-tuned/four/plain/1e-12", "Gauss-Legendre tuned by hand, Eigen, 1e-12"),
-            ("integrals/gsl-1d/four/plain/1e-12", "GSL, one dimension, 1e-12"),
-            ("integrals/cubature/four/plain/1e-12", "cubature, 1e-12"),
-            ("integrals/boost-exp_sinh/four/plain/1e-12", "Boost.Math, 1e-12"),
-            ("integrals/gauss_legendre-eigen/four/plain/50x50", "the paper's 50 x 50 points, Eigen"),
-            ("kernel/gradual_yield/1e-12", "fstiff, law of a user in two dimensions, 1e-12"),
-            ("law/stiffness_of_pressure/scalar", "fstiff, tabulated law K(p)"),
-            ("contact/at_pressure/all", "fstiff, a contact at a given pressure"),
-        )
-        lines = [[label, *cells(self.rows[name])] for name, label in wanted if name in self.rows]
-        return "\n".join(table(["on the plain grid", "time", "largest relative error", "median", "evaluations"], lines) + [self.source()])
-
 
 # ---------------------------------------------------------------- picture
 
@@ -253,9 +237,8 @@ def main():
         measure(options.json, options.portable)
     report = Report(json.loads(RESULTS.read_text()))
     wanted = {ROOT / "docs" / "benchmarks.svg": picture(report)}
-    for file, text in (("docs/benchmarks.md", report.document()), ("README.md", report.summary())):
-        if "<!-- benchmarks -->" in (ROOT / file).read_text(encoding="utf-8"):
-            wanted[ROOT / file] = between_markers(ROOT / file, benchmarks=text)
+    document = ROOT / "docs" / "benchmarks.md"
+    wanted[document] = between_markers(document, benchmarks=report.document())
     return write_or_check(wanted, "make_benchmarks.py", options.check)
 
 
