@@ -58,7 +58,7 @@ class FstiffConan(ConanFile):
 
     def generate(self):
         toolchain = CMakeToolchain(self)
-        for part in ("CLI", "C", "TESTS", "BENCH"):
+        for part in ("CLI", "C", "DOUBLE", "TESTS", "BENCH"):
             toolchain.cache_variables[f"FSTIFF_BUILD_{part}"] = False
         toolchain.cache_variables["FSTIFF_BUILD_IO"] = bool(self.options.io)
         for library in ("PUGIXML", "ZLIB"):  # none of the machine that builds

@@ -118,7 +118,7 @@ def check_others(root, version, packages, options):
     agree("vcpkg: version", {port["version"]}, {version})
     passed = (root / "packaging/vcpkg/fstiff/portfile.cmake").read_text(encoding="utf-8")
     passed += (root / "pyproject.toml").read_text(encoding="utf-8")
-    agree("vcpkg and pip: options", set(re.findall(r"FSTIFF_[A-Z_]+", passed)) - options - {"FSTIFF_VERSION"}, set())
+    agree("vcpkg and pip: options", set(re.findall(r"FSTIFF_[A-Z_]+", passed)) - options - {"FSTIFF_VERSION_TEXT"}, set())
     conan = (root / "packaging/conan/conanfile.py").read_text(encoding="utf-8")
     switched = {f"FSTIFF_BUILD_{name}" for name in ast.literal_eval(re.search(r"for part in (\(.*\)):", conan)[1])}
     libraries = {f"FSTIFF_{name}_LIBRARY" for name in ast.literal_eval(re.search(r"for library in (\(.*\)):", conan)[1])}
@@ -136,7 +136,7 @@ def check_others(root, version, packages, options):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    (version,) = re.findall(r'define FSTIFF_VERSION "(.+)"', (root / "include/fstiff/core/version.hpp").read_text(encoding="utf-8"))
+    (version,) = re.findall(r'define FSTIFF_VERSION_TEXT "(.+)"', (root / "include/fstiff/core/version.hpp").read_text(encoding="utf-8"))
     packages, options = known_to_cmake(root)
     if packages != set(NAMES):
         sys.exit(f"CMake looks for other packages than this test knows: {sorted(packages ^ set(NAMES))}")

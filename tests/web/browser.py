@@ -121,7 +121,7 @@ class Page:
         self.call("DOM.setFileInputFiles", nodeId=node, files=[str(file)])
 
     def download(self, link):
-        """The bytes of what a click on \p link, an expression of JavaScript, downloads."""
+        """The bytes of what a click on `link`, an expression of JavaScript, downloads."""
         for _ in range(12):  # Chromium holds back a picture now and then, which may be harmful elsewhere
             before = len(self.events)
             self.run(f"{link}.click()")

@@ -5,8 +5,8 @@ get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE
 
 vcpkg_check_features(
     OUT_FEATURE_OPTIONS options
-    FEATURES io FSTIFF_BUILD_IO c FSTIFF_BUILD_C command FSTIFF_BUILD_CLI)
-if(NOT "c" IN_LIST FEATURES AND NOT "io" IN_LIST FEATURES)
+    FEATURES io FSTIFF_BUILD_IO double FSTIFF_BUILD_DOUBLE c FSTIFF_BUILD_C command FSTIFF_BUILD_CLI)
+if(NOT "c" IN_LIST FEATURES AND NOT "io" IN_LIST FEATURES AND NOT "double" IN_LIST FEATURES)
     set(VCPKG_BUILD_TYPE release)  # headers alone, and the command: nothing to link in debug builds
 endif()
 string(COMPARE EQUAL "${VCPKG_LIBRARY_LINKAGE}" dynamic shared)
@@ -17,12 +17,11 @@ vcpkg_cmake_configure(
 vcpkg_cmake_install()
 
 vcpkg_cmake_config_fixup(PACKAGE_NAME fstiff CONFIG_PATH share/cmake/fstiff)
-if("io" IN_LIST FEATURES)
-    vcpkg_cmake_config_fixup(PACKAGE_NAME fstiff-io CONFIG_PATH lib/cmake/fstiff-io)
-endif()
-if("c" IN_LIST FEATURES)
-    vcpkg_cmake_config_fixup(PACKAGE_NAME fstiff-c CONFIG_PATH lib/cmake/fstiff-c)
-endif()
+foreach(part IN ITEMS io double c)
+    if("${part}" IN_LIST FEATURES)
+        vcpkg_cmake_config_fixup(PACKAGE_NAME fstiff-${part} CONFIG_PATH lib/cmake/fstiff-${part})
+    endif()
+endforeach()
 vcpkg_fixup_pkgconfig()
 if("command" IN_LIST FEATURES)
     vcpkg_copy_tools(TOOL_NAMES fstiff AUTO_CLEAN)

@@ -15,6 +15,7 @@ class Fstiff(CMakePackage):
 
     variant("command", default=True, description="The command fstiff")
     variant("io", default=True, description="fstiff::io, the readers and writers of measured surfaces")
+    variant("double", default=False, description="fstiff::double, the templates in double, compiled")
     variant("c", default=True, description="The C interface and the Fortran module")
     variant("x3p", default=True, description="X3P files, and compressed ones of Digital Surf")
 
@@ -32,6 +33,7 @@ class Fstiff(CMakePackage):
         arguments = [
             self.define_from_variant("FSTIFF_BUILD_CLI", "command"),
             self.define_from_variant("FSTIFF_BUILD_IO", "io"),
+            self.define_from_variant("FSTIFF_BUILD_DOUBLE", "double"),
             self.define_from_variant("FSTIFF_BUILD_C", "c"),
             self.define("FSTIFF_BUILD_TESTS", False),
             self.define("FSTIFF_BUILD_BENCH", False),
