@@ -109,7 +109,7 @@ def main():
     build = parts.add_parser("build")
     build.add_argument("log", type=pathlib.Path)
     build.add_argument("--command", type=float, default=160, help="greatest multiple of the command")
-    build.add_argument("--all", type=float, default=1250, help="greatest multiple of everything, tests run")
+    build.add_argument("--all", type=float, default=1350, help="greatest multiple of everything, tests run")
     options = parser.parse_args()
     if refusals := list((of_program if options.part == "program" else of_build)(options)):
         sys.exit("\n".join(refusals))
