@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boundary elements of one Gaussian self-affine map with a known spectrum, as CSV, for tools/make_broad.py.
 //     fstiff_broad hurst roll_off plateau|none cut_off points seed [p/(E g) ...]
-// Wave numbers count waves a side; the map repeats itself. Lengths in sides, pressures in effective moduli, rms gradient 0.1.
+// Wave numbers count waves a side; the map repeats itself. Lengths in sides, pressures in effective moduli, rms
+// gradient 0.1.
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/synthetic/self_affine.hpp>

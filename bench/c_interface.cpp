@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a call through fstiff.h costs over the same call in C++, in nanoseconds: each pair is compared first (largest relative
-// difference of K), then timed, the two in turn, the least of 200 rounds over 512 points.
+// What a call through fstiff.h costs over the same call in C++, in nanoseconds: each pair is compared first (largest
+// relative difference of K), then timed, the two in turn, the least of 200 rounds over 512 points.
 //
 //     fstiff_c_bench        what,cpp_ns,c_ns,c_over_cpp_ns,largest_difference
 #include <fstiff.h>

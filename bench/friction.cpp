@@ -21,9 +21,9 @@ const Friction& rough() {
             .rms_height = rms_height, .peak_radius = peak_radius, .peak_density = peak_density};
         const fstiff::RoughContact contact(surface, fstiff::PeakDistribution<double>(0.5, 1),
                                            fstiff::HertzLaw<double>{}, modulus);
-        return Friction(fstiff::ContactLaw<double>::tabulate(
-                            contact, {.min_pressure = min_pressure, .max_pressure = max_pressure}),
-                        coefficient, stiffness_ratio);
+        return Friction(
+            fstiff::ContactLaw<double>::tabulate(contact, {.min_pressure = min_pressure, .max_pressure = max_pressure}),
+            coefficient, stiffness_ratio);
     }();
     return kept;
 }
@@ -52,8 +52,8 @@ const std::vector<Slip>& slips() {
             const auto [forth, traction] = slip_to(2);
             const auto [half_back, half_fall] = slip_to(1);
             if (half_fall > 0.1 * coefficient * at[0].pressure)  // else p itself is not known that well
-                out.push_back({at[0].separation, at[0].pressure, forth, 2 * half_back, traction,
-                               traction - 2 * half_fall});
+                out.push_back(
+                    {at[0].separation, at[0].pressure, forth, 2 * half_back, traction, traction - 2 * half_fall});
         }
         return out;
     }();

@@ -3,9 +3,9 @@
 //
 //     fstiff_half_space MAP POINTS [PRESSURES P...]
 //
-// MAP: POINTS x POINTS heights, 64-bit floats, of a repeating square of side 1. PRESSURES: the file that takes the pressures
-// at the points; P: mean pressures over E. Prints one line of CSV each; seconds are the least processor time of three.
-// half_space.py makes maps and compares with Tamaas where it is installed.
+// MAP: POINTS x POINTS heights, 64-bit floats, of a repeating square of side 1. PRESSURES: the file that takes the
+// pressures at the points; P: mean pressures over E. Prints one line of CSV each; seconds are the least processor time
+// of three. half_space.py makes maps and compares with Tamaas where it is installed.
 #include <fstiff/halfspace/truth.hpp>
 
 #include <algorithm>

@@ -65,19 +65,20 @@ const Rows rows_of_law_of_map([] {
         return collector.accuracy();
     };
     const auto row = [=](const char* name, const auto& value_at, const auto& look_up) {
-        verified_row(name, 1e-3, [=] { return accuracy(value_at); },
-                     [=](benchmark::State& state) {
-                         time_elements(state, law_of_map().points.size(),
-                                       [&, &law = law_of_map()](std::size_t i) {
-                                           return look_up(law.table, law.points[i]);
-                                       });
-                     });
+        verified_row(
+            name, 1e-3, [=] { return accuracy(value_at); },
+            [=](benchmark::State& state) {
+                time_elements(state, law_of_map().points.size(),
+                              [&, &law = law_of_map()](std::size_t i) { return look_up(law.table, law.points[i]); });
+            });
     };
     const auto stiffness = [](const auto& law, const LawPoint& at) { return law.stiffness(at.pressure); };
-    row("law_of_map/stiffness_of_pressure/scalar",
+    row(
+        "law_of_map/stiffness_of_pressure/scalar",
         [=](const LawPoint& at) { return stiffness(law_of_map().table, at); }, stiffness);
     const auto of_gap = [](const auto& law, const LawPoint& at) { return law.at_separation(at.separation); };
-    row("law_of_map/pressure_and_stiffness_of_gap/scalar",
+    row(
+        "law_of_map/pressure_and_stiffness_of_gap/scalar",
         [=](const LawPoint& at) { return of_gap(law_of_map().table, at).stiffness; }, of_gap);
 });
 

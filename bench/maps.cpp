@@ -158,7 +158,8 @@ void solve(std::uint64_t first, std::uint64_t last) {
         for (std::uint64_t seed = first; seed <= last; ++seed) solve(kind, seed, {0.001, 0.003, 0.01, 0.03, 0.1, 0.25});
 }
 
-/// Writes a map as Gwyddion simple field, with steps of 0.5 um, or its truth to the standard output. \returns the exit code.
+/// Writes a map as Gwyddion simple field, with steps of 0.5 um, or its truth to the standard output. \returns the exit
+/// code.
 int one_map(int count, char** argument) {
     const std::string name = argument[2];
     const std::string mode = argument[1];
@@ -221,9 +222,8 @@ int compare_laws(const char* truths, long every) {
         where << '"' << name << "\",\"" << kind->group << "\"," << seed << ',' << p_star;
         const double p = 0.1 * p_star;
         print("hybrid", where.str(), p, truth, [&](double x) { return laws->hybrid.stiffness(x); });
-        print("summits", where.str(), p, truth, [&](double x) {
-            return laws->mutual.at_pressure(x, fstiff::Quantity::stiffness).stiffness.value;
-        });
+        print("summits", where.str(), p, truth,
+              [&](double x) { return laws->mutual.at_pressure(x, fstiff::Quantity::stiffness).stiffness.value; });
         print("persson", where.str(), p, truth, [&](double x) { return laws->persson.stiffness(x); });
         print("hybrid of numbers", where.str(), p, truth, [&](double x) { return laws->numbers.stiffness(x); });
         print("p/(0.48 rms height)", where.str(), p, truth, [&](double x) { return x / (0.48 * laws->rms_height); });

@@ -34,8 +34,8 @@ enum class Expect {
     wrong  ///< known to fail on these problems: shown with its errors and without a time, and no failure of the program
 };
 
-/// A row whose \p verify() returns an Accuracy, computed once, and whose \p body(state) is the timed loop. It is not timed
-/// when the largest error exceeds \p bound.
+/// A row whose \p verify() returns an Accuracy, computed once, and whose \p body(state) is the timed loop. It is not
+/// timed when the largest error exceeds \p bound.
 template <class Verify, class Body>
 void verified_row(const std::string& name, double bound, const Verify& verify, const Body& body,
                   Expect expect = Expect::right) {

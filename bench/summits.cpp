@@ -33,8 +33,7 @@ const Rows rows_of_summits([] {
             const auto state = crowd().at_pressure(pressure), low = crowd().at_pressure(pressure * (1 - 1e-4)),
                        high = crowd().at_pressure(pressure * (1 + 1e-4));
             AccuracyCollector collector;
-            collector.add(state.stiffness.value,
-                          2e-4 * pressure / (low.separation.value - high.separation.value));
+            collector.add(state.stiffness.value, 2e-4 * pressure / (low.separation.value - high.separation.value));
             collector.add_cost(static_cast<double>(crowd().crowding(pressure).contacts));
             return collector.accuracy();
         },
@@ -57,7 +56,8 @@ const Rows rows_of_summits([] {
         },
         [](benchmark::State& state) {
             const auto map = test::half_space_map("gaussian");
-            for (auto _ : state) benchmark::DoNotOptimize(hybrid_of_map(map, 1.0, fstiff::Edges::periodic).stiffness(1e-3));
+            for (auto _ : state)
+                benchmark::DoNotOptimize(hybrid_of_map(map, 1.0, fstiff::Edges::periodic).stiffness(1e-3));
         });
 });
 

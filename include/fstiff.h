@@ -10,16 +10,19 @@
  *     fstiff_contact* contact = NULL;
  *     if (fstiff_contact_make("hertz", &fine, &body, &contact) != FSTIFF_OK) puts(fstiff_last_message());
  *
- * Units       SI, per nominal area: heights, lengths and separations [m], pressures [Pa], stiffness [Pa/m], contacts [1/m^2]
+ * Units       SI, per nominal area: heights, lengths and separations [m], pressures [Pa], stiffness [Pa/m], contacts
+ *             [1/m^2]
  * Accuracy    the numbers are those of the C++ library and of `fstiff run`, bit for bit
  * Status      every function that can fail returns FSTIFF_OK (0) or one of the codes below; the sentence is in
  *             fstiff_last_message(). No exception leaves the library, and no result is ever NaN or infinite
- * Structs     begin with their size: set it to sizeof, and what you do not know to 0. They grow at their end alone: a program
- *             that was compiled with an older fstiff.h of this SONAME goes on working. Any other size is refused
+ * Structs     begin with their size: set it to sizeof, and what you do not know to 0. They grow at their end alone: a
+ *             program that was compiled with an older fstiff.h of this SONAME goes on working. Any other size is
+ *             refused
  * Ownership   what a function makes through `**made` is freed by the fstiff_..._free of its type, which takes NULL too;
  *             *made is NULL after a failure. Text and arrays are the caller's: they are read, or written, during the
  *             call alone
- * Threads     any number of threads may evaluate one handle; nobody may free it meanwhile. Every thread has its own message
+ * Threads     any number of threads may evaluate one handle; nobody may free it meanwhile. Every thread has its own
+ *             message
  */
 #ifndef FSTIFF_H
 #define FSTIFF_H
@@ -59,8 +62,8 @@ enum {
 FSTIFF_API const char* fstiff_version(void);
 /** A status in words; of a number that is none "unknown status". Never NULL. */
 FSTIFF_API const char* fstiff_strerror(int status);
-/** Why the last call of this thread that failed did so, in one sentence; or, where a measurement succeeded after it, what that
- * warns of, a sentence a line. Never NULL; valid until the next call of this thread. */
+/** Why the last call of this thread that failed did so, in one sentence; or, where a measurement succeeded after it,
+ * what that warns of, a sentence a line. Never NULL; valid until the next call of this thread. */
 FSTIFF_API const char* fstiff_last_message(void);
 
 /* ---- Contacts ---- */
@@ -96,26 +99,28 @@ typedef struct fstiff_body {
     int interaction;           /**< FSTIFF_NO_INTERACTION ... */
 } fstiff_body;
 
-/** A contact of numbers. law: "hertz", "fractal", "fractal_consistent", "greenwood_williamson", "hybrid", "persson", "plastic",
- * "jackson_green", "kogut_etsion"; laws that need a measured map come from a scene. */
+/** A contact of numbers. law: "hertz", "fractal", "fractal_consistent", "greenwood_williamson", "hybrid", "persson",
+ * "plastic", "jackson_green", "kogut_etsion"; laws that need a measured map come from a scene. */
 FSTIFF_API int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
                                    fstiff_contact** made);
 
-/** The derivatives of K under the pressure [Pa], at constant pressure, for a contact that fstiff_contact_make takes: by the
- * pressure (dK/dp [1/m]), and in each member of by_surface and by_body by that member [Pa/m per its unit]; 0 for what is not
- * known. Results may be NULL; both structs have their sizes set. Within 1e-7 K of x dK/dx. */
-FSTIFF_API int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const fstiff_body* body, double pressure,
-                                  double* by_pressure, fstiff_roughness* by_surface, fstiff_body* by_body);
+/** The derivatives of K under the pressure [Pa], at constant pressure, for a contact that fstiff_contact_make takes: by
+ * the pressure (dK/dp [1/m]), and in each member of by_surface and by_body by that member [Pa/m per its unit]; 0 for
+ * what is not known. Results may be NULL; both structs have their sizes set. Within 1e-7 K of x dK/dx. */
+FSTIFF_API int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
+                                  double pressure, double* by_pressure, fstiff_roughness* by_surface,
+                                  fstiff_body* by_body);
 
-/** A contact of the text of a scene (docs/scene.md), length bytes of TOML: entry `law` of contact.laws and entry `peaks` of the
- * distributions of peaks, both counted from 0; `peaks` is 0 for a law without joint peaks. name is what messages call the text,
- * and files that it names are searched beside it; NULL stands for "scene" in the current folder. The points of the scene are not
- * used. */
+/** A contact of the text of a scene (docs/scene.md), length bytes of TOML: entry `law` of contact.laws and entry
+ * `peaks` of the distributions of peaks, both counted from 0; `peaks` is 0 for a law without joint peaks. name is what
+ * messages call the text, and files that it names are searched beside it; NULL stands for "scene" in the current
+ * folder. The points of the scene are not used. */
 FSTIFF_API int fstiff_contact_of_scene(const char* text, size_t length, const char* name, size_t law, size_t peaks,
                                        fstiff_contact** made);
 FSTIFF_API void fstiff_contact_free(fstiff_contact* contact);
 
-/** Where the results go: arrays of `count` of the call. One that is NULL is not written, and its quantity is not computed. */
+/** Where the results go: arrays of `count` of the call. One that is NULL is not written, and its quantity is not
+ * computed. */
 typedef struct fstiff_points {
     size_t size;                /**< sizeof(fstiff_points) */
     double* pressure;           /**< [Pa] */
@@ -128,9 +133,10 @@ typedef struct fstiff_points {
     int* status;                /**< of each point */
 } fstiff_points;
 
-/** The states under pressures [Pa], > 0, and at separations [m]. A point without a state has its status, and 0 in every array;
- * the other points are computed. Returns FSTIFF_OK, or the status of the first point without a state, with its message. Results
- * may be written where the arguments were. FSTIFF_REFUSED with no array written for a quantity that the law does not give. */
+/** The states under pressures [Pa], > 0, and at separations [m]. A point without a state has its status, and 0 in every
+ * array; the other points are computed. Returns FSTIFF_OK, or the status of the first point without a state, with its
+ * message. Results may be written where the arguments were. FSTIFF_REFUSED with no array written for a quantity that
+ * the law does not give. */
 FSTIFF_API int fstiff_contact_at_pressures(const fstiff_contact* contact, const double* pressures, size_t count,
                                            const fstiff_points* points);
 FSTIFF_API int fstiff_contact_at_separations(const fstiff_contact* contact, const double* separations, size_t count,
@@ -143,15 +149,15 @@ typedef struct fstiff_law fstiff_law;
 /** What a law does outside its range (contact/contact_law.hpp). */
 enum { FSTIFF_OUTSIDE_REFUSE = 0, FSTIFF_OUTSIDE_CLAMP = 1, FSTIFF_OUTSIDE_EXACT = 2, FSTIFF_OUTSIDE_EXTRAPOLATE = 3 };
 
-/** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact again.
- * Of a map every law but "boundary_elements" has a table, with an error of 1e-3 or less (fstiff_law_facts). */
+/** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact
+ * again. Of a map every law but "boundary_elements" has a table, with an error of 1e-3 or less (fstiff_law_facts). */
 FSTIFF_API int fstiff_law_make(const fstiff_contact* contact, double min_pressure, double max_pressure, int outside,
                                fstiff_law** made);
 /** The law that fstiff_law_text wrote (or ContactLaw::to_text), bit for bit; length bytes. */
 FSTIFF_API int fstiff_law_of_text(const char* text, size_t length, fstiff_law** made);
-/** The law as text. *length becomes its length without the closing 0. buffer of `capacity` bytes takes text and closing 0; where
- * they do not fit, nothing is written and FSTIFF_BAD_ARGUMENT returned; buffer NULL with capacity 0 asks for *length alone. A
- * law with FSTIFF_OUTSIDE_EXACT has no text. */
+/** The law as text. *length becomes its length without the closing 0. buffer of `capacity` bytes takes text and closing
+ * 0; where they do not fit, nothing is written and FSTIFF_BAD_ARGUMENT returned; buffer NULL with capacity 0 asks for
+ * *length alone. A law with FSTIFF_OUTSIDE_EXACT has no text. */
 FSTIFF_API int fstiff_law_text(const fstiff_law* law, char* buffer, size_t capacity, size_t* length);
 FSTIFF_API void fstiff_law_free(fstiff_law* law);
 
@@ -167,29 +173,31 @@ typedef struct fstiff_law_facts {
 /** facts->size must be set. */
 FSTIFF_API int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts);
 
-/** At one separation [m]: p [Pa], K [Pa/m], -dp/dd [Pa/m], the tangent for Newton's method; at one pressure [Pa]: separation
- * [m], K [Pa/m], dK/dp [1/m]. Results that are not wanted may be NULL; a call that fails leaves all of them alone. */
+/** At one separation [m]: p [Pa], K [Pa/m], -dp/dd [Pa/m], the tangent for Newton's method; at one pressure [Pa]:
+ * separation [m], K [Pa/m], dK/dp [1/m]. Results that are not wanted may be NULL; a call that fails leaves all of them
+ * alone. */
 FSTIFF_API int fstiff_law_at_separation(const fstiff_law* law, double separation, double* pressure, double* stiffness,
                                         double* slope);
 FSTIFF_API int fstiff_law_at_pressure(const fstiff_law* law, double pressure, double* separation, double* stiffness,
                                       double* stiffness_slope);
 
-/** The same of arrays: four points at a time, equal to the calls above within rounding. pressures or stiffnesses, and status, may be
- * NULL. A point that fails has its status and 0 in both arrays; the others are computed. Returns the first status that is not
- * FSTIFF_OK. Results may be written where the arguments were. */
+/** The same of arrays: four points at a time, equal to the calls above within rounding. pressures or stiffnesses, and
+ * status, may be NULL. A point that fails has its status and 0 in both arrays; the others are computed. Returns the
+ * first status that is not FSTIFF_OK. Results may be written where the arguments were. */
 FSTIFF_API int fstiff_law_at_separations(const fstiff_law* law, const double* separations, size_t count,
                                          double* pressures, double* stiffnesses, int* status);
-/** The same of slopes -dp/dd [Pa/m] in place of K: the tangents of Newton's method, which are K only where stiffness_is_slope. */
+/** The same of slopes -dp/dd [Pa/m] in place of K: the tangents of Newton's method, which are K only where
+ * stiffness_is_slope. */
 FSTIFF_API int fstiff_law_tangents_at_separations(const fstiff_law* law, const double* separations, size_t count,
                                                   double* pressures, double* slopes, int* status);
 FSTIFF_API int fstiff_law_at_pressures(const fstiff_law* law, const double* pressures, size_t count,
                                        double* separations, double* stiffnesses, int* status);
 
-/** Work per area that closes the contact from infinity to a separation [J/m^2], the integral of p, which an elastic contact
- * stores; beyond the table that of a law with FSTIFF_OUTSIDE_EXTRAPOLATE, for other laws FSTIFF_REFUSED. */
+/** Work per area that closes the contact from infinity to a separation [J/m^2], the integral of p, which an elastic
+ * contact stores; beyond the table that of a law with FSTIFF_OUTSIDE_EXTRAPOLATE, for other laws FSTIFF_REFUSED. */
 FSTIFF_API int fstiff_law_energy(const fstiff_law* law, double separation, double* energy);
-/** The separation of first touch [m]: where the line through the loosest state of the table meets p = 0. The approach since then is
- * this less the separation at a pressure; since a preload, the separation there less the other. */
+/** The separation of first touch [m]: where the line through the loosest state of the table meets p = 0. The approach
+ * since then is this less the separation at a pressure; since a preload, the separation there less the other. */
 FSTIFF_API int fstiff_law_touch(const fstiff_law* law, double* separation);
 
 /* ---- Friction: tangential traction, microslip and loss (contact/tangential_law.hpp) ---- */
@@ -199,8 +207,8 @@ typedef struct fstiff_friction fstiff_friction;
 
 enum { FSTIFF_SLIP_LEVELS = 16 };
 
-/** What one place of the contact remembers of its slip: plain numbers, to be kept with the other variables of a step. Before the
- * first slip the separation alone. */
+/** What one place of the contact remembers of its slip: plain numbers, to be kept with the other variables of a step.
+ * Before the first slip the separation alone. */
 typedef struct fstiff_slip {
     size_t size;                         /**< sizeof(fstiff_slip) */
     double separation;                   /**< d [m] */
@@ -212,22 +220,23 @@ typedef struct fstiff_slip {
 /** K_t/K_n of elastic contacts that stick, by Mindlin, from Young's moduli [Pa] and Poisson's ratios of both bodies. */
 FSTIFF_API int fstiff_tangential_ratio(double modulus1, double poisson1, double modulus2, double poisson2,
                                        double* ratio);
-/** law with the coefficient of friction `friction` and K_t/K_n `ratio`, both > 0. It does not need the law again, and continues it
- * outside its range as FSTIFF_OUTSIDE_EXTRAPOLATE. */
+/** law with the coefficient of friction `friction` and K_t/K_n `ratio`, both > 0. It does not need the law again, and
+ * continues it outside its range as FSTIFF_OUTSIDE_EXTRAPOLATE. */
 FSTIFF_API int fstiff_friction_make(const fstiff_law* law, double friction, double ratio, fstiff_friction** made);
 FSTIFF_API void fstiff_friction_free(fstiff_friction* friction);
 
-/** At one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor of a cycle between
- * -amplitude and amplitude [m]. Results that are not wanted may be NULL; a call that fails leaves all of them alone. */
+/** At one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor of a
+ * cycle between -amplitude and amplitude [m]. Results that are not wanted may be NULL; a call that fails leaves all of
+ * them alone. */
 FSTIFF_API int fstiff_friction_first_slip(const fstiff_friction* friction, double separation, double slip,
                                           double* traction, double* stiffness);
 FSTIFF_API int fstiff_friction_cycle(const fstiff_friction* friction, double separation, double amplitude, double* lost,
                                      double* loss_factor);
 
-/** A straight path from what `before` remembers to a separation [m] and by a slip [m]; a plane model has slip[1] = 0. `after`, which
- * may be `before`, has its size set. pressure and traction [Pa] are those at the end, tangent [Pa/m] their derivatives
- * d(p, q1, q2)/d(-d, s1, s2), row after row, not symmetric where something slips. Results that are not wanted may be NULL; a call
- * that fails leaves all of them alone. Nothing is allocated. */
+/** A straight path from what `before` remembers to a separation [m] and by a slip [m]; a plane model has slip[1] = 0.
+ * `after`, which may be `before`, has its size set. pressure and traction [Pa] are those at the end, tangent [Pa/m]
+ * their derivatives d(p, q1, q2)/d(-d, s1, s2), row after row, not symmetric where something slips. Results that are
+ * not wanted may be NULL; a call that fails leaves all of them alone. Nothing is allocated. */
 FSTIFF_API int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* before, double separation,
                                     const double slip[2], fstiff_slip* after, double* pressure, double traction[2],
                                     double tangent[9]);
@@ -283,7 +292,8 @@ typedef struct fstiff_surface {
     fstiff_measured kurtosis;
 } fstiff_surface;
 
-/** Heights [m] at equal spacing [m]; NaN marks a missing point. options NULL: the defaults. surface->size must be set. */
+/** Heights [m] at equal spacing [m]; NaN marks a missing point. options NULL: the defaults. surface->size must be set.
+ * */
 FSTIFF_API int fstiff_measure_profile(const double* heights, size_t count, double spacing,
                                       const fstiff_measure_options* options, fstiff_surface* surface);
 /** Heights [m] row after row, each of `columns` points along x, dx apart; rows dy apart. */
@@ -295,13 +305,13 @@ FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_r
 /* ---- What the other commands compute, as documents ---- */
 
 /** What a command prints, whose numbers can be taken out. Every function below takes its options as a text of lines
- * "key = value", which name the options of the command of that name (`fstiff spectrum --help`) without their dashes, such as
- * "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that the function does not know is
- * refused. What the result warns of is in fstiff_last_message() afterwards. */
+ * "key = value", which name the options of the command of that name (`fstiff spectrum --help`) without their dashes,
+ * such as "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that the function
+ * does not know is refused. What the result warns of is in fstiff_last_message() afterwards. */
 typedef struct fstiff_document fstiff_document;
 
-/** Heights [m], row after row; NaN marks a missing point. Where a function takes NULL in place of them, the option `file` names a
- * file. */
+/** Heights [m], row after row; NaN marks a missing point. Where a function takes NULL in place of them, the option
+ * `file` names a file. */
 typedef struct fstiff_heights {
     size_t size;           /**< sizeof(fstiff_heights) */
     const double* heights; /**< rows * columns */
@@ -319,46 +329,52 @@ typedef struct fstiff_curve {
     int is_reflection; /**< 1: the values are |R|; 0: K */
 } fstiff_curve;
 
-/** Power spectral density or autocorrelation. Options: of, taper, file and all of `fstiff spectrum` that read a surface.
- * Numbers: "psd.wavenumber_rad_per_m", "psd.psd_m3" of a profile, "psd.psd_m4" of a map, "acf.lag_m", "acf.acf" ... */
+/** Power spectral density or autocorrelation. Options: of, taper, file and all of `fstiff spectrum` that read a
+ * surface. Numbers: "psd.wavenumber_rad_per_m", "psd.psd_m3" of a profile, "psd.psd_m4" of a map, "acf.lag_m",
+ * "acf.acf" ... */
 FSTIFF_API int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made);
-/** Density of peak heights and curvatures. Options: r and theta, or theta and exponential = true, or rho1 and rho2, or a profile
- * with the options that read it; heights = FROM,TO,COUNT. Numbers: "r", "theta", "mean_height", "heights.density" ... */
+/** Density of peak heights and curvatures. Options: r and theta, or theta and exponential = true, or rho1 and rho2, or
+ * a profile with the options that read it; heights = FROM,TO,COUNT. Numbers: "r", "theta", "mean_height",
+ * "heights.density" ... */
 FSTIFF_API int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made);
-/** A surface of known D or H. Options: kind (wm, profile, map), spacing, points, rows, hurst, rms, dimension, roughness, gamma,
- * longest, shortest, long_waves, seed; format of the text. Numbers: "heights_m", row after row, "rows", "columns", "dx_m",
- * "dy_m". The text is the file that the command writes. */
+/** A surface of known D or H. Options: kind (wm, profile, map), spacing, points, rows, hurst, rms, dimension,
+ * roughness, gamma, longest, shortest, long_waves, seed; format of the text. Numbers: "heights_m", row after row,
+ * "rows", "columns", "dx_m", "dy_m". The text is the file that the command writes. */
 FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
-/** Reflection of a stiffness, or stiffness of a reflection or of a curve of them. Options: stiffness, or reflection (a number or
- * the name of a file); reflection_error; frequency; impedance, or density and velocity; the same with 2 for the body beyond.
- * Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve "rows.0.stiffness_Pa_per_m", "rows.1..." */
+/** Reflection of a stiffness, or stiffness of a reflection or of a curve of them. Options: stiffness, or reflection (a
+ * number or the name of a file); reflection_error; frequency; impedance, or density and velocity; the same with 2 for
+ * the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve "rows.0.stiffness_Pa_per_m", "rows.1..."
+ * */
 FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made);
 /** The answer of a scene, `length` bytes of TOML (NULL: the built-in scene), and the laws that it names. name is as in
- * fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers: "answer.*.pressure_Pa",
- * "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m" and "..._p95_Pa_per_m",
- * "answer.*.thermal_conductance_W_per_m2K" and its ends where the scene has a gap or a conductivity,
- * "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where peaks flow, "rows.*..." of
- * the laws. Words: "answer.0.law", "verdict.0", "outside_band" ... */
-FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made);
-/** Parameters of a scene, as fstiff_run() takes it, from a measured curve. Options: fit, the names of the parameters with commas between them; law; wave; measured, the file of
- * the curve. Numbers: "fits.0.parameters.0.value", "fits.0.chi_squared", "fits.0.covariance" ... */
+ * fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers:
+ * "answer.*.pressure_Pa", "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m"
+ * and "..._p95_Pa_per_m", "answer.*.thermal_conductance_W_per_m2K" and its ends where the scene has a gap or a
+ * conductivity, "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where
+ * peaks flow, "rows.*..." of the laws. Words: "answer.0.law", "verdict.0", "outside_band" ... */
+FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, const char* options,
+                          fstiff_document** made);
+/** Parameters of a scene, as fstiff_run() takes it, from a measured curve. Options: fit, the names of the parameters
+ * with commas between them; law; wave; measured, the file of the curve. Numbers: "fits.0.parameters.0.value",
+ * "fits.0.chi_squared", "fits.0.covariance" ... */
 FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve,
                                const char* options, fstiff_document** made);
-/** The law of a scene (as above) for a finite-element program: its text is the file. Options: to (calculix, abaqus, moose, comsol,
- * law), units, tolerance, from, until, law, peaks, at. It has no numbers. */
+/** The law of a scene (as above) for a finite-element program: its text is the file. Options: to (calculix, abaqus,
+ * moose, comsol, law), units, tolerance, from, until, law, peaks, at. It has no numbers. */
 FSTIFF_API int fstiff_export(const char* scene, size_t length, const char* name, const char* options,
                              fstiff_document** made);
 
-/** What the command prints: JSON, of fstiff_generate() and fstiff_export() the file. buffer, capacity and length are those of fstiff_law_text(). */
+/** What the command prints: JSON, of fstiff_generate() and fstiff_export() the file. buffer, capacity and length are
+ * those of fstiff_law_text(). */
 FSTIFF_API int fstiff_document_text(const fstiff_document* document, char* buffer, size_t capacity, size_t* length);
 /** The text at path, as below, such as "answer.0.law" of fstiff_run(); buffer, capacity and length as above. */
 FSTIFF_API int fstiff_document_word(const fstiff_document* document, const char* path, char* buffer, size_t capacity,
                                     size_t* length);
-/** The number, or the array of numbers, at path: keys, and places in arrays from 0, with points between them; "*" is every place
- * of an array, such as "answer.*.stiffness_Pa_per_m", and what one of them has not is 0. *count becomes
- * how many they are; values of `capacity` numbers takes all of them; where they do not fit, nothing is written and
- * FSTIFF_BAD_ARGUMENT returned; values NULL with capacity 0 asks for *count alone. What the JSON has as null is 0. A list of
- * lists, such as a covariance, is one row after the other. */
+/** The number, or the array of numbers, at path: keys, and places in arrays from 0, with points between them; "*" is
+ * every place of an array, such as "answer.*.stiffness_Pa_per_m", and what one of them has not is 0. *count becomes how
+ * many they are; values of `capacity` numbers takes all of them; where they do not fit, nothing is written and
+ * FSTIFF_BAD_ARGUMENT returned; values NULL with capacity 0 asks for *count alone. What the JSON has as null is 0. A
+ * list of lists, such as a covariance, is one row after the other. */
 FSTIFF_API int fstiff_document_numbers(const fstiff_document* document, const char* path, double* values,
                                        size_t capacity, size_t* count);
 /** 1 where the command would end with exit code 4, the result is one to doubt; else 0. */

@@ -5,6 +5,7 @@
     tools/lint.py layers             who includes whom, umbrella headers, tables of docs/architecture.md, names of files
     tools/lint.py layers --update    writes the umbrella headers and the tables
     tools/lint.py glossary           the names and rows of docs/glossary.md
+    tools/lint.py words [FILE ...]   no prose has a word of the last table of docs/glossary.md; comments have 120 columns
     tools/lint.py api                docs/api.md lists the public names; --update writes it
     tools/lint.py sizes              lines of files, of functions and of folders
     tools/lint.py snippets README.md --command build/release/bin/fstiff
@@ -31,7 +32,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, and of folders.
 FILE_LINES, FUNCTION_LINES = 400, 60
-TOTALS = {"include": 27010, "src without io": 23590, "tools": 3510}
+TOTALS = {"include": 27100, "src without io": 23590, "tools": 3560}
 
 
 def read(path):
@@ -125,7 +126,7 @@ def umbrellas(headers):
     """fstiff.hpp and io.hpp as they should be."""
     head = "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n/// \\file\n/// "
     texts = {"fstiff.hpp": "Everything above the readers and writers of files (io.hpp) and the opt-in adapters, "
-                           "layer by layer.\n/// Written by tools/lint.py.\n\n",
+                           "layer by layer.\n/// Written by tools/lint.py.\n\n// clang-format off\n",
              "io.hpp": "The readers and writers of files: all of io. They are compiled: link fstiff::io. "
                        "Written by tools/lint.py.\n\n"}
     for folder, names in headers.items():
@@ -230,6 +231,51 @@ def glossary(root):
                 problems.append(f"'{word}': `{name}` does not exist in include/fstiff")
     print(f"{len(words)} words, {count} names of the code")
     return [f"docs/glossary.md: {problem}" for problem in problems + ["holds no table of words"] * (not words)]
+
+
+PROSE = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "paper/*.md", "include/**/*.h*", "src/**/*.[hc]pp",
+         "python/**/*.py", "python/**/*.cpp", "tools/*.py", "tests/**/*.[hc]pp", "bench/**/*.[hc]pp", "examples/**/*.[hc]pp")
+COMMENT = re.compile(r"""//[^\n]*|/\*.*?\*/|(?:^[ \t]*|(?<=  ))\#[ ][^\n]*|\"{3}.*?\"{3}|"(?:\\.|[^"\\\n])*\"""", re.S | re.M)
+NO_PROSE = re.compile(r"^```.*?^```$|`[^`\n]+`|\]\([^)]*\)|^(?: {4,}|\t).*$", re.S | re.M)  # of a document
+
+
+def prose(path, name):
+    """Offset and text of each piece of prose: of code the comments and the messages, of tests and programs the comments and the
+    names of cases."""
+    text = read(path)
+    if path.suffix == ".md":
+        yield 0, NO_PROSE.sub(lambda code: re.sub(r"[^\n]", " ", code[0]), text)
+        return
+    for found in COMMENT.finditer(text):
+        if found[0][0] == '"' and found[0][:3] != '"""' and name.startswith(("tests/", "bench/", "examples/", "tools/")):
+            if not text[:found.start()].endswith("TEST_CASE("):
+                continue
+        yield found.start(), re.sub(r"`[^`\n]+`|\\p \w+|\b\w+\(\)?|\w*[_/]\w*", lambda code: " " * len(code[0]), found[0])
+
+
+def words(root, files=()):
+    """No slow word of docs/glossary.md in the prose of the project, and no line of a comment above 120 columns."""
+    rows = re.findall(r"^\| `([^`]+)` \| (.+?) \|$", read(root / "docs/glossary.md").partition("## Slow words")[2], re.M)
+    if not rows:
+        return ["docs/glossary.md: holds no table of slow words"]
+    slow = re.compile(r"\b(?:" + "|".join(f"(?P<w{i}>{row[0]})" for i, row in enumerate(rows)) + r")\b", re.I)
+    problems, count = [], 0
+    names = sorted({path.relative_to(root).as_posix() for pattern in PROSE for path in root.glob(pattern)} - {"docs/glossary.md"})
+    for name in names:
+        if files and not name.startswith(tuple(files)):
+            continue
+        count, text = count + 1, read(root / name)
+        lines = text.split("\n")
+        for start, piece in prose(root / name, name):
+            first = text.count("\n", 0, start)
+            if text.startswith(("//", "/*"), start):
+                problems += [f"{name}:{first + i + 1}: a comment above 120 columns" for i in range(piece.count("\n") + 1)
+                             if len(lines[first + i]) > 120]
+            for found in slow.finditer(piece):
+                line = first + piece.count("\n", 0, found.start()) + 1
+                problems.append(f"{name}:{line}: '{found[0]}': write {rows[int(found.lastgroup[1:])][1]}")
+    print(f"{len(rows)} slow words, {count} files")
+    return problems
 
 
 NO_CODE = re.compile(r'''//[^\n]* | /\*.*?\*/ | R"([^(\s]*)\(.*?\)\1" | "(?:\\.|[^"\\\n])*"
@@ -439,6 +485,7 @@ def main():
     checks = parser.add_subparsers(dest="check", required=True)
     checks.add_parser("layers").add_argument("--update", action="store_true")
     checks.add_parser("glossary")
+    checks.add_parser("words").add_argument("files", nargs="*", help="names, or how they begin")
     checks.add_parser("sizes")
     checks.add_parser("api").add_argument("--update", action="store_true")
     snippet = checks.add_parser("snippets")
@@ -453,6 +500,8 @@ def main():
     try:
         if options.check in ("layers", "api"):
             problems = {"layers": layers, "api": api}[options.check](root, options.update)
+        elif options.check == "words":
+            problems = words(root, options.files)
         elif options.check == "snippets":
             problems = [problem for document in options.documents for problem in Snippets(root, document, options).check()]
         else:

@@ -5,9 +5,9 @@
 //     fstiff_guard bench/baseline.csv --renew    writes the file anew
 //
 // A row holds the evaluations of the integrand summed over its problems (may not rise by more than 0.2 %, which leaves
-// room for a node at the very end of a window that another rounding lets in), the largest relative error (may not exceed four
-// times the baseline plus 4 ulp: rounding differs between processors and compilers), the values that are further from the
-// truth than their error estimate says, and the heap allocations of all calls (neither may rise).
+// room for a node at the very end of a window that another rounding lets in), the largest relative error (may not
+// exceed four times the baseline plus 4 ulp: rounding differs between processors and compilers), the values that are
+// further from the truth than their error estimate says, and the heap allocations of all calls (neither may rise).
 #include "support/allocations.hpp"
 
 #include "../methods.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Peer: Boost.Math's exp-sinh rule within itself, over the quarter plane of t and of the excess. It needs no box, and its
-// nodes crowd at the branch points.
+// Peer: Boost.Math's exp-sinh rule within itself, over the quarter plane of t and of the excess. It needs no box, and
+// its nodes crowd at the branch points.
 #include "../methods.hpp"
 #include "../row.hpp"
 #include "window.hpp"

@@ -30,8 +30,8 @@ struct Nodes {
 template <std::size_t N>
 const Nodes<N> nodes{};
 
-// 50 x 50 on the box 0 <= t <= 6.2, eta <= zeta <= max(eta, 0) + 4.6 (the box of the least error on the plain grid), with
-// everything hoisted that depends on one direction alone. No substitution: this is the rule of the paper.
+// 50 x 50 on the box 0 <= t <= 6.2, eta <= zeta <= max(eta, 0) + 4.6 (the box of the least error on the plain grid),
+// with everything hoisted that depends on one direction alone. No substitution: this is the rule of the paper.
 constexpr std::size_t paper_points = 50;
 constexpr double box_t = 6.2, box_height = 4.6;
 
@@ -117,9 +117,9 @@ Values box_eigen(const Problem& p) {
             static_cast<long>(paper_points * paper_points)};
 }
 
-// The hand-tuned rule: both substitutions and the moving box of window.hpp, fixed-size arrays in registers, one vectorised
-// exponential a node, no power, no heap, all four integrals from the same nodes. The outer direction is vectorised too, and
-// borrows fstiff's erf: std::erf would add 0.4 microseconds.
+// The hand-tuned rule: both substitutions and the moving box of window.hpp, fixed-size arrays in registers, one
+// vectorised exponential a node, no power, no heap, all four integrals from the same nodes. The outer direction is
+// vectorised too, and borrows fstiff's erf: std::erf would add 0.4 microseconds.
 
 /// int 2 w^(1,2,3,4) exp(-(w^2 + x)^2/2) dw/2 in the lanes of \p sum, exp(-max(x,0)^2/2) taken out.
 template <std::size_t N>
@@ -203,7 +203,8 @@ const Rows rows_of_gauss_legendre([] {
         [](const Problem& p) { return box_scalar(p, four); });
     row("gauss_legendre-eigen", "stiffness", plain, points, one, 1e-4, box_eigen<false>);
     row("gauss_legendre-eigen", "four", plain, points, four, 1e-4, box_eigen<true>);
-    // the fewest nodes that meet the tolerance on the plain grid, and the depths that leave the least error with them: by search
+    // the fewest nodes that meet the tolerance on the plain grid, and the depths that leave the least error with them:
+    // by search
     const auto add = [](const char* method, double tolerance, auto integrals) {
         row(method, "four", plain, text_of(tolerance), four, tolerance, integrals);
     };

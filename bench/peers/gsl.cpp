@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Peers from the GNU Scientific Library: its adaptive Gauss-Kronrod rule in one dimension, with the inner integral through its
-// confluent hypergeometric function, and its doubly-adaptive rule within itself.
+// Peers from the GNU Scientific Library: its adaptive Gauss-Kronrod rule in one dimension, with the inner integral
+// through its confluent hypergeometric function, and its doubly-adaptive rule within itself.
 #include "../methods.hpp"
 #include "../row.hpp"
 #include "window.hpp"

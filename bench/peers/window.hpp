@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What every peer in two dimensions is given: the substitutions t = s^2 and zeta = eta + c w^2, which remove the branch points,
-// and a box that moves with the Gaussian, so that no method wastes its nodes on zeros.
+// What every peer in two dimensions is given: the substitutions t = s^2 and zeta = eta + c w^2, which remove the branch
+// points, and a box that moves with the Gaussian, so that no method wastes its nodes on zeros.
 //
 //     J[a,b] = c^a/(2 theta) int 2 s^(2b+1) erf(k s^2) int 2 w^(2a+1) exp(-(w^2 + x)^2/2 - s^4/2) dw ds,  x = (eta - r s^2)/c
 #include "../problems.hpp"
@@ -50,9 +50,9 @@ struct Window {
     [[nodiscard]] double factor(double a) const { return 2 * std::pow(c, a) / theta * std::exp(-floor * floor / 2); }
 };
 
-/// The cheapest setting of a peer that meets a tolerance on the plain grid: how deep its window is, and the relative tolerances
-/// that it is given for the outer and the inner integral. All were found by search; an error estimate is often so cautious
-/// that a peer delivers many digits more than it was asked for.
+/// The cheapest setting of a peer that meets a tolerance on the plain grid: how deep its window is, and the relative
+/// tolerances that it is given for the outer and the inner integral. All were found by search; an error estimate is
+/// often so cautious that a peer delivers many digits more than it was asked for.
 struct Setting {
     double tolerance, depth, outer, inner;
 };

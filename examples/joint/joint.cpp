@@ -4,10 +4,10 @@
 //     m x'' + p(d0 - x) A + k_b x = F_0 + F          d0, x: separation under the preload, approach from there
 //     at rest:   p(d0) A = F_0                       f = sqrt((s(d0) A + k_b) / m) / (2 pi),  s = -dp/dd
 //
-// The faces are those of the fine sand-blasted steel of Buczkowski, Kleiber and Starzynski, Arch. Mech. 66 (2014), under
-// the law of Hertz, whose K is the slope s. The program prints the frequency against the preload; then it presses the joint
-// with a static force and prints the steps of Newton's method, which squares its error each time because the tangent
-// of the tabulated law is the exact derivative of the pressure that it returns.
+// The faces are those of the fine sand-blasted steel of Buczkowski, Kleiber and Starzynski, Arch. Mech. 66 (2014),
+// under the law of Hertz, whose K is the slope s. The program prints the frequency against the preload; then it presses
+// the joint with a static force and prints the steps of Newton's method, which squares its error each time because the
+// tangent of the tabulated law is the exact derivative of the pressure that it returns.
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>

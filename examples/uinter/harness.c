@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Calls UINTER as Abaqus would, and holds what it returns against the law of fstiff.h and against differences of the stress.
- * Prints a table of the first law; the exit code is the number of checks that failed.
+ * Calls UINTER as Abaqus would, and holds what it returns against the law of fstiff.h and against differences of the
+ * stress. Prints a table of the first law; the exit code is the number of checks that failed.
  */
 #include <fstiff.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Every argument by address, arrays by columns; behind the last the lengths of the three names, as compilers of Fortran pass. */
+/* Every argument by address, arrays by columns; behind the last the lengths of the three names, as compilers of Fortran
+ * pass. */
 #define ARGUMENTS                                                                                                   \
     double *stress, double *ddsddr, double *amki, double *amski, double *flux, double *ddfddt, double *ddsddt,      \
         double *ddfddr, double *statev, double *sed, double *sfd, double *spd, double *svd, double *scd,            \
@@ -55,9 +56,9 @@ static point call(void (*entry)(ARGUMENTS), point at, const double* props, const
     char name[80];
     memset(name, ' ', sizeof name);
     entry(at.stress, at.ddsddr, amki, amski, flux, ddfddt, ddsddt, ddfddr, at.state, &at.energy, &at.loss, &spd, &svd,
-          &scd, &pnewdt, rdisp, drdisp, pair, none, pair, none, pair, &one, &one, name, name, name, props, axes, axes, turn,
-          &one, &one, &number, &at.ndir, &at.nstatv, &zero, &at.nprops, &three, &number, &number, &zero, &at.linper,
-          &open, &state, &discontinuity, &zero, sizeof name, sizeof name, sizeof name);
+          &scd, &pnewdt, rdisp, drdisp, pair, none, pair, none, pair, &one, &one, name, name, name, props, axes, axes,
+          turn, &one, &one, &number, &at.ndir, &at.nstatv, &zero, &at.nprops, &three, &number, &number, &zero,
+          &at.linper, &open, &state, &discontinuity, &zero, sizeof name, sizeof name, sizeof name);
     check(amki[0] == 1 && amski[0] == 2 && flux[0] == 3 && flux[1] == 4 && ddfddt[0] == 5 && ddsddt[0] == 6 &&
               ddfddr[0] == 7 && spd == 9 && svd == 10 && scd == 11 && pnewdt == 1e36 && open == -1 && state == -1 &&
               discontinuity == 0,
@@ -191,8 +192,8 @@ static point moved(const place* from, double closing, double slip1, double slip2
     return call(uinter_, from->at, from->props, rdisp, drdisp);
 }
 
-/* One increment; the tangent is held against differences where no level comes or goes between these. Returns the largest
- * departure of the tangent from them, over dp/d(-d), or -1. */
+/* One increment; the tangent is held against differences where no level comes or goes between these. Returns the
+ * largest departure of the tangent from them, over dp/d(-d), or -1. */
 static double go(place* of, double closing, double slip1, double slip2) {
     const double slip[2] = {slip1, of->at.ndir == 2 ? 0 : slip2}, h = 1e-9;
     const place from = *of;

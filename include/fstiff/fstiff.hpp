@@ -4,6 +4,7 @@
 /// Everything above the readers and writers of files (io.hpp) and the opt-in adapters, layer by layer.
 /// Written by tools/lint.py.
 
+// clang-format off
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/config.hpp>
 #include <fstiff/core/error.hpp>

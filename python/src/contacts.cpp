@@ -166,7 +166,9 @@ std::vector<Out> batch(const In& x, const Filled& filled, const Call& call) {
     const auto size = static_cast<Eigen::Index>(x.size());
     {
         const nb::gil_scoped_release free;
-        const auto out = [&](std::size_t i) { return ArrayOut(made.empty() ? filled[i].data() : made[i].data(), size); };
+        const auto out = [&](std::size_t i) {
+            return ArrayOut(made.empty() ? filled[i].data() : made[i].data(), size);
+        };
         if constexpr (count == 1)
             call(ArrayIn(x.data(), size), out(0));
         else

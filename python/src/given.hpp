@@ -110,8 +110,6 @@ inline Found found(scene::Json document, const std::vector<std::string>& warning
     document["warnings"] = warnings;
     return {document.str(), doubtful, std::move(measured)};
 }
-inline Found found(const scene::Answer& answer) {
-    return {answer.with_warnings().str(), answer.doubtful};
-}
+inline Found found(const scene::Answer& answer) { return {answer.with_warnings().str(), answer.doubtful}; }
 
 }  // namespace fstiff::python

@@ -4,8 +4,8 @@
 
 #include "surface/documents.hpp"
 #include "surface/fractal.hpp"
-#include "surface/islands_of_map.hpp"
 #include "surface/generated.hpp"
+#include "surface/islands_of_map.hpp"
 #include "surface/peak_density.hpp"
 #include "surface/spectrum.hpp"
 #include "surface/truth_of_map.hpp"

@@ -5,8 +5,8 @@
 #include "io/number.hpp"
 #include "scene/exported_law.hpp"
 #include "scene/identified.hpp"
-#include "scene/result_rows.hpp"
 #include "scene/reflections.hpp"
+#include "scene/result_rows.hpp"
 #include "surface/generated.hpp"
 #include "surface/peak_density.hpp"
 #include "surface/spectrum.hpp"
@@ -127,12 +127,11 @@ SurfaceInput input_of(const SurfaceOptions& options, const fstiff_heights& from)
         return surface_of_heights(options, Profile<double>{{from.heights, from.heights + from.columns}, from.dx},
                                   "an array");
     using Array = HeightMap<double>::Array;
-    return surface_of_heights(
-        options,
-        HeightMap<double>{Eigen::Map<const Array>(from.heights, static_cast<Eigen::Index>(rows),
-                                                  static_cast<Eigen::Index>(from.columns)),
-                          from.dx, from.dy},
-        "an array");
+    return surface_of_heights(options,
+                              HeightMap<double>{Eigen::Map<const Array>(from.heights, static_cast<Eigen::Index>(rows),
+                                                                        static_cast<Eigen::Index>(from.columns)),
+                                                from.dx, from.dy},
+                              "an array");
 }
 
 /// The heights, or the file that \p options name.

@@ -64,8 +64,7 @@ using namespace fstiff::c;
 
 int fstiff_tangential_ratio(double modulus1, double poisson1, double modulus2, double poisson2, double* ratio) {
     return guarded([&] {
-        not_null(ratio, "ratio") =
-            fstiff::tangential_ratio<double>({modulus1, poisson1}, {modulus2, poisson2});
+        not_null(ratio, "ratio") = fstiff::tangential_ratio<double>({modulus1, poisson1}, {modulus2, poisson2});
         return FSTIFF_OK;
     });
 }

@@ -47,8 +47,8 @@ T& not_null(T* pointer, const char* name) {
     return *pointer;
 }
 
-/// sizeof(T) in the first fstiff.h that had T. A struct that grows, always at its end, has a specialisation with the number of
-/// then: a program that was compiled before goes on working.
+/// sizeof(T) in the first fstiff.h that had T. A struct that grows, always at its end, has a specialisation with the
+/// number of then: a program that was compiled before goes on working.
 template <class T>
 inline constexpr std::size_t first_size = sizeof(T);
 

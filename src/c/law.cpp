@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tabulated laws.
-#include "c/contact.hpp"
 #include "c/law.hpp"
+#include "c/contact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,8 @@ int point_by_point(const double* x, std::size_t count, double* first, double* se
 
 constexpr std::size_t part = 256;  // points that are evaluated at once
 
-/// Arrays in parts: \p many(begin, length, a, b) evaluates one part into a and b; where it throws, or a result is no number,
+/// Arrays in parts: \p many(begin, length, a, b) evaluates one part into a and b; where it throws, or a result is no
+/// number,
 /// \p one does it point by point.
 template <class Many, class One>
 int in_parts(const double* x, std::size_t count, double* first, double* second, int* status, const Many& many,

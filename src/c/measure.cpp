@@ -44,8 +44,7 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
     }
     if (from.filter != FSTIFF_FILTER_GAUSSIAN && from.filter != FSTIFF_FILTER_ROBUST)
         refuse_argument("filter", from.filter, "FSTIFF_FILTER_GAUSSIAN or FSTIFF_FILTER_ROBUST");
-    options.input.filter =
-        from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
+    options.input.filter = from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
     if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
         refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
     options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? parts::PeakSource::summits : parts::PeakSource::islands;

@@ -87,24 +87,15 @@ const char* fstiff_version() { return FSTIFF_VERSION_TEXT; }
 
 const char* fstiff_strerror(int status) {
     switch (status) {
-        case FSTIFF_OK:
-            return "no error";
-        case FSTIFF_BAD_ARGUMENT:
-            return "an argument is null, empty or of the wrong size";
-        case FSTIFF_REFUSED:
-            return "a value or a text is not allowed";
-        case FSTIFF_OUT_OF_REACH:
-            return "the model has no state there";
-        case FSTIFF_OUT_OF_NUMBERS:
-            return "a result is beyond the range of double";
-        case FSTIFF_FILE:
-            return "a file cannot be read";
-        case FSTIFF_OUT_OF_MEMORY:
-            return "out of memory";
-        case FSTIFF_INTERNAL:
-            return "a mistake in fstiff";
-        default:
-            return "unknown status";
+        case FSTIFF_OK: return "no error";
+        case FSTIFF_BAD_ARGUMENT: return "an argument is null, empty or of the wrong size";
+        case FSTIFF_REFUSED: return "a value or a text is not allowed";
+        case FSTIFF_OUT_OF_REACH: return "the model has no state there";
+        case FSTIFF_OUT_OF_NUMBERS: return "a result is beyond the range of double";
+        case FSTIFF_FILE: return "a file cannot be read";
+        case FSTIFF_OUT_OF_MEMORY: return "out of memory";
+        case FSTIFF_INTERNAL: return "a mistake in fstiff";
+        default: return "unknown status";
     }
 }
 

@@ -39,8 +39,7 @@ int execute(const Command& command) {
 std::string units() {
     std::string text = "Units, after a number and in quotation marks, such as \"0.5 um\" or \"0.5 µm\":";
     for (const auto& [dimension, name] : fstiff::names<fstiff::io::Dimension>)
-        text += "\n  " + std::string(name) + std::string(25 - name.size(), ' ') +
-                fstiff::io::accepted_units(dimension);
+        text += "\n  " + std::string(name) + std::string(25 - name.size(), ' ') + fstiff::io::accepted_units(dimension);
     return text;
 }
 
@@ -49,21 +48,22 @@ struct Listed {
     Command (*add)(CLI::App&);
     const char* group;
 };
+// clang-format off
 constexpr Listed listed[] = {
     {add_run, "Compute"},          {add_report, "Compute"},    {add_sweep, "Compute"},    {add_export, "Compute"},
     {add_ultrasound, "Compute"},   {add_measure, "Surfaces"},  {add_formats, "Surfaces"}, {add_generate, "Surfaces"},
     {add_identify, "Measured K"},  {add_truth, "Checks"},      {add_reproduce, "Checks"}, {add_integral, "Checks"},
     {add_fit, ""},                 {add_islands, ""},          {add_peaks, ""},           {add_spectrum, ""},
     {add_merge, ""}};
+// clang-format on
 
 int run(std::vector<std::string> words) {
-    Program program(
-        "fstiff", "fstiff " FSTIFF_VERSION_TEXT,
-        "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
-        units() +
-            "\nOlder names: fit, islands, peaks and spectrum are measure --show, merge is sweep --merge.\n"
-            "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that cannot "
-            "be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run");
+    Program program("fstiff", "fstiff " FSTIFF_VERSION_TEXT,
+                    "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
+                    units() +
+                        "\nOlder names: fit, islands, peaks and spectrum are measure --show, merge is sweep --merge.\n"
+                        "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that cannot "
+                        "be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run");
     std::vector<Command> commands;
     for (const Listed& one : listed) {
         commands.push_back(one.add(program.app()));

@@ -42,8 +42,8 @@ std::filesystem::path output_target(const std::string& file) {
     fs::path at = fs::absolute(path_of(file));
     for (int links = 0; !fs::exists(at, error) && fs::is_symlink(fs::symlink_status(at, error)); ++links) {
         if (links == 40)
-            throw file_error(file, "cannot be written: " +
-                                       std::make_error_code(std::errc::too_many_symbolic_link_levels).message());
+            throw file_error(
+                file, "cannot be written: " + std::make_error_code(std::errc::too_many_symbolic_link_levels).message());
         at = at.parent_path() / fs::read_symlink(at, error);
     }
     const fs::path target = fs::weakly_canonical(at, error);
@@ -88,8 +88,9 @@ std::string printable(std::string_view text, std::string_view kept) {
         const std::size_t length = io::detail::utf8_length(text.substr(at));
         const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
         const auto byte = static_cast<unsigned char>(character[0]);
-        const bool is_control = byte < 0x20 || byte == 0x7f ||
-                                (character.size() == 2 && byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0);
+        const bool is_control =
+            byte < 0x20 || byte == 0x7f ||
+            (character.size() == 2 && byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0);
         if (length == 0)
             shown += "\uFFFD";
         else if (is_control && kept.find(character) == std::string_view::npos)

@@ -26,8 +26,8 @@ public:
     using domain_error::domain_error;
 };
 
-/// Where \p file is written: behind symbolic links, which stay links, also where the last one leads to a file that is not
-/// there yet. \throws file_error for links that lead in a circle.
+/// Where \p file is written: behind symbolic links, which stay links, also where the last one leads to a file that is
+/// not there yet. \throws file_error for links that lead in a circle.
 [[nodiscard]] std::filesystem::path output_target(const std::string& file);
 /// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing or unreadable,
 /// domain_error for one that is empty or too long.
@@ -35,8 +35,8 @@ public:
 /// How messages call \p file.
 [[nodiscard]] std::string display_name(const std::string& file);
 
-/// \p text of UTF-8 without control characters (below U+0020, U+007F to U+009F), so that no name of a file moves a cursor or
-/// begins a line of its own: each is a blank, but for those in \p kept. Bytes that are no UTF-8 are U+FFFD.
+/// \p text of UTF-8 without control characters (below U+0020, U+007F to U+009F), so that no name of a file moves a
+/// cursor or begins a line of its own: each is a blank, but for those in \p kept. Bytes that are no UTF-8 are U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text, std::string_view kept = {});
 
 /// How tables and titles call \p file.

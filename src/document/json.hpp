@@ -42,8 +42,8 @@ public:
     void push_back(Json item);
     /// Takes over all keys of \p object.
     void update(const Json& object);
-    /// The value at \p path, its keys and places in arrays with points between them, such as "psd.psd_m3" or "rows.0.model";
-    /// null where there is none.
+    /// The value at \p path, its keys and places in arrays with points between them, such as "psd.psd_m3" or
+    /// "rows.0.model"; null where there is none.
     [[nodiscard]] const Json* at(std::string_view path) const;
     /// The number, or all numbers of an array and of those in it, one after the other; null is NaN.
     /// \throws domain_error for anything else.
@@ -51,8 +51,8 @@ public:
     /// The text; null where it is something else.
     [[nodiscard]] const std::string* word() const { return std::get_if<std::string>(&value_); }
 
-    /// Indented by two, with a line end. Bytes that are no UTF-8 (of a file name, a header line) become U+FFFD: a document
-    /// is always valid JSON.
+    /// Indented by two, with a line end. Bytes that are no UTF-8 (of a file name, a header line) become U+FFFD: a
+    /// document is always valid JSON.
     [[nodiscard]] std::string str() const;
 
 private:

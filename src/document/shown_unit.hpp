@@ -19,9 +19,10 @@ struct ShownUnit {
     [[nodiscard]] std::string heading(std::string_view of) const;
 };
 
-/// The unit for a value of about \p size in the SI unit \p si; of 0 the usual one. A plain number or any other unit stays.
-/// "m": nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm, m for what is smaller or from 1 m; "m along", of what is as long as
-/// a profile, has mm from 0.1 mm. "/m^2" or "1/m^2": /mm² from 0.01 /mm², /µm² from 0.1 /µm². "m^2". "Pa": kPa from
+/// The unit for a value of about \p size in the SI unit \p si; of 0 the usual one. A plain number or any other unit
+/// stays. "m": nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm, m for what is smaller or from 1 m; "m along", of what is
+/// as long as a profile, has mm from 0.1 mm. "/m^2" or "1/m^2": /mm² from 0.01 /mm², /µm² from 0.1 /µm². "m^2". "Pa":
+/// kPa from
 /// 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa. "Pa/m": GPa/µm from 0.01 GPa/µm. "Hz". "N". "N/m": N/µm from
 /// 0.1 N/µm, kN/µm from 1 kN/µm.
 [[nodiscard]] ShownUnit shown_unit(double size, std::string_view si);

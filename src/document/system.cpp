@@ -18,8 +18,8 @@
 #include <io.h>
 #include <sys/stat.h>
 
-#include <climits>
 #include <direct.h>
+#include <climits>
 #else
 #include <fcntl.h>
 #include <sys/file.h>

@@ -51,8 +51,8 @@ void remove_empty_folder(const Path::value_type* name);
 /// What main() got, without the name of the program, in UTF-8.
 [[nodiscard]] std::vector<std::string> arguments(int argc, char** argv);
 
-/// What a command asks of its process, while this lives: the same bytes in and out everywhere, terminals of UTF-8, and a
-/// reason where a file grows beyond its limit: an error of writing, no signal.
+/// What a command asks of its process, while this lives: the same bytes in and out everywhere, terminals of UTF-8, and
+/// a reason where a file grows beyond its limit: an error of writing, no signal.
 class Surroundings {
 public:
     Surroundings();

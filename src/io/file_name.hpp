@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Names of files are texts of UTF-8 with / between folders, on Windows too, where a path that is made of a plain text would
-// have its code page.
+// Names of files are texts of UTF-8 with / between folders, on Windows too, where a path that is made of a plain text
+// would have its code page.
 
 #include <filesystem>
 #include <string>

@@ -59,29 +59,15 @@ public:
         switch (type) {
             case 'b':
             case 'c':
-            case 'C':
-                take(type == 'C' ? count(what) : 1, what);
-                return;
-            case 'i':
-                take(4, what);
-                return;
+            case 'C': take(type == 'C' ? count(what) : 1, what); return;
+            case 'i': take(4, what); return;
             case 'q':
-            case 'd':
-                take(8, what);
-                return;
-            case 'I':
-                take(4 * count(what), what);
-                return;
+            case 'd': take(8, what); return;
+            case 'I': take(4 * count(what), what); return;
             case 'Q':
-            case 'D':
-                take(8 * count(what), what);
-                return;
-            case 's':
-                text(what);
-                return;
-            case 'o':
-                object(what);
-                return;
+            case 'D': take(8 * count(what), what); return;
+            case 's': text(what); return;
+            case 'o': object(what); return;
             case 'S':
                 for (std::uint64_t left = count(what); left > 0; --left)
                     text(what);  // every one takes a byte, or ends it

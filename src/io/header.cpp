@@ -140,8 +140,8 @@ bool is_spip(const std::vector<HeaderEntry>& entries) {
 
 /// What the key of a line of a header states of the grid.
 struct GridMeaning {
-    bool width, height;   ///< of the whole map
-    bool both, dx, dy;    ///< of one step; both: along x and y
+    bool width, height;  ///< of the whole map
+    bool both, dx, dy;   ///< of one step; both: along x and y
     bool columns, rows;
 };
 
@@ -162,8 +162,8 @@ GridMeaning meaning_of(const std::string& key) {
                                   "y step", "y increment"});
     of.columns = is_one_of({"columns", "cols", "x pixels", "x-pixels", "xres", "nx", "ncols"}) ||
                  is_one_of_words(key, columns_words);
-    of.rows = is_one_of({"rows", "lines", "y pixels", "y-pixels", "yres", "ny", "nrows"}) ||
-              is_one_of_words(key, rows_words);
+    of.rows =
+        is_one_of({"rows", "lines", "y pixels", "y-pixels", "yres", "ny", "nrows"}) || is_one_of_words(key, rows_words);
     return of;
 }
 

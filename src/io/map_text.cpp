@@ -258,8 +258,9 @@ private:
         if (given_step && given_whole)
             refuse_file(name_, {step, " and ", whole, " are both given; must be one of them"});
         if (given_step || given_whole) {
-            parts::located({.file = name_},
-                    [&] { require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole)); });
+            parts::located({.file = name_}, [&] {
+                require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole));
+            });
             note((given_step ? step : whole) + " of the options");
             const double value = given_step ? *given_step : *given_whole / points;
             warn_of_step(given_step ? step : whole, given_step ? value : *given_whole, value, stated_step, 1);

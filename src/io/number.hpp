@@ -36,8 +36,11 @@ std::string lower_case(std::string_view text);
 constexpr std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (text.empty()) return 0;
-    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 || byte(0) > 0xF4 ? 0 : byte(0) < 0xE0 ? 2
-                                                : byte(0) < 0xF0 ? 3 : 4;
+    const std::size_t length = byte(0) < 0x80                     ? 1
+                               : byte(0) < 0xC2 || byte(0) > 0xF4 ? 0
+                               : byte(0) < 0xE0                   ? 2
+                               : byte(0) < 0xF0                   ? 3
+                                                                  : 4;
     if (length == 0 || length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xC0) != 0x80) return 0;

@@ -50,8 +50,7 @@ std::size_t present(const RawMap& map) {
 void validate_map(const RawMap& map, std::size_t points) {
     if (map.rows > 1)
         parts::validate_map(map.heights.data(), static_cast<Eigen::Index>(map.rows),
-                                     static_cast<Eigen::Index>(map.columns), map.dx, map.dy,
-                                     static_cast<Eigen::Index>(points));
+                            static_cast<Eigen::Index>(map.columns), map.dx, map.dy, static_cast<Eigen::Index>(points));
     else
         Profile<double>{map.heights, map.dx}.validate(points);
 }

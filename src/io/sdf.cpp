@@ -129,22 +129,14 @@ private:
 
     double number_at(std::string_view bytes) const {
         switch (header_.data_type) {
-            case 0:
-                return height(little_endian<std::uint8_t>(bytes));
-            case 1:
-                return height(little_endian<std::uint16_t>(bytes));
-            case 2:
-                return height(little_endian<std::uint32_t>(bytes));
-            case 3:
-                return height(float_at(bytes));
-            case 4:
-                return height(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
-            case 5:
-                return height(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
-            case 6:
-                return height(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
-            default:
-                return height(double_at(bytes));
+            case 0: return height(little_endian<std::uint8_t>(bytes));
+            case 1: return height(little_endian<std::uint16_t>(bytes));
+            case 2: return height(little_endian<std::uint32_t>(bytes));
+            case 3: return height(float_at(bytes));
+            case 4: return height(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
+            case 5: return height(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
+            case 6: return height(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
+            default: return height(double_at(bytes));
         }
     }
 

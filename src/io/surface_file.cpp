@@ -201,34 +201,20 @@ Reading read_packed(SurfaceFormat format, std::string_view bytes, const std::str
 Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
                     const SurfaceOptions& options) {
     switch (format) {
-        case SurfaceFormat::sdf:
-            return read_sdf(bytes, name);
-        case SurfaceFormat::npy:
-            return read_npy(bytes, name, options);
-        case SurfaceFormat::gsf:
-            return read_gsf(bytes, name);
-        case SurfaceFormat::gwy:
-            return read_gwy(bytes, name, options.channel);
-        case SurfaceFormat::smd:
-            return read_smd(bytes, name);
-        case SurfaceFormat::sur:
-            return read_sur(bytes, name, inflate_where_built());
-        case SurfaceFormat::metropro:
-            return read_metropro(bytes, name);
-        case SurfaceFormat::opd:
-            return read_opd(bytes, name);
-        case SurfaceFormat::al3d:
-            return read_al3d(bytes, name);
-        case SurfaceFormat::plu:
-            return read_plu(bytes, name);
-        case SurfaceFormat::netcdf:
-            return read_netcdf(bytes, name);
-        case SurfaceFormat::opdx:
-            return read_opdx(bytes, name);
-        case SurfaceFormat::stl:
-            return read_stl(bytes, name, options);
-        default:
-            return read_packed(format, bytes, name, options);
+        case SurfaceFormat::sdf: return read_sdf(bytes, name);
+        case SurfaceFormat::npy: return read_npy(bytes, name, options);
+        case SurfaceFormat::gsf: return read_gsf(bytes, name);
+        case SurfaceFormat::gwy: return read_gwy(bytes, name, options.channel);
+        case SurfaceFormat::smd: return read_smd(bytes, name);
+        case SurfaceFormat::sur: return read_sur(bytes, name, inflate_where_built());
+        case SurfaceFormat::metropro: return read_metropro(bytes, name);
+        case SurfaceFormat::opd: return read_opd(bytes, name);
+        case SurfaceFormat::al3d: return read_al3d(bytes, name);
+        case SurfaceFormat::plu: return read_plu(bytes, name);
+        case SurfaceFormat::netcdf: return read_netcdf(bytes, name);
+        case SurfaceFormat::opdx: return read_opdx(bytes, name);
+        case SurfaceFormat::stl: return read_stl(bytes, name, options);
+        default: return read_packed(format, bytes, name, options);
     }
 }
 

@@ -15,7 +15,8 @@
 ///
 /// The first image is read, the others are told. Missing points are not marked in these files.
 ///
-/// A .vk6 or .vk7 begins with "VK6" or "VK7" and a picture (a NUL byte tells it from text); its end is a zip archive whose file Vk4File is a .vk4.
+/// A .vk6 or .vk7 begins with "VK6" or "VK7" and a picture (a NUL byte tells it from text); its end is a zip archive
+/// whose file Vk4File is a .vk4.
 ///
 /// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence)
 /// Units       map in m

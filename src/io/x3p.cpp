@@ -261,14 +261,10 @@ private:
 
     double binary_number(std::string_view bytes) const {
         switch (header_.data_type) {
-            case 'I':
-                return static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes));
-            case 'L':
-                return static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes));
-            case 'F':
-                return static_cast<double>(float_at(bytes));
-            default:
-                return double_at(bytes);
+            case 'I': return static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes));
+            case 'L': return static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes));
+            case 'F': return static_cast<double>(float_at(bytes));
+            default: return double_at(bytes);
         }
     }
 

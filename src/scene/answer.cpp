@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/answer.hpp"
 
-#include "document/file.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/file.hpp"
 #include "scene/each_contact.hpp"
 
 #include <fstiff/asperity/plastic_laws.hpp>
@@ -19,7 +19,8 @@ bool has(const Scene& scene, LawName law) { return refusal_of(find_law(law), sce
 
 bool is_map(const Face& face) { return face.map && face.spectrum_of_map; }
 
-/// Whether the share \p area can carry \p pressure at \p hardness (0: elastic): of few points the solver may find too few.
+/// Whether the share \p area can carry \p pressure at \p hardness (0: elastic): of few points the solver may find too
+/// few.
 bool is_carried(double pressure, double area, double hardness) {
     return area * hardness * (1 + 1e-6) >= pressure || hardness == 0;
 }
@@ -50,7 +51,8 @@ bool is_map_itself(const Scene& scene) {
            (!scene.nominal_area || *scene.nominal_area <= (1 + 1e-6) * scene.face.map->maps.front()->area());
 }
 
-/// The area [m^2] on which contacts are counted: the nominal one, else a square as long as what was measured; 0: not known.
+/// The area [m^2] on which contacts are counted: the nominal one, else a square as long as what was measured; 0: not
+/// known.
 double counted_area(const Scene& scene) {
     return scene.nominal_area ? *scene.nominal_area : std::pow(measured_side(scene), 2);
 }
@@ -74,15 +76,16 @@ void take_band(parts::Causes<double>& causes, double value, const parts::Sampled
     }
 }
 
-/// K of boundary elements, on the 256 points a side that take seconds unless the scene says another number, at the points
-/// of the answer where they can know more than a pixel.
+/// K of boundary elements, on the 256 points a side that take seconds unless the scene says another number, at the
+/// points of the answer where they can know more than a pixel.
 Curve solved(const Scene& scene, const Results& results, const Curve& base, const StiffnessAnswer& answer,
              const ProgressHook& progress) {
     Curve none;
     if (!scene.solves_map) return none;
     if (!is_map(scene.face) || scene.face.map->maps.size() > 1 || !has(scene, LawName::boundary_elements)) return none;
     const HeightMap<double>& map = *scene.face.map->maps.front();
-    const double coarser = std::min(1.0, scene.law_options.points / static_cast<double>(std::max(map.rows(), map.columns())));
+    const double coarser =
+        std::min(1.0, scene.law_options.points / static_cast<double>(std::max(map.rows(), map.columns())));
     const double size = coarser * coarser * static_cast<double>(map.size());
     Scene of = scene;
     of.laws = {&find_law(LawName::boundary_elements)};
@@ -113,11 +116,12 @@ Curve solved(const Scene& scene, const Results& results, const Curve& base, cons
     return none;
 }
 
-/// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others lie
-/// on lines over ln p.
+/// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others
+/// lie on lines over ln p.
 std::vector<double> changes(const Scene& scene, const HeightMap<double>& map, const Curve& solved, double modulus,
                             double hardness, const ProgressHook& progress) {
-    const std::size_t count = solved.states.size(), most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
+    const std::size_t count = solved.states.size(),
+                      most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
     std::vector<double> pressures;
     std::vector<std::size_t> places;
     for (std::size_t k = 0; k < std::min(most, count); ++k) {
@@ -140,7 +144,8 @@ std::vector<double> changes(const Scene& scene, const HeightMap<double>& map, co
 }
 
 /// What the filter of lambda_s and the plane that was removed may have changed of K of \p solved: the filter by the
-/// neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be the surface's own.
+/// neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be the surface's
+/// own.
 std::vector<parts::CauseSpread<double>> of_cut_offs(const Scene& scene, const Curve& solved, double modulus,
                                                     double hardness, const ProgressHook& progress) {
     std::vector<parts::CauseSpread<double>> all(solved.states.size());
@@ -253,7 +258,8 @@ StiffnessAnswer answer_of(const Scene& scene, const Results& results, Curve base
         if (answer.flows && state.loading_stiffness.value > 0) reason.loading_stiffness = state.loading_stiffness.value;
     }
     const Curve elements = solved(scene, results, base, answer, progress);
-    const auto cut_offs = of_cut_offs(scene, elements, results.modulus, answer.flows ? hardness_of(scene) : 0, progress);
+    const auto cut_offs =
+        of_cut_offs(scene, elements, results.modulus, answer.flows ? hardness_of(scene) : 0, progress);
     std::vector<parts::SampledBand<double>> bands;
     for (std::size_t i = 0; i < base.states.size(); ++i) {
         AnswerReason& reason = answer.reasons[i];

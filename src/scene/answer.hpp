@@ -15,10 +15,11 @@ void set_law_of_answer(Scene& scene);
 /// H/(E g), of the softer body and the surface; none where one of them is not known.
 [[nodiscard]] std::optional<double> relative_hardness(const Scene& scene);
 
-/// \p base, a curve of set_law_of_answer() with its states and its band, made the answer: at points where boundary elements
-/// of the map know more they take its place, and the band takes in every cause. \p progress is called while they are
-/// solved.
-[[nodiscard]] StiffnessAnswer answer_of(const Scene& scene, const Results& results, Curve base, const ProgressHook& progress);
+/// \p base, a curve of set_law_of_answer() with its states and its band, made the answer: at points where boundary
+/// elements of the map know more they take its place, and the band takes in every cause. \p progress is called while
+/// they are solved.
+[[nodiscard]] StiffnessAnswer answer_of(const Scene& scene, const Results& results, Curve base,
+                                        const ProgressHook& progress);
 
 /// The points that the answer of a table and boundary elements are of, in their order: all up to twelve or of a list;
 /// else the ends and the decades.

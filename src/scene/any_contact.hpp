@@ -139,8 +139,8 @@ private:
     double critical_over_radius_;
 };
 
-/// K of a law of hybrid of one of many surfaces for a band, as \p of_hybrid makes it of K of hybrid; of the law itself where
-/// that is not known.
+/// K of a law of hybrid of one of many surfaces for a band, as \p of_hybrid makes it of K of hybrid; of the law itself
+/// where that is not known.
 template <class OfHybrid>
 class QuickContact final : public AnyContact {
 public:

@@ -66,8 +66,8 @@ Scene with_face(Scene scene, const Face& face) {
     return scene;
 }
 
-/// K of every curve and point of \p scene, one after the other; NaN for a surface that the law does not take, such as a D next
-/// to 2.
+/// K of every curve and point of \p scene, one after the other; NaN for a surface that the law does not take, such as a
+/// D next to 2.
 std::vector<double> stiffnesses(const Scene& scene, double modulus) {
     std::vector<double> all;
     for_each_contact(scene, modulus, {}, [&](const Curve& curve, const auto& contact) {

@@ -56,7 +56,8 @@ public:
     /// Of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
     [[nodiscard]] parts::BearingContact<double> contact(std::size_t index, Edges edges, double modulus,
                                                         double gamma) const;
-    /// How hybrid goes from the summits of the map number \p index to that. \throws domain_error as contact() and SummitContact.
+    /// How hybrid goes from the summits of the map number \p index to that. \throws domain_error as contact() and
+    /// SummitContact.
     [[nodiscard]] parts::HandOver<double> hand_over(std::size_t index, Edges edges, double modulus, double gamma) const;
     /// The highest points of the map number \p index. \throws domain_error as HighestPoints.
     [[nodiscard]] parts::MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;

@@ -52,8 +52,7 @@ Estimate<double> estimate_of(const Column& column, const Scene& scene, double ta
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
-        case tangential_stiffness:
-            return {tangential_ratio * s.stiffness.value, tangential_ratio * s.stiffness.error};
+        case tangential_stiffness: return {tangential_ratio * s.stiffness.value, tangential_ratio * s.stiffness.error};
         case loss_factor: {
             const double found = loss(s.stiffness.value);
             return {found, std::abs(loss(s.stiffness.value + s.stiffness.error) - found)};

@@ -59,9 +59,7 @@ struct Column {
     Statistic statistic = Statistic::value;
     std::vector<double> values{};  ///< [SI] one a state; empty: the law does not give the quantity
 
-    [[nodiscard]] const CurveQuantityRow& row() const {
-        return curve_quantities()[static_cast<std::size_t>(quantity)];
-    }
+    [[nodiscard]] const CurveQuantityRow& row() const { return curve_quantities()[static_cast<std::size_t>(quantity)]; }
     /// Of CSV and JSON, with the unit at its end, such as "stiffness_p05_Pa_per_m".
     [[nodiscard]] const std::string& key() const;
 };

@@ -20,12 +20,12 @@ struct CardRows {
 
 /// Lines "\p value, \p by" and \p end, as few as the tolerance asks for.
 CardRows card_rows(const LawInModel& law, const std::vector<double>& value, const std::vector<double>& by,
-             const std::string& end = {}) {
+                   const std::string& end = {}) {
     const std::vector<Line> lines{LawColumns::line(by, value)};
     const std::vector<std::size_t> chosen = rows_within(lines, fine_tolerance(law.tolerance));
     CardRows rows{.text = number(value[0]) + ", " + number(by[0]) + end + "\n",
-              .error = error_of_rows(lines, chosen),
-              .count = chosen.size() + 1};
+                  .error = error_of_rows(lines, chosen),
+                  .count = chosen.size() + 1};
     for (const std::size_t i : chosen) rows.text += number(value[i + 1]) + ", " + number(by[i + 1]) + end + "\n";
     return rows;
 }
@@ -88,11 +88,12 @@ std::vector<double> exponentials_of(const LawColumns& columns) {
 std::string calculix_heat(const LawInModel& law) {
     if (law.table.columns.heat.empty()) return {};
     const CardRows rows = card_rows(law, heat_of(law), exponentials_of(law.table.columns), ", 293");
-    return comment_of_heat(law, rows) +
-           "**           the second number is 100^(overclosure/" + law.length(law.table.columns.overclosure.back()) +
+    return comment_of_heat(law, rows) + "**           the second number is 100^(overclosure/" +
+           law.length(law.table.columns.overclosure.back()) +
            "), by which CalculiX finds a row; every\n"
            "**           step must have NLGEOM, without which it takes the first\n"
-           "*GAP CONDUCTANCE\n" + rows.text;
+           "*GAP CONDUCTANCE\n" +
+           rows.text;
 }
 
 std::string calculix_friction(const LawInModel& law) {
@@ -127,8 +128,8 @@ std::string abaqus_friction(const LawInModel& law) {
         return *law.friction * p / tangential_at(law.table.columns, p) * law.units.metre;
     };
     return "** friction  the elastic slip, mu p over the tangential stiffness, " +
-           where_it_holds(law, law.units.length, slip) + "\n*Friction, elastic slip=" +
-           rounded(slip(law.at), 6) + "\n" + number(*law.friction) + ",\n";
+           where_it_holds(law, law.units.length, slip) + "\n*Friction, elastic slip=" + rounded(slip(law.at), 6) +
+           "\n" + number(*law.friction) + ",\n";
 }
 
 /// A column of a table, by the name of what it holds.
@@ -213,8 +214,8 @@ std::string calculix_cards(const LawInModel& law) {
     if (!heat.empty())
         exponential = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n" +
                       law.length(law.table.columns.overclosure.back()) + ", 1\n";
-    return "*SURFACE INTERACTION, NAME=FSTIFF\n" + exponential +
-           "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n" + pressure_rows(law) + heat + calculix_friction(law);
+    return "*SURFACE INTERACTION, NAME=FSTIFF\n" + exponential + "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n" +
+           pressure_rows(law) + heat + calculix_friction(law);
 }
 
 std::string abaqus_cards(const LawInModel& law) {

@@ -15,7 +15,8 @@
 
 namespace fstiff::scene {
 
-/// Every point stands by itself, so that they may be computed in parts, one by one where \p law takes seconds for each, with
+/// Every point stands by itself, so that they may be computed in parts, one by one where \p law takes seconds for each,
+/// with
 /// \p progress told between them.
 inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Law& law, const AnyContact& contact,
                                                    Quantity quantities, const ProgressHook& progress = {}) {
@@ -41,8 +42,8 @@ inline std::string seat(const Scene& scene, const AnyContact& contact, Curve& cu
     return point.ok() ? "" : point.reason;
 }
 
-/// d log K/d log p of \p curve, which has its states, over the pressures below each: what the loss factor takes of the law. None
-/// where \p contact has no K there.
+/// d log K/d log p of \p curve, which has its states, over the pressures below each: what the loss factor takes of the
+/// law. None where \p contact has no K there.
 inline void grow(const Scene& scene, const AnyContact& contact, Curve& curve) {
     if (!scene.loss_factor) return;
     constexpr double share = 0.6;
@@ -56,8 +57,8 @@ inline void grow(const Scene& scene, const AnyContact& contact, Curve& curve) {
     }
 }
 
-/// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where the scene names none,
-/// those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.
+/// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where the scene
+/// names none, those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.
 inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {
     if (!law.has_peaks) return {};
     if (!scene.default_peaks || law.needs_dimension || !has_isotropic_peaks(scene.face)) return scene.peaks;
@@ -65,8 +66,9 @@ inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {
     return {{.theta = peaks.theta(), .r = peaks.r(), .key = "contact.peaks."}};
 }
 
-/// The rms gradient of the surface for p*, the same for every law: known or assumed; of the surface's own r and theta; of R and
-/// D_p, by their spectrum or as islands; else of the last entry of contact.peaks that gives one (r = 0 gives none).
+/// The rms gradient of the surface for p*, the same for every law: known or assumed; of the surface's own r and theta;
+/// of R and D_p, by their spectrum or as islands; else of the last entry of contact.peaks that gives one (r = 0 gives
+/// none).
 inline std::optional<double> gradient(const Scene& scene) {
     if (scene.face.has_own_gradient()) return scene.face.rms_gradient;
     const parts::SurfaceParameters<double>& own = scene.face.parameters;

@@ -33,25 +33,28 @@ struct ExportRequest {
     Solver to = Solver::calculix;
     std::string units = "mm,N,MPa";  ///< of the model: length, force and pressure
     std::string tolerance = "1%";    ///< of the pressure between two rows: a share, or per cent
-    Amount from{}, until{};              ///< pressures; empty: the least and the greatest of the scene
-    std::string law{};                 ///< of the scene; empty: that of the answer, or its first that has a separation
+    Amount from{}, until{};          ///< pressures; empty: the least and the greatest of the scene
+    std::string law{};               ///< of the scene; empty: that of the answer, or its first that has a separation
     int peaks = 1;                   ///< which of contact.peaks, from 1 on
     std::string_view prefix{};       ///< of the names of options in messages: "--" on a command line
-    Amount at{};                     ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
+    Amount at{};  ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
     ProgressHook progress{};
 
     template <class Take>
     void each_option(Take take) {
-        take("to", to,
-             "program whose input is written; law: the tabulated law itself, for C, C++, Python and Fortran",
+        take("to", to, "program whose input is written; law: the tabulated law itself, for C, C++, Python and Fortran",
              {.required = true});
         take("units", units, "units of the model, length, force and pressure, such as m,N,Pa", {.shows_default = true});
         take("tolerance", tolerance, "largest error of the pressure between two rows", {.shows_default = true});
         take("from", from, "least pressure of the table; the default is that of the scene");
         take("until", until, "greatest pressure of the table; the default is that of the scene");
-        take("law", law, "law of the scene; the default is that of the answer, or where laws are named the first that gives a separation");
+        take("law", law,
+             "law of the scene; the default is that of the answer, or where laws are named the first that gives a "
+             "separation");
         take("peaks", peaks, "which of the scene's contact.peaks, from 1 on", {.shows_default = true});
-        take("at", at, "pressure whose tangential stiffness a card of friction holds; the default is the middle of the range, in decades");
+        take("at", at,
+             "pressure whose tangential stiffness a card of friction holds; the default is the middle of the range, in "
+             "decades");
     }
 };
 
@@ -62,7 +65,8 @@ struct ExportedLaw {
     bool doubtful = false;
 };
 
-/// \throws domain_error for units that are not consistent and a tolerance that is none; as pressure_table() and law_text().
+/// \throws domain_error for units that are not consistent and a tolerance that is none; as pressure_table() and
+/// law_text().
 [[nodiscard]] ExportedLaw export_law(const Scene& scene, const ExportRequest& request);
 /// \throws domain_error for what export_law() refuses of any scene.
 void check(const ExportRequest& request);

@@ -4,10 +4,10 @@
 #include "document/file.hpp"
 
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/validity/checks.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -141,7 +141,7 @@ bool has_isotropic_peaks(const Face& face) {
 std::string no_spectrum(const Face& face) {
     if (face.map && face.spectrum_of_map) {
         if (const std::string missing = missing_points(*face.map); !missing.empty()) return missing;
-        return !face.map->spectra                            ? "the map has fewer than 4 points a side"
+        return !face.map->spectra                          ? "the map has fewer than 4 points a side"
                : face.map->summits.front().summits.empty() ? "no point of the map stands above its eight neighbours"
                                                            : "";
     }
@@ -244,14 +244,13 @@ Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double
     face.parameters = std::move(of);
     if (upper.rms_gradient || lower.rms_gradient) {
         face.rms_gradient = std::sqrt(2 * sum.m2);
-        face.gradient_error = std::hypot(std::sqrt(2 * a.m2) * upper.gradient_error,
-                                         std::sqrt(2 * b.m2) * lower.gradient_error) /
-                              *face.rms_gradient;
+        face.gradient_error =
+            std::hypot(std::sqrt(2 * a.m2) * upper.gradient_error, std::sqrt(2 * b.m2) * lower.gradient_error) /
+            *face.rms_gradient;
     }
     face.gradient_of_islands = upper.gradient_of_islands || lower.gradient_of_islands;
     if (upper.alpha || lower.alpha) face.alpha = sum.bandwidth();
-    if (upper.hurst || lower.hurst)
-        face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
+    if (upper.hurst || lower.hurst) face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
     const parts::HeightShape<double> shape = parts::sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
     face.set_shape(parts::counted_shape(shape.skewness, shape.kurtosis, 1.0));
     for (const Face* one : {&upper, &lower})
@@ -288,8 +287,10 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }
     if (upper.map->spectra && lower.map->spectra)
-        of.spectra = std::make_shared<const SpectraOfMaps>(
-            [a = upper.map->spectra, b = lower.map->spectra](Edges edges) { return sum_of_spectra(a->of(edges), b->of(edges)); });
+        of.spectra =
+            std::make_shared<const SpectraOfMaps>([a = upper.map->spectra, b = lower.map->spectra](Edges edges) {
+                return sum_of_spectra(a->of(edges), b->of(edges));
+            });
     of.mean_square_height = upper.map->mean_square_height + lower.map->mean_square_height;
     of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
     face.map = std::make_shared<const MapOfSurface>(std::move(of));

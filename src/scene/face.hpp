@@ -19,7 +19,8 @@
 
 namespace fstiff::scene {
 
-/// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz there.
+/// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz
+/// there.
 inline constexpr double greatest_dimension = 1.99;
 
 /// One number of a face that is not known: 5 and 95 % of it, where the face has the middle.
@@ -32,22 +33,22 @@ struct Prior {
 /// One rough face, or the sum of two that a smooth face meets instead. What is written of it overrides what was
 /// measured by write() alone.
 struct Face {
-    parts::SurfaceParameters<double> parameters;               ///< with their errors; without fits and islands
-    std::optional<double> rms_gradient, alpha, hurst;   ///< written, or measured; alpha is Nayak's m0 m4/m2^2
+    parts::SurfaceParameters<double> parameters;       ///< with their errors; without fits and islands
+    std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
     double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
     double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least, as measured
     bool radius_follows = false, density_follows = false;  ///< R, D_p: of the moments that the other numbers make
     bool gradient_of_islands = false;  ///< rms_gradient is that of R and D_p, which no Gaussian surface has
     parts::Process process = parts::Process::unknown;
-    std::vector<Prior> priors;  ///< none of what is known; of a sum those of both faces
-    bool spectrum_of_map = true;                        ///< [persson] spectrum = "map", where there is one
-    std::shared_ptr<const MapOfSurface> map;            ///< where the surface was measured as a map
-    std::optional<HeightStatistics<double>> heights;    ///< where the surface was measured
-    parts::HeightShape<double> shape;                   ///< of the heights, given or as far as a measured one counts
+    std::vector<Prior> priors;                        ///< none of what is known; of a sum those of both faces
+    bool spectrum_of_map = true;                      ///< [persson] spectrum = "map", where there is one
+    std::shared_ptr<const MapOfSurface> map;          ///< where the surface was measured as a map
+    std::optional<HeightStatistics<double>> heights;  ///< where the surface was measured
+    parts::HeightShape<double> shape;                 ///< of the heights, given or as far as a measured one counts
     std::shared_ptr<const parts::BearingSlope<double>>
-        bearing;                                        ///< of heights over the rms height; none of Gaussian heights
-    std::shared_ptr<const MeasuredSurface> measured;    ///< where surface.from says, or --surface; none of a sum
-    std::optional<double> lambda_s;                     ///< that it was measured with [m]
+        bearing;                                      ///< of heights over the rms height; none of Gaussian heights
+    std::shared_ptr<const MeasuredSurface> measured;  ///< where surface.from says, or --surface; none of a sum
+    std::optional<double> lambda_s;                   ///< that it was measured with [m]
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured
 
     [[nodiscard]] Roughness<double> roughness() const;
@@ -57,8 +58,8 @@ struct Face {
     [[nodiscard]] std::optional<double> dimension() const { return value(Parameter::fractal_dimension); }
     /// Whether r and theta are known.
     [[nodiscard]] bool has_peaks() const { return parameters.r && parameters.theta; }
-    /// Waves longer than the measurement that a nominal contact with the \p side (root of its area, [m]) has: none where
-    /// rms_height was given.
+    /// Waves longer than the measurement that a nominal contact with the \p side (root of its area, [m]) has: none
+    /// where rms_height was given.
     [[nodiscard]] parts::UnmeasuredWaves<double> unmeasured(double side) const {
         return parts::unmeasured_waves(parameters.long_end, side);
     }
@@ -87,12 +88,13 @@ struct Face {
     void follow();
 };
 
-/// Moments of the spectrum of \p face: from rms gradient and alpha where they are known, else from R and D_p with eq. (4.10) and
-/// Nayak. And its Hurst exponent: 2 - D, or 0.8 where neither is known, but no less than a band takes that is as wide as what was
-/// measured.
+/// Moments of the spectrum of \p face: from rms gradient and alpha where they are known, else from R and D_p with eq.
+/// (4.10) and Nayak. And its Hurst exponent: 2 - D, or 0.8 where neither is known, but no less than a band takes that
+/// is as wide as what was measured.
 [[nodiscard]] SpectralMoments<double> spectral_moments(const Face& face);
 [[nodiscard]] double hurst_exponent(const Face& face);
-/// Whether the joint peaks of \p face follow from its alpha: it is known, or the face has a gradient of its own, and it is above
+/// Whether the joint peaks of \p face follow from its alpha: it is known, or the face has a gradient of its own, and it
+/// is above
 /// 1.5.
 [[nodiscard]] bool has_isotropic_peaks(const Face& face);
 /// Why \p face has no spectrum for Persson's theory, and what gives it one; empty where it has one.
@@ -100,8 +102,8 @@ struct Face {
 /// How many points of the maps of \p map are missing, and how they are filled; empty where none is.
 [[nodiscard]] std::string missing_points(const MapOfSurface& map);
 
-/// A sentence on the first rms gradient of \p face that no surface has, of those given or measured, and implied by what is
-/// written of sigma, R and D_p, whose peaks have the correlation \p r; empty where there is none.
+/// A sentence on the first rms gradient of \p face that no surface has, of those given or measured, and implied by what
+/// is written of sigma, R and D_p, whose peaks have the correlation \p r; empty where there is none.
 [[nodiscard]] std::string gradient_warning(const Face& face, double r);
 
 /// What was measured, as the contact sees it.

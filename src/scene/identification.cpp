@@ -4,10 +4,10 @@
 #include "surface/request.hpp"
 
 #include "document/file.hpp"
+#include "document/shown_unit.hpp"
 #include "scene/answer.hpp"
 #include "scene/each_contact.hpp"
 #include "scene/results.hpp"
-#include "document/shown_unit.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/validity/answer.hpp>
@@ -182,8 +182,7 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
             return names + " came out as " + rounded(finding.value, 2) +
                    " times its starting value: see that the units of the measured columns are right, and if so, start "
                    "from there";
-        case FitConcern::no_errors:
-            return "no standard errors: as many parameters as points, and no column of errors";
+        case FitConcern::no_errors: return "no standard errors: as many parameters as points, and no column of errors";
         case FitConcern::at_bound:
             return names +
                    " came to the end of its range: no value of it fits the data, and no errors are known beside it";
@@ -207,8 +206,8 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
         throw domain_error(scene.file + ": ultrasound: is missing; the reflections of " + curve.name +
                            " need the section");
     if (request.shear && !scene.ultrasound->shear)
-        throw domain_error(scene.file +
-                           ": ultrasound.upper.shear_impedance: is missing; " + name + " shear needs it, or "
+        throw domain_error(scene.file + ": ultrasound.upper.shear_impedance: is missing; " + name +
+                           " shear needs it, or "
                            "density and shear_velocity");
     return Wave<double>{request.shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal,
                         scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};

@@ -19,8 +19,8 @@ namespace fstiff::scene {
 /// What is fitted, and of what.
 struct FitRequest {
     std::vector<Parameter> wanted;
-    std::string law{};   ///< alone; empty: the laws that somebody chose, or else the one whose K is the answer
-    bool shear = false;  ///< measured reflections are of shear waves
+    std::string law{};          ///< alone; empty: the laws that somebody chose, or else the one whose K is the answer
+    bool shear = false;         ///< measured reflections are of shear waves
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 };
 
@@ -42,7 +42,8 @@ struct Fits {
     bool doubtful = false;  ///< a fit is no answer, all are doubtful, or a parameter that is held is not known
 };
 
-/// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve lacks.
+/// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve
+/// lacks.
 [[nodiscard]] Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request);
 
 /// The contact that \p fit found, under \p pressures [Pa], with its stiffness alone.

@@ -22,8 +22,8 @@ enum class WaveKind { longitudinal, shear };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::WaveKind> = name_list<scene::WaveKind>(
-    {{scene::WaveKind::longitudinal, "longitudinal"}, {scene::WaveKind::shear, "shear"}});
+inline constexpr auto names<scene::WaveKind> =
+    name_list<scene::WaveKind>({{scene::WaveKind::longitudinal, "longitudinal"}, {scene::WaveKind::shear, "shear"}});
 
 }  // namespace fstiff
 
@@ -69,8 +69,8 @@ struct Identified {
 
 /// The parameters that \p request fits. \throws option_error for a name that is none, or is there twice.
 [[nodiscard]] std::vector<Parameter> parameters_of(const IdentifyRequest& request);
-/// Fits \p curve, or the one in the file of \p request, which is read. \throws as parameters_of(), read_measured_curve() and
-/// identify().
+/// Fits \p curve, or the one in the file of \p request, which is read. \throws as parameters_of(),
+/// read_measured_curve() and identify().
 [[nodiscard]] Identified identify_scene(const Scene& scene, const IdentifyRequest& request,
                                         std::optional<MeasuredCurve> curve = {});
 /// Measured and fitted values at the points of \p fit.

@@ -120,9 +120,8 @@ std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
         const auto itself = [](double K, double) { return std::optional(K); };
         return std::make_unique<QuickContact<decltype(itself)>>(inputs, hybrid_of_numbers, itself);
     }
-    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
-        return hybrid_of_map(inputs, of, shift);
-    });
+    return over_shifts(inputs,
+                       [&](const Summits<double>& of, std::size_t shift) { return hybrid_of_map(inputs, of, shift); });
 }
 
 /// Peaks that have flowed, of numbers: the cut of a Gaussian surface.
@@ -143,7 +142,8 @@ std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     if (!inputs.map || !inputs.spectrum_of_map) {
         if (!inputs.similar) return plastic_of_numbers(inputs);
         const auto joined = [cut = gaussian_cut(inputs), hardness](double K, double p) {
-            return p < hardness ? std::optional(parts::plastic_stiffness(cut.stiffness(p / hardness), K)) : std::nullopt;
+            return p < hardness ? std::optional(parts::plastic_stiffness(cut.stiffness(p / hardness), K))
+                                : std::nullopt;
         };
         return std::make_unique<QuickContact<decltype(joined)>>(inputs, plastic_of_numbers, joined);
     }
@@ -212,17 +212,15 @@ std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
     const LawOptions& of = inputs.options;
     std::vector<BoundaryElementContact<double>> of_shifts;
     for (const auto& map : inputs.map->maps)
-        of_shifts.emplace_back(*map, inputs.effective_modulus,
-                               parts::TruthOptions<double>{.points = of.points,
-                                                    .edges = of.edges,
-                                                    .hardness = of.hardness,
-                                                    .progress = inputs.progress});
+        of_shifts.emplace_back(
+            *map, inputs.effective_modulus,
+            parts::TruthOptions<double>{
+                .points = of.points, .edges = of.edges, .hardness = of.hardness, .progress = inputs.progress});
     return mean_over(std::move(of_shifts));
 }
 
-constexpr Quantity without_contacts =
-    Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area_fraction |
-    Quantity::loading_stiffness;
+constexpr Quantity without_contacts = Quantity::pressure | Quantity::separation | Quantity::stiffness |
+                                      Quantity::real_area_fraction | Quantity::loading_stiffness;
 
 const std::array<Law, 13> table{{
     {.which = LawName::fractal,
@@ -345,7 +343,8 @@ const std::array<Law, 13> table{{
 
 ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
     throw domain_error(
-        "this law cannot be tabulated: it gives no separation, or each of its points is a solution by boundary elements; "
+        "this law cannot be tabulated: it gives no separation, or each of its points is a solution by boundary "
+        "elements; "
         "must be another");
 }
 

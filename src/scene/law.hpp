@@ -50,7 +50,8 @@ public:
                                                                          Quantity wanted) const = 0;
     [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                                            Quantity wanted) const = 0;
-    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range hangs on it.
+    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range hangs on
+    /// it.
     [[nodiscard]] virtual std::vector<parts::LoadMeans<double>> means_at(std::span<const double> /*etas*/) const {
         return {};
     }
@@ -120,9 +121,9 @@ struct ContactInputs {
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
     const parts::BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
-    const QuickHybrid* similar = nullptr;  ///< of surfaces for a band: K alone counts, to 1e-3
-    PlasticMaterial<double> material{};  ///< of the softer body
-    ProgressHook progress{};             ///< called once a state where that takes seconds
+    const QuickHybrid* similar = nullptr;                  ///< of surfaces for a band: K alone counts, to 1e-3
+    PlasticMaterial<double> material{};                    ///< of the softer body
+    ProgressHook progress{};                               ///< called once a state where that takes seconds
 };
 
 /// A measured curve and how it is fitted.
@@ -149,11 +150,11 @@ struct Law {
     Quantity quantities = Quantity::all;  ///< that the law gives
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
     bool needs_summits = false, needs_whole_map = false;  ///< of the map; the latter of 16 points a side at least
-    bool holds_when_crowded = false;  ///< peaks that push each other down are in it
-    bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning
-    bool has_quick_form = false;      ///< without LawOptions::mutual, for the shape of a band
-    bool varies = true;    ///< can be computed of surfaces drawn about the measured one, for a band, and fitted
-    PlasticRange range{};  ///< of a law whose contact has means_at
+    bool holds_when_crowded = false;                      ///< peaks that push each other down are in it
+    bool ends = false;            ///< has no state above some pressure: the curve ends there, with a warning
+    bool has_quick_form = false;  ///< without LawOptions::mutual, for the shape of a band
+    bool varies = true;           ///< can be computed of surfaces drawn about the measured one, for a band, and fitted
+    PlasticRange range{};         ///< of a law whose contact has means_at
 };
 
 /// All laws, in the order in which choices are listed.
@@ -172,8 +173,7 @@ struct Law {
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::SpectrumSource> =
-    name_list<scene::SpectrumSource>({{scene::SpectrumSource::map, "map"},
-                                      {scene::SpectrumSource::moments, "moments"}});
+inline constexpr auto names<scene::SpectrumSource> = name_list<scene::SpectrumSource>(
+    {{scene::SpectrumSource::map, "map"}, {scene::SpectrumSource::moments, "moments"}});
 
 }  // namespace fstiff

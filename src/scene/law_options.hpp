@@ -19,7 +19,7 @@ struct LawOption {
     std::variant<bool LawOptions::*, double LawOptions::*, int LawOptions::*, Edges LawOptions::*,
                  std::optional<SpectrumSource> LawOptions::*>
         field;
-    double low = 0, high = 0;                ///< of a number (low, high], of a whole one [low, high]
+    double low = 0, high = 0;                 ///< of a number (low, high], of a whole one [low, high]
     std::optional<Dimension> dimension = {};  ///< of a number: with a unit, and greater than 0
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/measured_curve.hpp"
 
-#include "io/number_table.hpp"
 #include "document/file.hpp"
+#include "io/number_table.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/quantity.hpp>
@@ -75,7 +75,7 @@ struct ReadColumn {
 
 struct Header {
     std::array<std::optional<ReadColumn>, 4> columns;  ///< by column::Kind
-    bool error_is_share = false;                   ///< a plain "error" column without a unit
+    bool error_is_share = false;                       ///< a plain "error" column without a unit
     std::optional<std::size_t> law, theta, r, answer;  ///< of fstiff run
     [[nodiscard]] bool computed() const { return law.has_value(); }
 };
@@ -161,12 +161,10 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
         return x;
     };
     const auto& of = header.columns;
-    MeasuredPoint point{
-        number(*of[column::pressure], "pressure", false),
-        of[column::reflection] ? number(*of[column::reflection], "reflection", false)
-                               : number(*of[column::stiffness], "stiffness", false),
-        0,
-        0, 0};
+    MeasuredPoint point{number(*of[column::pressure], "pressure", false),
+                        of[column::reflection] ? number(*of[column::reflection], "reflection", false)
+                                               : number(*of[column::stiffness], "stiffness", false),
+                        0, 0, 0};
     if (of[column::error]) point.error = number(*of[column::error], "error", true);
     return point;
 }

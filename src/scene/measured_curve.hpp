@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A measured curve from delimited text: pressure with stiffness or reflection, and its standard error where there is one.
-// The CSV of `fstiff run` is read too; it may hold several curves, and its errors are bounds of the computation.
+// A measured curve from delimited text: pressure with stiffness or reflection, and its standard error where there is
+// one. The CSV of `fstiff run` is read too; it may hold several curves, and its errors are bounds of the computation.
 
 #include <cstddef>
 #include <optional>
@@ -38,14 +38,15 @@ struct MeasuredCurve {
 };
 
 /// Reads \p file ("-" is standard input). The first line that is no comment names the columns with their units:
-/// pressure, then stiffness or reflection, and optionally stiffness_error or reflection_error (or error). Others are left.
-/// A file with the columns law and eta is of `fstiff run`: r is the correlation of heights and curvatures there, the
-/// stiffness is taken before the reflection, and no error is read. Its answer is one curve, and left out where laws are named.
+/// pressure, then stiffness or reflection, and optionally stiffness_error or reflection_error (or error). Others are
+/// left. A file with the columns law and eta is of `fstiff run`: r is the correlation of heights and curvatures there,
+/// the stiffness is taken before the reflection, and no error is read. Its answer is one curve, and left out where laws
+/// are named.
 /// \throws domain_error naming file, line and what must be there.
 [[nodiscard]] MeasuredCurve read_measured_curve(const std::string& file);
-/// A curve that no file holds: the values, reflections or else stiffnesses, at \p pressures, with their standard errors unless
-/// there are none. Messages call it \p name, and its first point line 1. \throws domain_error for lists of unlike lengths, and
-/// for numbers that a file may not hold.
+/// A curve that no file holds: the values, reflections or else stiffnesses, at \p pressures, with their standard errors
+/// unless there are none. Messages call it \p name, and its first point line 1. \throws domain_error for lists of
+/// unlike lengths, and for numbers that a file may not hold.
 [[nodiscard]] MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<const double> values,
                                              std::span<const double> errors, bool is_reflection,
                                              const std::string& name);

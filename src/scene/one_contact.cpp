@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/one_contact.hpp"
 
-#include "scene/each_contact.hpp"
 #include "document/file.hpp"
+#include "scene/each_contact.hpp"
 
 #include <fstiff/measured/uncertain_sum.hpp>
 
@@ -73,8 +73,8 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
     }
     of.yield_strength = optional("yield_strength", numbers.yield_strength);
     of.hardness = optional("hardness", numbers.hardness);
-    const double poisson = found->needs_yield ? needed(law, "poisson_ratio", numbers.poisson_ratio)
-                                              : numbers.poisson_ratio.value_or(0);
+    const double poisson =
+        found->needs_yield ? needed(law, "poisson_ratio", numbers.poisson_ratio) : numbers.poisson_ratio.value_or(0);
     require(poisson > -1 && poisson <= 0.5, "poisson_ratio", poisson, "greater than -1 and at most 0.5");
     of.softer_poisson = poisson;
     if (measured && found->has_peaks) {

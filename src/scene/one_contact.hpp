@@ -38,7 +38,8 @@ struct OneContact {
     std::unique_ptr<const AnyContact> contact;
 };
 
-/// The contact of \p numbers with the law called \p law; the surface, r, theta, fractal dimension and gradient are those of
+/// The contact of \p numbers with the law called \p law; the surface, r, theta, fractal dimension and gradient are
+/// those of
 /// \p measured where it is given. \p progress is called while the law is prepared, where that takes long.
 /// \throws domain_error naming the number or the law.
 [[nodiscard]] OneContact contact_of(const std::string& law, const ContactNumbers& numbers,
@@ -47,8 +48,9 @@ struct OneContact {
 /// \throws no_such_entry, domain_error as the law.
 [[nodiscard]] OneContact contact_of(Scene of, std::size_t law, std::size_t peaks, const ProgressHook& progress = {});
 
-/// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of \p numbers that
-/// is known, by its name. By differences of six points: within 1e-7 K of x dK/dx (tests/scene/one_contact_test.cpp).
+/// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of \p
+/// numbers that is known, by its name. By differences of six points: within 1e-7 K of x dK/dx
+/// (tests/scene/one_contact_test.cpp).
 /// \throws domain_error as contact_of, and for a pressure that the law does not reach.
 [[nodiscard]] std::map<std::string, double> sensitivity_of(const std::string& law, ContactNumbers numbers,
                                                            double pressure);

@@ -28,8 +28,7 @@ const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     }
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
     throw domain_error(option_name(options.prefix, "law") + " = \"" + name +
-                       "\": is no law of the scene that gives a separation; must be one of " +
-                       list_of(names));
+                       "\": is no law of the scene that gives a separation; must be one of " + list_of(names));
 }
 
 /// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows.
@@ -49,8 +48,7 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     fine.laws = {&law_of(scene, options)};
     if (!scene.peaks.empty()) {
         require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(),
-                option_name(options.prefix, "peaks"),
-                options.peaks,
+                option_name(options.prefix, "peaks"), options.peaks,
                 "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
         fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
     }
@@ -162,8 +160,7 @@ std::string law_text(const Scene& scene, const PressureTableOptions& options) {
 
 PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {
     require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, option_name(options.prefix, "tolerance"),
-            options.tolerance,
-            "between 0.001 % and 20 %");
+            options.tolerance, "between 0.001 % and 20 %");
     const Results results = compute(fine_scene(scene, options), options.progress);
     const Curve& curve = results.curves.front();
     const Line points = points_of(curve);

@@ -5,9 +5,10 @@
 //     const PressureTable table = pressure_table(scene, {.tolerance = 0.01});
 //     for (const auto& [pressure, overclosure] : table.rows) ...
 //
-// The first row is (0, 0). The rows after it lie on the law, from the second row on without a gap: each line between two of them
-// is as long as the tolerance allows. The line of the first two of the law is prolonged to zero pressure: there the overclosure
-// is 0, and the separation of the mean planes is zero_separation. Below `from` the table is that line and not the law.
+// The first row is (0, 0). The rows after it lie on the law, from the second row on without a gap: each line between
+// two of them is as long as the tolerance allows. The line of the first two of the law is prolonged to zero pressure:
+// there the overclosure is 0, and the separation of the mean planes is zero_separation. Below `from` the table is that
+// line and not the law.
 
 #include "scene/chords.hpp"
 #include "scene/scene.hpp"
@@ -23,9 +24,10 @@
 namespace fstiff::scene {
 
 struct PressureTableOptions {
-    std::string law{};  ///< one of the scene, which may be any where it names none; empty: that of the answer, or its first
-                        ///< that has a separation
-    int peaks = 1;                       ///< which of contact.peaks, from 1 on
+    std::string
+        law{};      ///< one of the scene, which may be any where it names none; empty: that of the answer, or its first
+                    ///< that has a separation
+    int peaks = 1;  ///< which of contact.peaks, from 1 on
     std::optional<double> from{}, to{};  ///< [Pa]; none: the least and the greatest pressure of the scene
     double tolerance = 0.01;             ///< of the interpolated pressure, relative; 1e-5 to 0.2
     std::string_view prefix{};           ///< of the names of options in messages: "--" on a command line
@@ -70,12 +72,13 @@ struct PressureTable {
     bool doubtful = false;  ///< as Results::doubtful
 };
 
-/// \throws domain_error where the scene has no such law or no separation, for a range without two pressures, and where the
-/// separation does not fall with the pressure; as compute().
+/// \throws domain_error where the scene has no such law or no separation, for a range without two pressures, and where
+/// the separation does not fall with the pressure; as compute().
 [[nodiscard]] PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options);
 
-/// The law of \p options tabulated over its range, as text for ContactLaw::from_text; it goes on smoothly outside. The tolerance is not
-/// asked for: the law has its own error. \throws domain_error as pressure_table, and for a law without a table.
+/// The law of \p options tabulated over its range, as text for ContactLaw::from_text; it goes on smoothly outside. The
+/// tolerance is not asked for: the law has its own error. \throws domain_error as pressure_table, and for a law without
+/// a table.
 [[nodiscard]] std::string law_text(const Scene& scene, const PressureTableOptions& options);
 
 }  // namespace fstiff::scene

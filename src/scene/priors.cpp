@@ -23,7 +23,8 @@ void fill_spectrum(Face& face) {
     const Roughness<double> of = face.roughness();
     const auto set_gradient = [&](const PriorRange& range, const std::string& origin) {
         face.rms_gradient = range.middle;
-        face.priors.push_back({Unknown::gradient, range.low, range.high, assumed_phrase("rms gradient", range, origin)});
+        face.priors.push_back(
+            {Unknown::gradient, range.low, range.high, assumed_phrase("rms gradient", range, origin)});
     };
     if (!face.rms_gradient && !face.alpha && has_radius && has_density) {
         if (spectral_moments(face).bandwidth() > 1.5) return;
@@ -67,14 +68,15 @@ void fill_shape(Face& face) {
     face.set_shape({s, kurtosis.middle});
     face.priors.push_back({Unknown::skewness, prior.skewness.low, prior.skewness.high,
                            assumed_phrase("skewness", prior.skewness, of_process(face))});
-    face.priors.push_back({Unknown::kurtosis, kurtosis.low, kurtosis.high,
-                           assumed_phrase("kurtosis", kurtosis, of_process(face))});
+    face.priors.push_back(
+        {Unknown::kurtosis, kurtosis.low, kurtosis.high, assumed_phrase("kurtosis", kurtosis, of_process(face))});
 }
 
 /// Whether a law of \p scene feels \p which of \p face.
 bool is_felt(const Scene& scene, const Face& face, Unknown which) {
     if (which == Unknown::height) return true;
-    if (std::any_of(scene.laws.begin(), scene.laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
+    if (std::any_of(scene.laws.begin(), scene.laws.end(), [](const Law* law) { return law->needs_spectrum; }))
+        return true;
     return !parts::is_of_shape(which) && which != Unknown::hurst &&
            (face.radius_follows || face.density_follows || (scene.default_peaks && has_isotropic_peaks(face)));
 }
@@ -102,8 +104,8 @@ std::string of_process(const Face& face) {
 }
 
 std::string assumed_phrase(const std::string& name, const PriorRange& range, const std::string& origin) {
-    return name + " " + rounded(range.middle, 2) + " (" + rounded(range.low, 2) + " to " + rounded(range.high, 2) + "), " +
-           origin;
+    return name + " " + rounded(range.middle, 2) + " (" + rounded(range.low, 2) + " to " + rounded(range.high, 2) +
+           "), " + origin;
 }
 
 void fill_unknown(Face& face, bool shape_known) {
@@ -117,8 +119,8 @@ void fill_unknown(Face& face, bool shape_known) {
 Face with_value(Face face, Unknown which, double value) {
     const auto set_shape = [&](double skewness, double kurtosis) {
         skewness = std::clamp(skewness, -2.5, 2.5);
-        face.set_shape({skewness, std::clamp(kurtosis, parts::least_kurtosis(skewness),
-                                             std::max(20.0, face.shape.kurtosis))});
+        face.set_shape(
+            {skewness, std::clamp(kurtosis, parts::least_kurtosis(skewness), std::max(20.0, face.shape.kurtosis))});
     };
     const auto [skewness, kurtosis] = face.shape;
     switch (which) {
@@ -161,8 +163,8 @@ std::vector<AssumedNumber> assumed_numbers(const Scene& scene) {
         for (const Prior& one : face->priors) {
             if (one.phrase.empty() || !is_felt(scene, *face, one.which)) continue;
             const auto [key, value] = key_and_value(*face, one.which);
-            all.push_back({path + std::string(key), value,
-                           (scene.faces.empty() ? "" : std::string(name) + ": ") + one.phrase});
+            all.push_back(
+                {path + std::string(key), value, (scene.faces.empty() ? "" : std::string(name) + ": ") + one.phrase});
         }
     }
     return all;

@@ -12,10 +12,11 @@ namespace fstiff::scene {
 /// "of any process", "of a ground face".
 [[nodiscard]] std::string of_process(const Face& face);
 /// "alpha 8 (2 to 50), of any process".
-[[nodiscard]] std::string assumed_phrase(const std::string& name, const parts::PriorRange& range, const std::string& origin);
+[[nodiscard]] std::string assumed_phrase(const std::string& name, const parts::PriorRange& range,
+                                         const std::string& origin);
 
-/// Gives \p face, whose rms height is known, the numbers that a spectrum needs beyond those it has, by its process, with a prior
-/// for each; the shape of the heights too unless \p shape_known. R or D_p that is not known follows.
+/// Gives \p face, whose rms height is known, the numbers that a spectrum needs beyond those it has, by its process,
+/// with a prior for each; the shape of the heights too unless \p shape_known. R or D_p that is not known follows.
 void fill_unknown(Face& face, bool shape_known);
 
 /// \p face with \p which at \p value, and with all that follows from it.

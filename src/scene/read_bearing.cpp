@@ -47,9 +47,9 @@ parts::MaterialRatio<double> read_core(Source& source, const Section& surface, c
         const toml::node& node = surface.at(keys[which], why);
         const double value = source.quantity(node, surface.key(keys[which]), Dimension::length);
         if (!(value >= 0 && std::isfinite(value)) || (which == core_height && value == 0))
-            source.refuse(node, surface.key(keys[which]),
-                          which == core_height ? "must be finite and greater than 0"
-                                               : "must be finite and not negative");
+            source.refuse(
+                node, surface.key(keys[which]),
+                which == core_height ? "must be finite and greater than 0" : "must be finite and not negative");
         return value;
     };
     const auto share = [&](CoreKey which) {
@@ -71,8 +71,10 @@ parts::BearingSlope<double> read_heights(Source& source, const toml::node& node,
     constexpr std::size_t least = 10;
     const auto* list = node.as_array();
     if (!list || list->size() < least)
-        source.refuse(node, key, "must be a list of at least " + std::to_string(least) + " lengths, heights at equal "
-                                 "steps of the material ratio in any order");
+        source.refuse(node, key,
+                      "must be a list of at least " + std::to_string(least) +
+                          " lengths, heights at equal "
+                          "steps of the material ratio in any order");
     std::vector<double> heights;
     for (std::size_t i = 0; i < list->size(); ++i)
         heights.push_back(source.quantity((*list)[i], key + "[" + std::to_string(i) + "]", Dimension::length));
@@ -127,10 +129,9 @@ void read_bearing(Source& source, const Section& surface, Face& face) {
     const std::string_view key = *first_of(ways[chosen]);
     const toml::node& node = *surface.find(key);
     const parts::BearingSlope<double> curve =
-        chosen == 1 ? read_heights(source, node, surface.key(key))
-                    : source.located(node, [&] {
-                          return parts::bearing_of_core(read_core(source, surface, core_keys[chosen - 2]));
-                      });
+        chosen == 1 ? read_heights(source, node, surface.key(key)) : source.located(node, [&] {
+            return parts::bearing_of_core(read_core(source, surface, core_keys[chosen - 2]));
+        });
     const auto [mean, variance, skewness, kurtosis] = parts::normal_moments(curve);
     require_rms(source, node, surface.key(key), std::sqrt(variance), rms_height);
     const auto of_rms = std::make_shared<const parts::BearingSlope<double>>(curve.scaled(1 / rms_height));

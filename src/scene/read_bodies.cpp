@@ -182,9 +182,7 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     waves.frequency = section.positive("frequency", Dimension::frequency);
     if (!std::isfinite(waves.angular()) || waves.angular() == 0)
         source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");
-    const auto sides = [&](const char* name) {
-        return section.find(name) ? &section.subtable(name) : nullptr;
-    };
+    const auto sides = [&](const char* name) { return section.find(name) ? &section.subtable(name) : nullptr; };
     const toml::table *first = sides("upper"), *second = sides("lower");
     if (!first && !scene.upper_name) static_cast<void>(section.subtable("upper"));  // which refuses it
     Body upper = read_body(source, first, "ultrasound.upper", scene.upper_name, scene);

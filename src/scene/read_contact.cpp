@@ -85,9 +85,8 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
         std::string_view name;
         Dimension dimension;
     };
-    constexpr std::array<Kind, 3> kinds{{{"pressures", Dimension::pressure},
-                                         {"separations", Dimension::length},
-                                         {"force", Dimension::force}}};
+    constexpr std::array<Kind, 3> kinds{
+        {{"pressures", Dimension::pressure}, {"separations", Dimension::length}, {"force", Dimension::force}}};
     const Kind* kind = nullptr;
     for (const Kind& one : kinds) {
         if (!contact.find(one.name)) continue;
@@ -97,8 +96,9 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
         kind = &one;
     }
     if (!kind)
-        static_cast<void>(contact.at("pressures", "is missing; the scene needs contact.pressures, contact.force or "
-                                                  "contact.separations"));
+        static_cast<void>(contact.at("pressures",
+                                     "is missing; the scene needs contact.pressures, contact.force or "
+                                     "contact.separations"));
     const toml::node& node = contact.at(kind->name);
     const std::string key = contact.key(kind->name);
     scene.at_separations = kind->dimension == Dimension::length;
@@ -114,8 +114,8 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
     for (double& point : scene.points) {
         point /= *scene.nominal_area;
         if (!(point > 0) || !std::isfinite(point))
-            source.refuse(node, key, "must be a pressure on " + contact.key("nominal_area") +
-                                         " in the range of double precision");
+            source.refuse(node, key,
+                          "must be a pressure on " + contact.key("nominal_area") + " in the range of double precision");
     }
 }
 
@@ -127,11 +127,10 @@ Peaks peaks_of_surface(const Scene& scene, const parts::Place& where) {
 Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path, const Scene& scene) {
     if (node.is_string() && written(node) == "surface") {
         if (!scene.face.has_peaks())
-            source.refuse(node, path,
-                          "needs surface.r and surface.theta" +
-                              (scene.face.measured
-                                   ? ", which were not found: " + scene.face.measured->found.why_no_peaks
-                                   : ""));
+            source.refuse(
+                node, path,
+                "needs surface.r and surface.theta" +
+                    (scene.face.measured ? ", which were not found: " + scene.face.measured->found.why_no_peaks : ""));
         source.record(path, "surface");
         return peaks_of_surface(scene, source.place(node));
     }
@@ -204,7 +203,8 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
                                     ? "; it was not found: " + scene.face.measured->found.why_no_dimension
                                     : ""));
         if (const std::string why = refusal_of(*law, scene); !why.empty())
-            throw domain_error(source.at(*node) + ": " + contact.key("laws") + ": \"" + std::string(law->name) + "\" " + why);
+            throw domain_error(source.at(*node) + ": " + contact.key("laws") + ": \"" + std::string(law->name) + "\" " +
+                               why);
         scene.laws.push_back(law);
         if (!is_shared(law->which)) read_law_options(source, root, law->which, scene);
     }
@@ -231,9 +231,10 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
                 {io::parse_angle(theta, "theta"), std::nullopt, false, {.file = source.file}, "contact.peaks."});
         scene.default_peaks = true;
         const bool isotropic = has_isotropic_peaks(scene.face);
-        source.record(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws theta = pi/4 "
-                                                        "and pi/3, r = exponential (default)"
-                                                      : "theta = pi/4 and pi/3, r = exponential (default)");
+        source.record(contact.key("peaks"), isotropic
+                                                ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws theta = pi/4 "
+                                                  "and pi/3, r = exponential (default)"
+                                                : "theta = pi/4 and pi/3, r = exponential (default)");
     }
 }
 
@@ -244,8 +245,8 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
         scene.face.write([&](Face& face) { face.spectrum_of_map = spectrum == SpectrumSource::map; });
-    std::vector<std::string_view> keys{"nominal_area", "washer", "pressures", "separations", "force", "seating",
-                                       "laws",         "peaks",  "interaction"};
+    std::vector<std::string_view> keys{"nominal_area", "washer", "pressures", "separations", "force",
+                                       "seating",      "laws",   "peaks",     "interaction"};
     for (const LawName law : laws_with_options()) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     read_area(source, contact, scene, replaced);

@@ -39,8 +39,8 @@ Measured measured_from(const MeasureOptions& options, const std::vector<std::str
 
 /// \p file, which the scene names relative to itself; "-" is standard input.
 std::string beside_scene(Source& source, const std::string& file) {
-    return source.files.emplace_back(
-        file == "-" ? file : name_of_path(path_of(source.file).parent_path() / path_of(file)));
+    return source.files.emplace_back(file == "-" ? file
+                                                 : name_of_path(path_of(source.file).parent_path() / path_of(file)));
 }
 
 /// The files that \p from names, relative to the scene.
@@ -159,8 +159,7 @@ void read_spectrum(Source& source, const Section& surface, Face& face) {
 void read_gradient_error(Source& source, const Section& surface, const Section& errors, std::string_view key,
                          const toml::node& node, Face& face) {
     if (!surface.find(key) && !(key == "rms_gradient" && face.measured && face.rms_gradient))
-        source.refuse(node, errors.key(key),
-                      "has no value next to it; must stand next to " + surface.key(key));
+        source.refuse(node, errors.key(key), "has no value next to it; must stand next to " + surface.key(key));
     const double error = source.number(node, errors.key(key));
     if (!(error >= 0)) source.refuse(node, errors.key(key), "must be finite and not negative");
     face.gradient_error = key == "rms_gradient" ? error : error * over_written(surface, key, *face.rms_gradient);
@@ -195,7 +194,8 @@ void read_errors(Source& source, const Section& surface, Face& face) {
     for (const std::string_view key : heights)
         if (const toml::node* node = section.find(key)) {
             if (!surface.find(key))
-                source.refuse(*node, section.key(key), "has no value next to it; must stand next to " + surface.key(key));
+                source.refuse(*node, section.key(key),
+                              "has no value next to it; must stand next to " + surface.key(key));
             const double error = source.quantity(*node, section.key(key), Dimension::length);
             if (!(error >= 0 && std::isfinite(error)))
                 source.refuse(*node, section.key(key), "must be finite and not negative");
@@ -203,16 +203,25 @@ void read_errors(Source& source, const Section& surface, Face& face) {
             height.error = error * over_written(surface, key, height.value);
         }
     for (const std::string_view key : gradients)
-        if (const toml::node* node = section.find(key))
-            read_gradient_error(source, surface, section, key, *node, face);
+        if (const toml::node* node = section.find(key)) read_gradient_error(source, surface, section, key, *node, face);
 }
 
 /// The keys of a face in \p table.
 std::vector<std::string_view> keys_of_face(const toml::table& table) {
-    std::vector<std::string_view> keys{"from",         "rms_height",        "peak_radius",       "peak_density",
-                                       "max_peak_height", "fractal_dimension", "fractal_roughness", "r",
-                                       "theta",        "rms_gradient",      "alpha",             "hurst",
-                                       "errors",       "process"};
+    std::vector<std::string_view> keys{"from",
+                                       "rms_height",
+                                       "peak_radius",
+                                       "peak_density",
+                                       "max_peak_height",
+                                       "fractal_dimension",
+                                       "fractal_roughness",
+                                       "r",
+                                       "theta",
+                                       "rms_gradient",
+                                       "alpha",
+                                       "hurst",
+                                       "errors",
+                                       "process"};
     for (const std::string_view key : bearing_keys()) keys.push_back(key);
     if (table.contains("from"))
         for (const SurfaceOptionRow& row : surface_option_table()) keys.push_back(row.key);

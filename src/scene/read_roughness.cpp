@@ -36,7 +36,8 @@ std::string_view one_of(const Source& source, const Section& surface, Keys keys)
 void read_height(Source& source, const Section& surface, Face& face) {
     const std::string_view key = one_of(source, surface, height_keys);
     if (key.empty())
-        (void)surface.at("rms_height", "is missing; the scene needs the height of the surface: rms_height, Rq, Sq, Ra or Sa");
+        (void)surface.at("rms_height",
+                         "is missing; the scene needs the height of the surface: rms_height, Rq, Sq, Ra or Sa");
     const double height = surface.positive(key, Dimension::length);
     if (key.back() != 'a') {
         face.write(Parameter::rms_height, height);
@@ -47,16 +48,15 @@ void read_height(Source& source, const Section& surface, Face& face) {
         face.priors.push_back({Unknown::height, height / ratio.high, height / ratio.low,
                                assumed_phrase(key == "Ra" ? "Ra/Rq" : "Sa/Sq", ratio, of_process(face))});
     }
-    source.record(surface.key("rms_height"), "of " + std::string(key) + " (default)",
-                  face.parameters.rms_height.value, "m");
+    source.record(surface.key("rms_height"), "of " + std::string(key) + " (default)", face.parameters.rms_height.value,
+                  "m");
 }
 
 /// A gradient of the range \p range, where \p how came to it.
 void take_gradient(const PriorRange& range, const std::string& how, Face& face) {
     face.rms_gradient = range.middle;
     if (range.low < range.high)
-        face.priors.push_back(
-            {Unknown::gradient, range.low, range.high, assumed_phrase("rms gradient", range, how)});
+        face.priors.push_back({Unknown::gradient, range.low, range.high, assumed_phrase("rms gradient", range, how)});
 }
 
 void read_gradient(Source& source, const Section& surface, Face& face) {
@@ -98,9 +98,10 @@ std::vector<std::string_view> roughness_keys() {
 void refuse_extremes(const Source& source, const toml::table& table, const std::string& path) {
     for (const char* key : {"Rz", "Rt", "Sz", "Rmax"})
         if (const toml::node* node = table.get(key))
-            source.refuse(*node, path + "." + key,
-                          "is the height of the one highest peak over the one deepest valley, 4 to 10 times Ra and another "
-                          "at the next place; must be given as Ra or Rq (Sa or Sq of a map)");
+            source.refuse(
+                *node, path + "." + key,
+                "is the height of the one highest peak over the one deepest valley, 4 to 10 times Ra and another "
+                "at the next place; must be given as Ra or Rq (Sa or Sq of a map)");
 }
 
 void read_roughness(Source& source, const Section& surface, Face& face) {

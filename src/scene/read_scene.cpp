@@ -12,59 +12,67 @@
 namespace fstiff::scene {
 namespace {
 
+/// What a quantity needs that the scene does not have; empty where nothing is missing.
+std::string missing_for_quantities(const Scene& scene) {
+    const std::tuple<bool, bool, std::string_view> needs[]{
+        {scene.reflection, !scene.ultrasound, "the section ultrasound for \"reflection\""},
+        {scene.shear_reflection, !scene.ultrasound, "the section ultrasound for \"shear_reflection\""},
+        {scene.shear_reflection, !(scene.ultrasound && scene.ultrasound->shear),
+         "ultrasound.upper.shear_impedance or shear_velocity for \"shear_reflection\""},
+        {scene.joint_stiffness, !scene.nominal_area, "contact.nominal_area or contact.washer for \"joint_stiffness\""},
+        {scene.thermal_conductance, !scene.conduction.thermal,
+         "material.upper.thermal_conductivity for \"thermal_conductance\""},
+        {scene.electrical_conductance, !scene.conduction.electrical,
+         "material.upper.electrical_conductivity for \"electrical_conductance\""},
+        {scene.loss_factor, !(scene.friction && scene.friction->amplitude), "friction.amplitude for \"loss_factor\""}};
+    for (const auto& [asked, lacking, what] : needs)
+        if (asked && lacking) return std::string(what);
+    return {};
+}
+
 void read_output(Source& source, const toml::table* table, Scene& scene) {
-    constexpr std::array<std::string_view, 13> names{
-        "stiffness",  "separation",       "real_area",         "contacts",        "tangential_stiffness",
-        "reflection", "shear_reflection", "loading_stiffness", "joint_stiffness", "approach",
-        "thermal_conductance", "electrical_conductance",
-        "loss_factor"};
-    const std::array<bool*, 13> flags{
-        &scene.stiffness,  &scene.separation,       &scene.real_area,         &scene.contacts,
-        &scene.tangential_stiffness, &scene.reflection, &scene.shear_reflection, &scene.loading_stiffness,
-        &scene.joint_stiffness, &scene.approach, &scene.thermal_conductance, &scene.electrical_conductance,
-        &scene.loss_factor};
-    static const toml::table none;
-    const Section output(source, table ? *table : none, "output", {"quantities"});
-    const bool shear = scene.ultrasound && scene.ultrasound->shear;
     const auto is_written = [&](std::string_view end) {
         return std::any_of(source.inputs.begin(), source.inputs.end(), [&](const Input& input) {
             return input.key.starts_with("material.") && input.key.ends_with(end) &&
                    !input.written.ends_with("(default)");
         });
     };
-    const bool heat = scene.conduction.thermal && (scene.conduction.gap || is_written(".thermal_conductivity")),
+    const bool waves = scene.ultrasound.has_value(), slides = scene.friction && scene.friction->amplitude,
+               heat = scene.conduction.thermal && (scene.conduction.gap || is_written(".thermal_conductivity")),
                current = scene.conduction.electrical && is_written(".electrical_conductivity");
-    const bool slides = scene.friction && scene.friction->amplitude;
+    struct Choice {
+        std::string_view name;
+        bool& chosen;
+        bool by_default;
+    };
+    const Choice choices[]{{"stiffness", scene.stiffness, true},
+                           {"separation", scene.separation, true},
+                           {"real_area", scene.real_area, true},
+                           {"contacts", scene.contacts, true},
+                           {"tangential_stiffness", scene.tangential_stiffness, waves || scene.friction},
+                           {"reflection", scene.reflection, waves},
+                           {"shear_reflection", scene.shear_reflection, waves && scene.ultrasound->shear},
+                           {"loading_stiffness", scene.loading_stiffness, false},
+                           {"joint_stiffness", scene.joint_stiffness, scene.is_joint},
+                           {"approach", scene.approach, scene.is_joint},
+                           {"thermal_conductance", scene.thermal_conductance, heat},
+                           {"electrical_conductance", scene.electrical_conductance, current},
+                           {"loss_factor", scene.loss_factor, slides}};
+    static const toml::table none;
+    const Section output(source, table ? *table : none, "output", {"quantities"});
+    const std::string key = output.key("quantities");
     if (const auto* quantities = output.find("quantities")) {
-        const std::string key = output.key("quantities");
-        for (const auto i : source.choices(*quantities, key, names)) *flags[i] = true;
-        if ((scene.reflection || scene.shear_reflection) && !scene.ultrasound)
-            throw domain_error(source.at(*quantities) + ": " + key + ": needs the section ultrasound for " +
-                               (scene.reflection ? "\"reflection\"" : "\"shear_reflection\""));
-        if (scene.shear_reflection && !shear)
-            throw domain_error(source.at(*quantities) + ": " + key +
-                               ": needs ultrasound.upper.shear_impedance or shear_velocity for \"shear_reflection\"");
-        if (scene.joint_stiffness && !scene.nominal_area)
-            throw domain_error(source.at(*quantities) + ": " + key +
-                               ": needs contact.nominal_area or contact.washer for \"joint_stiffness\"");
-        for (const auto& [asked, known, word] :
-             {std::tuple(scene.thermal_conductance, scene.conduction.thermal.has_value(), "thermal"),
-              {scene.electrical_conductance, scene.conduction.electrical.has_value(), "electrical"}})
-            if (asked && !known)
-                throw domain_error(source.at(*quantities) + ": " + key + ": needs material.upper." + word +
-                                   "_conductivity for \"" + word + "_conductance\"");
-        if (scene.loss_factor && !slides)
-            throw domain_error(source.at(*quantities) + ": " + key + ": needs friction.amplitude for \"loss_factor\"");
+        std::array<std::string_view, std::size(choices)> names{};
+        std::transform(std::begin(choices), std::end(choices), names.begin(),
+                       [](const Choice& one) { return one.name; });
+        for (const auto i : source.choices(*quantities, key, names)) choices[i].chosen = true;
+        if (const auto missing = missing_for_quantities(scene); !missing.empty())
+            throw domain_error(source.at(*quantities) + ": " + key + ": needs " + missing);
     } else {
-        const std::size_t count = shear ? 7 : scene.ultrasound ? 6 : 4;
         std::string text;
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (i < count || (scene.is_joint && (i == 8 || i == 9)) || (i == 10 && heat) || (i == 11 && current) ||
-                (i == 4 && scene.friction) || (i == 12 && slides)) {
-                *flags[i] = true;
-                text += (i ? ", " : "") + std::string(names[i]);
-            }
-        source.record(output.key("quantities"), text + " (default)");
+        for (const Choice& one : choices)
+            if (one.by_default) one.chosen = true, text += (text.empty() ? "" : ", ") + std::string(one.name);
+        source.record(key, text + " (default)");
     }
     scene.thermal_conductance_gap = scene.thermal_conductance && scene.conduction.gap;
     if (scene.approach && std::none_of(source.inputs.begin(), source.inputs.end(),
@@ -107,13 +115,12 @@ void warn_of_gradients(Scene& scene) {
     double r = 0;  // the greatest, 1/2 where none is written
     for (const Peaks& peaks : scene.peaks) r = std::max(r, peaks.r.value_or(0.5));
     for (const auto& [name, face] : rough_faces(scene)) {
-        const bool told = face->measured && std::count(face->measured->found.concerns.begin(),
-                                                       face->measured->found.concerns.end(),
-                                                       MeasuredConcern::implausible_gradient) > 0;
+        const bool told =
+            face->measured && std::count(face->measured->found.concerns.begin(), face->measured->found.concerns.end(),
+                                         MeasuredConcern::implausible_gradient) > 0;
         const std::string line = told ? "" : gradient_warning(*face, r);
         if (told || !line.empty()) scene.implausible = true;
-        if (!line.empty())
-            scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
+        if (!line.empty()) scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
     }
 }
 
@@ -141,7 +148,10 @@ bool needs_dimension_of_maps(const toml::table& root) {
 
 Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
     const std::string &file = from.name, &surface = from.surface;
-    Source source{file, {}, builtin, from.has_band && root["uncertainty"]["samples"].value<std::int64_t>() != 0,
+    Source source{file,
+                  {},
+                  builtin,
+                  from.has_band && root["uncertainty"]["samples"].value<std::int64_t>() != 0,
                   needs_dimension_of_maps(root)};
     Scene scene;
     scene.file = file;
@@ -165,15 +175,13 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
             from.measured ? face_in_place(source, *from.measured) : face_of_file(source, surface, from.progress);
         // no longer what the scene was named for
         const std::string& measured = scene.face.measured->file;
-        scene.name =
-            measured.find(',') == std::string::npos ? name_of_path(path_of(measured).filename()) : measured;
+        scene.name = measured.find(',') == std::string::npos ? name_of_path(path_of(measured).filename()) : measured;
     }
     for (const auto& [name, face] : measured_faces(scene))
         scene.has_lay = scene.has_lay || is_profile_with_lay(*face->measured);
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
-    if (builtin && replaced)
-        scene.assumptions.push_back("the material, which is the steel of the built-in scene");
+    if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
     for (const Assumed& one : assumed(scene))
         source.record("surface." + std::string(one.key), one.how + " (default)", one.value);

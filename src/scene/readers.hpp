@@ -30,8 +30,8 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
 [[nodiscard]] std::vector<std::string_view> bearing_keys();
 [[nodiscard]] bool has_bearing(const Section& surface);
 void read_bearing(Source& source, const Section& surface, Face& face);
-/// The keys that give height and gradient by other names than rms_height and rms_gradient, and what they make of \p face, which
-/// is not measured. What they leave open gets a prior.
+/// The keys that give height and gradient by other names than rms_height and rms_gradient, and what they make of \p
+/// face, which is not measured. What they leave open gets a prior.
 [[nodiscard]] std::vector<std::string_view> roughness_keys();
 void read_roughness(Source& source, const Section& surface, Face& face);
 /// Refuses Rz and its like in \p table, the section \p path.

@@ -25,7 +25,8 @@ double impedance_of(const BodyRequest& body, const ReflectionRequest& request, c
                               body.velocity.positive(io::Dimension::velocity, name("velocity")));
 }
 
-/// The number that \p given is; none: the name of a file. "nan" and "inf" are numbers, so that they are refused as such.
+/// The number that \p given is; none: the name of a file. "nan" and "inf" are numbers, so that they are refused as
+/// such.
 std::optional<double> as_number(const Amount& given) {
     if (given.number()) return given.number();
     const std::string text = given.text();
@@ -91,9 +92,9 @@ Reflected at_one(const ReflectionRequest& request, const Impedances<double>& med
         one.reflection_error = request.reflection_error;
         one.stiffness_error = parts::measured_stiffness(*given, *request.reflection_error, media, omega).error;
     }
-    one.stiffness = given ? stiffness_from_reflection(*given, media, omega)
-                          : request.stiffness.value(io::Dimension::stiffness_per_area,
-                                                    option_name(request.prefix, "stiffness"));
+    one.stiffness =
+        given ? stiffness_from_reflection(*given, media, omega)
+              : request.stiffness.value(io::Dimension::stiffness_per_area, option_name(request.prefix, "stiffness"));
     one.reflection = given ? *given : reflection(one.stiffness, media, omega);
     one.transmission = std::abs(parts::complex_transmission(one.stiffness, media, omega));
     one.phase = std::arg(parts::complex_reflection(one.stiffness, media, omega));
@@ -142,14 +143,10 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
 
 NamedNumbers numbers_of(const Reflection& found) {
     const Reflected& one = found.one;
-    NamedNumbers numbers{{"frequency_Hz", found.frequency},
-                         {"impedance_Rayl", found.media.incident},
-                         {"impedance2_Rayl", found.media.beyond},
-                         {"stiffness_Pa_per_m", one.stiffness},
-                         {"reflection", one.reflection},
-                         {"reflection_phase_rad", one.phase},
-                         {"transmission", one.transmission},
-                         {"transmitted_energy", one.transmitted_energy},
+    NamedNumbers numbers{{"frequency_Hz", found.frequency},       {"impedance_Rayl", found.media.incident},
+                         {"impedance2_Rayl", found.media.beyond}, {"stiffness_Pa_per_m", one.stiffness},
+                         {"reflection", one.reflection},          {"reflection_phase_rad", one.phase},
+                         {"transmission", one.transmission},      {"transmitted_energy", one.transmitted_energy},
                          {"welded_reflection", found.welded}};
     if (one.stiffness_error) {
         numbers.emplace_back("reflection_error", *one.reflection_error);

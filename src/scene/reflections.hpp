@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Ultrasound at an interface that acts as a spring: the reflection of a stiffness, or the stiffness of measured reflections.
+// Ultrasound at an interface that acts as a spring: the reflection of a stiffness, or the stiffness of measured
+// reflections.
 
 #include "document/rows.hpp"
 #include "scene/measured_curve.hpp"
@@ -28,13 +29,14 @@ struct ReflectionRequest {
     std::optional<double> reflection_error{};  ///< standard error of |R|, where no curve has its own
     Amount frequency{};
     BodyRequest incident{}, beyond{};  ///< of the wave; beyond: as incident where nothing of it is given
-    std::string prefix{};          ///< of the names of options in messages: "--" on a command line
+    std::string prefix{};              ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
     void each_option(Take take) {
         take("stiffness", stiffness, "normal contact stiffness K per nominal area, such as \"1.764 GPa/um\"");
         take("reflection", reflection,
-             "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, reflection "
+             "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, "
+             "reflection "
              "and, if known, reflection_error, to K(p); - is standard input");
         take("reflection_error", reflection_error,
              "standard error of the reflection coefficient, where a file has no column of it");
@@ -54,15 +56,16 @@ struct ReflectionRequest {
 /// What a wave does at one stiffness.
 struct Reflected {
     bool from_stiffness = false;  ///< else from a reflection
-    double stiffness = 0, reflection = 0, phase = 0, transmission = 0, transmitted_energy = 0;  ///< [Pa/m], phase in rad
+    double stiffness = 0, reflection = 0, phase = 0, transmission = 0,
+           transmitted_energy = 0;  ///< [Pa/m], phase in rad
     std::optional<double> reflection_error{}, stiffness_error{};
 };
 
 /// The stiffness of a measured curve of reflections.
 struct CurveOfStiffness {
     MeasuredCurve curve;
-    std::vector<double> errors{};  ///< of the reflections; empty: not known
-    std::optional<double> error{}; ///< that of all of them, from the request
+    std::vector<double> errors{};   ///< of the reflections; empty: not known
+    std::optional<double> error{};  ///< that of all of them, from the request
     std::vector<std::optional<parts::MeasuredStiffness<double>>>
         stiffness{};  ///< none where no stiffness has the reflection
 };

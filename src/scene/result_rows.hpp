@@ -2,9 +2,9 @@
 #pragma once
 // The columns of results, as the CSV, the JSON and the table of fstiff run have them.
 
-#include "scene/results.hpp"
 #include "document/rows.hpp"
 #include "document/shown_unit.hpp"
+#include "scene/results.hpp"
 
 #include <cstddef>
 #include <string>

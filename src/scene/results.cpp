@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/results.hpp"
 
+#include "document/file.hpp"
 #include "scene/answer.hpp"
 #include "scene/bands.hpp"
 #include "scene/each_contact.hpp"
-#include "document/file.hpp"
 #include "scene/verdict.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
@@ -32,8 +32,8 @@ Quantity wanted(const Scene& scene, const Law& law, Quantity more = Quantity::no
     return static_cast<Quantity>(static_cast<unsigned>(set) & static_cast<unsigned>(law.quantities));
 }
 
-/// Puts \p points into \p curve, as states or as what the law does not reach. A gradient so small that p* is beyond the range
-/// of double precision is as good as unknown.
+/// Puts \p points into \p curve, as states or as what the law does not reach. A gradient so small that p* is beyond the
+/// range of double precision is as good as unknown.
 void take_points(const Scene& scene, double modulus, Curve& curve, const std::vector<ContactPoint<double>>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].ok()) {
@@ -82,11 +82,10 @@ void warn_of_missed(const Scene& scene, Results& results) {
         const bool ends = law->ends && !first->states.empty();
         results.doubtful = results.doubtful || !ends;
         if (scene.best && closed_above(scene, *first)) continue;
-        results.warnings.push_back(ends ? name + " ends before " + at +
-                                              ": its contacts are too many or too crowded beyond"
-                                        : name + " has no result at " + std::to_string(count) + " of " +
-                                              std::to_string(points) + " points, the first of them " + at + ": " +
-                                              missed.reason);
+        results.warnings.push_back(
+            ends ? name + " ends before " + at + ": its contacts are too many or too crowded beyond"
+                 : name + " has no result at " + std::to_string(count) + " of " + std::to_string(points) +
+                       " points, the first of them " + at + ": " + missed.reason);
     }
 }
 
@@ -105,8 +104,7 @@ std::string_view sentence(parts::Concern concern) {
             return "the real area exceeds the nominal area: the model does not hold there";
         case parts::Concern::not_converged:
             return "the stiffness has an error above 1e-6 of its size: the integrals did not converge there";
-        default:
-            return "";
+        default: return "";
     }
 }
 
@@ -173,7 +171,7 @@ void warn_of_named_laws(const Scene& scene, Results& results) {
                       ", the least of an isotropic Gaussian surface: R and D_p are those of islands, not of summits");
     }
     for (const parts::Concern concern : {parts::Concern::interacting_asperities, parts::Concern::mean_planes_crossed,
-                                  parts::Concern::above_highest_peak, parts::Concern::few_contacts})
+                                         parts::Concern::above_highest_peak, parts::Concern::few_contacts})
         warn_if_any(results, concern);
     warn_of_plastic_ranges(scene, results);
     if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
@@ -199,7 +197,8 @@ void add_warnings(const Scene& scene, Results& results) {
 
 /// Bands, where the surface has errors, and the columns of every curve, which has its states.
 void finish(const Scene& scene, Results& results, const ProgressHook& progress) {
-    if ((scene.needs_stiffness() || scene.best) && scene.samples > 0 && scene.face.has_errors()) add_bands(scene, results, progress);
+    if ((scene.needs_stiffness() || scene.best) && scene.samples > 0 && scene.face.has_errors())
+        add_bands(scene, results, progress);
     const bool bands = has_band(results);
     for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
 }
@@ -319,7 +318,8 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     for (const MadeContact& made : contacts) {
         Curve& curve = results.curves.emplace_back(made.curve);
-        take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made.contact, wanted(scene, *curve.law)));
+        take_points(scene, results.modulus, curve,
+                    points_of(scene, *curve.law, *made.contact, wanted(scene, *curve.law)));
         static_cast<void>(seat(scene, *made.contact, curve));
         grow(scene, *made.contact, curve);
     }
@@ -354,12 +354,12 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
             results.warnings.push_back("law " + std::string(curve.law->name) + " has no approach: " + why);
         grow(scene, *made, curve);
         curve.checks = parts::check_curve<double>(curve.states,
-                                           {.effective_modulus = results.modulus,
-                                            .rms_gradient = curve.rms_gradient,
-                                            .max_peak_height = scene.face.parameters.max_peak_height.value,
-                                            .nominal_area = scene.nominal_area,
-                                            .yield_strength = scene.yield_strength},
-                                           quantities);
+                                                  {.effective_modulus = results.modulus,
+                                                   .rms_gradient = curve.rms_gradient,
+                                                   .max_peak_height = scene.face.parameters.max_peak_height.value,
+                                                   .nominal_area = scene.nominal_area,
+                                                   .yield_strength = scene.yield_strength},
+                                                  quantities);
         std::erase_if(curve.checks, [&](const parts::Check<double>& check) {
             return (check.concern == parts::Concern::interacting_asperities && curve.law->holds_when_crowded) ||
                    (check.concern ==

@@ -12,10 +12,10 @@
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/load_means.hpp>
-#include <fstiff/validity/checks.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/band_parts.hpp>
 #include <fstiff/validity/answer.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -42,12 +42,12 @@ struct Curve {
     std::vector<double> seated{};       ///< separation at Scene::seating [m], one a state; empty: not known
     std::vector<double> growth{};       ///< d log K/d log p below each state, for Scene::loss_factor; empty: not known
     std::vector<parts::Check<double>> checks{};
-    std::vector<parts::LoadMeans<double>> means{};   ///< of a plastic law, one a state
+    std::vector<parts::LoadMeans<double>> means{};  ///< of a plastic law, one a state
     std::vector<parts::SampledBand<double>>
         band{};  ///< of the stiffness, one a state; empty: the surface has no errors
     std::vector<parts::BandParts<double>> band_parts{};  ///< of the band, where the surface has neighbours
-    std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
-    std::vector<const Law*> by{};  ///< of an answer, the law of each state; empty: `law` gave all
+    std::vector<Column> columns{};                       ///< what Scene asks for; the same keys in every curve
+    std::vector<const Law*> by{};                        ///< of an answer, the law of each state; empty: `law` gave all
 
     [[nodiscard]] const Law& law_at(std::size_t state) const { return by.empty() ? *law : *by[state]; }
 
@@ -65,9 +65,9 @@ struct Curve {
 
 /// Why K of the answer at one state is what it is.
 struct AnswerReason {
-    parts::Causes<double> causes{};  ///< of the band
-    std::optional<double> p_star;    ///< p/(E g)
-    std::optional<double> contacts;  ///< expected on the area of the contact
+    parts::Causes<double> causes{};           ///< of the band
+    std::optional<double> p_star;             ///< p/(E g)
+    std::optional<double> contacts;           ///< expected on the area of the contact
     std::optional<double> loading_stiffness;  ///< [Pa/m] where the peaks flow: of a load that rises for the first time
 };
 
@@ -87,12 +87,12 @@ struct Results {
     std::optional<double> plasticity_index;
     std::vector<parts::Check<double>> surface_checks;
     std::optional<StiffnessAnswer> answer;  ///< none: no law answers at any point
-    std::vector<Curve> curves;     ///< of the laws that are named; where none is, the curve of the answer alone
-    std::vector<std::string> warnings;    ///< sentences on the checks that do not hold, and on the scene
-    std::vector<std::string> verdict;  ///< three sentences at most: which K it is, who feels it, where it comes from
+    std::vector<Curve> curves;          ///< of the laws that are named; where none is, the curve of the answer alone
+    std::vector<std::string> warnings;  ///< sentences on the checks that do not hold, and on the scene
+    std::vector<std::string> verdict;   ///< three sentences at most: which K it is, who feels it, where it comes from
     std::vector<std::string> short_verdict;  ///< the same for a picture: one or two short sentences
-    /// A real area above the nominal one, integrals that did not converge, points that a law does not reach, an rms gradient
-    /// that no surface has, or a measured surface with unknown_parameters().
+    /// A real area above the nominal one, integrals that did not converge, points that a law does not reach, an rms
+    /// gradient that no surface has, or a measured surface with unknown_parameters().
     bool doubtful = false;
 };
 
@@ -108,8 +108,8 @@ struct Results {
 /// The interaction of the scene with its length [m].
 [[nodiscard]] Interaction<double> interaction(const Scene& scene);
 
-/// Everything the scene asks for. A point that a law does not reach leaves the others alone, with a warning. \p progress is
-/// called while a band is sampled.
+/// Everything the scene asks for. A point that a law does not reach leaves the others alone, with a warning. \p
+/// progress is called while a band is sampled.
 /// \throws domain_error where the model cannot give it, or no law reaches any point, naming the place in the scene.
 [[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {});
 /// A contact of a scene, and its curve still without states.

@@ -2,8 +2,8 @@
 #include "scene/scales.hpp"
 
 #include "document/file.hpp"
-#include "scene/results.hpp"
 #include "document/shown_unit.hpp"
+#include "scene/results.hpp"
 
 #include <algorithm>
 #include <cmath>

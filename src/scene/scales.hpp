@@ -35,8 +35,8 @@ struct Scales {
     std::vector<Scale> long_waves;   ///< lambda_c from none by factors of two down to ten times lambda_s
 };
 
-/// \p chosen, which was measured of \p input, and the same input behind each of the other cut-offs, without errors. What these
-/// refuse stands in their rows.
+/// \p chosen, which was measured of \p input, and the same input behind each of the other cut-offs, without errors.
+/// What these refuse stands in their rows.
 [[nodiscard]] Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how);
 
 /// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.

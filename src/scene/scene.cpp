@@ -14,15 +14,16 @@ std::vector<NamedFace> rough_faces(const Scene& scene) {
 std::vector<Assumed> assumed(const Scene& scene) {
     std::vector<Assumed> all;
     const bool of_map = scene.face.map && scene.face.spectrum_of_map;
-    if (of_map || std::none_of(scene.laws.begin(), scene.laws.end(),
-                               [](const Law* law) { return law->needs_spectrum; }))
+    if (of_map ||
+        std::none_of(scene.laws.begin(), scene.laws.end(), [](const Law* law) { return law->needs_spectrum; }))
         return all;
     if (!scene.face.hurst) {
         const double hurst = hurst_exponent(scene.face),
                      least = parts::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
         all.push_back({"hurst", "H",
-                       hurst == least ? "of a band as wide as what was measured"
-                       : scene.face.dimension() ? "2 - D" : "assumed, since D is not known",
+                       hurst == least           ? "of a band as wide as what was measured"
+                       : scene.face.dimension() ? "2 - D"
+                                                : "assumed, since D is not known",
                        hurst});
     }
     if (!scene.face.alpha)

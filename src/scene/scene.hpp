@@ -39,7 +39,7 @@ struct Peaks {
     double theta = 0;         ///< [rad]
     std::optional<double> r;  ///< none: of an exponential autocorrelation
     bool of_surface = false;  ///< theta and r are those of [surface], with their errors
-    parts::Place where{};            ///< for messages
+    parts::Place where{};     ///< for messages
     std::string key{};        ///< what stands before theta and r in them
 };
 
@@ -110,7 +110,7 @@ struct Scene {
     int shifts = 1;  ///< of the lower map over the upper one
 
     LawOptions law_options;
-    int samples = 400;       ///< of the band; 0: no band
+    int samples = 400;  ///< of the band; 0: no band
     std::uint64_t seed = 2014;
     std::shared_ptr<const QuickHybrid> similar;  ///< of a scene with a surface for a band
     std::vector<std::string> warnings;
@@ -132,10 +132,11 @@ struct Scene {
     std::vector<double> forces;  ///< that the points are the pressures of [N]; empty: contact.force is not there
     bool is_joint = false;       ///< a force or a washer is given: K [N/m] and the approach are asked for
     double seating = 1e3;        ///< the approach is 0 at this pressure [Pa]
-    std::string points_where;  ///< file, line and key for messages
+    std::string points_where;    ///< file, line and key for messages
     std::vector<const Law*> laws;
     bool best = false;  ///< no law is named: `laws` is the one of the answer
-    bool solves_map = true;  ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
+    bool solves_map =
+        true;  ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
     std::vector<Peaks> peaks;
     bool default_peaks = false;  ///< contact.peaks was not there, and those of the surface are not known
     InteractionReading reading = InteractionReading::none;
@@ -150,7 +151,7 @@ struct Scene {
     bool stiffness = false, separation = false, real_area = false, contacts = false, loading_stiffness = false;
     bool tangential_stiffness = false, reflection = false, shear_reflection = false;
     bool force = false, joint_stiffness = false, approach = false;  ///< force: where contact.force is there
-    bool loss_factor = false;  ///< where friction.amplitude is there
+    bool loss_factor = false;                                       ///< where friction.amplitude is there
     bool thermal_conductance = false, electrical_conductance = false;
     bool thermal_conductance_gap = false;  ///< where [gap] is there
 
@@ -161,7 +162,7 @@ struct Scene {
     }
 
     std::vector<std::string> files;  ///< that the scene names: surfaces and masks
-    std::vector<Input> inputs;  ///< every key that was written or filled in by a default
+    std::vector<Input> inputs;       ///< every key that was written or filled in by a default
 };
 
 struct NamedFace {

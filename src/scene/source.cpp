@@ -78,71 +78,41 @@ bool is_surface(std::string_view text) {
 
 std::string_view si_unit(Dimension dimension) {
     switch (dimension) {
-        case Dimension::length:
-            return "m";
-        case Dimension::area:
-            return "m^2";
-        case Dimension::inverse_area:
-            return "1/m^2";
-        case Dimension::pressure:
-            return "Pa";
-        case Dimension::angle:
-            return "rad";
-        case Dimension::frequency:
-            return "Hz";
-        case Dimension::velocity:
-            return "m/s";
-        case Dimension::density:
-            return "kg/m^3";
-        case Dimension::impedance:
-            return "kg/(m^2 s)";
-        case Dimension::force:
-            return "N";
-        case Dimension::thermal_conductivity:
-            return "W/(m K)";
-        case Dimension::electrical_conductivity:
-            return "S/m";
-        case Dimension::thermal_film:
-            return "m^2 K/W";
-        case Dimension::electrical_film:
-            return "ohm m^2";
-        case Dimension::temperature:
-            return "K";
-        default:
-            return "";
+        case Dimension::length: return "m";
+        case Dimension::area: return "m^2";
+        case Dimension::inverse_area: return "1/m^2";
+        case Dimension::pressure: return "Pa";
+        case Dimension::angle: return "rad";
+        case Dimension::frequency: return "Hz";
+        case Dimension::velocity: return "m/s";
+        case Dimension::density: return "kg/m^3";
+        case Dimension::impedance: return "kg/(m^2 s)";
+        case Dimension::force: return "N";
+        case Dimension::thermal_conductivity: return "W/(m K)";
+        case Dimension::electrical_conductivity: return "S/m";
+        case Dimension::thermal_film: return "m^2 K/W";
+        case Dimension::electrical_film: return "ohm m^2";
+        case Dimension::temperature: return "K";
+        default: return "";
     }
 }
 
 std::string_view example(Dimension dimension) {
     switch (dimension) {
-        case Dimension::area:
-            return "195 mm^2";
-        case Dimension::inverse_area:
-            return "500 /mm^2";
-        case Dimension::pressure:
-            return "10 MPa";
-        case Dimension::frequency:
-            return "7 MHz";
-        case Dimension::velocity:
-            return "5900 m/s";
-        case Dimension::density:
-            return "7850 kg/m^3";
-        case Dimension::impedance:
-            return "46 MRayl";
-        case Dimension::force:
-            return "20 kN";
-        case Dimension::thermal_conductivity:
-            return "40 W/(m K)";
-        case Dimension::electrical_conductivity:
-            return "7 MS/m";
-        case Dimension::thermal_film:
-            return "1 mm^2 K/W";
-        case Dimension::electrical_film:
-            return "1 ohm um^2";
-        case Dimension::temperature:
-            return "293 K";
-        default:
-            return "0.8 um";
+        case Dimension::area: return "195 mm^2";
+        case Dimension::inverse_area: return "500 /mm^2";
+        case Dimension::pressure: return "10 MPa";
+        case Dimension::frequency: return "7 MHz";
+        case Dimension::velocity: return "5900 m/s";
+        case Dimension::density: return "7850 kg/m^3";
+        case Dimension::impedance: return "46 MRayl";
+        case Dimension::force: return "20 kN";
+        case Dimension::thermal_conductivity: return "40 W/(m K)";
+        case Dimension::electrical_conductivity: return "7 MS/m";
+        case Dimension::thermal_film: return "1 mm^2 K/W";
+        case Dimension::electrical_film: return "1 ohm um^2";
+        case Dimension::temperature: return "293 K";
+        default: return "0.8 um";
     }
 }
 

@@ -8,8 +8,8 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/quantity.hpp>
 
-// toml++ 3.3 asserts, or assumes in an optimised build, what some malformed texts break. Its assertions are made to throw
-// in every build; no other file includes toml++.
+// toml++ 3.3 asserts, or assumes in an optimised build, what some malformed texts break. Its assertions are made to
+// throw in every build; no other file includes toml++.
 namespace fstiff::scene {
 struct BrokenToml {};
 constexpr void expect_toml(bool whole) {
@@ -49,10 +49,10 @@ inline std::string of_a_grid(const toml::node& node) {
 struct Source {
     std::string file;
     std::vector<Input> inputs;
-    bool builtin = false;  ///< the scene is the built-in one, whose laws nobody chose
-    bool has_band = true;  ///< asked for: a measured surface needs its neighbours
+    bool builtin = false;                 ///< the scene is the built-in one, whose laws nobody chose
+    bool has_band = true;                 ///< asked for: a measured surface needs its neighbours
     bool needs_dimension_of_maps = true;  ///< some law takes D of a map, or a band of its numbers, for which H is
-    std::vector<std::string> files{};  ///< that it names
+    std::vector<std::string> files{};     ///< that it names
 
     std::string at(const toml::node& node) const {
         const auto line = node.source().begin.line;

@@ -106,8 +106,9 @@ std::string outside_band(const Scene& scene, const Results& results) {
                 " (give contact.nominal_area)";
     for (const auto& [name, face] : rough_faces(scene))
         if (!face->measured && face->process == parts::Process::unknown && face->is_open(parts::Unknown::skewness))
-            return text + "; of a worn or honed face K may be several times higher (give process, or skewness and "
-                          "kurtosis).";
+            return text +
+                   "; of a worn or honed face K may be several times higher (give process, or skewness and "
+                   "kurtosis).";
     return text + ".";
 }
 
@@ -149,10 +150,10 @@ Verdict verdict(const Scene& scene, const Results& results) {
     Verdict all{nature(results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
     const std::optional<double>& hardness = answer.relative_hardness;
-    all.shorter = {answer.flows                           ? "The peaks flow: K is that of unloading."
-                   : !hardness                            ? "Taken as elastic: no hardness is given."
+    all.shorter = {answer.flows                          ? "The peaks flow: K is that of unloading."
+                   : !hardness                           ? "Taken as elastic: no hardness is given."
                    : *hardness < parts::flowing_hardness ? "The peaks flow, and K is that of an elastic contact."
-                                                          : "The contact is elastic."};
+                                                         : "The contact is elastic."};
     if (scene.has_lay) all.shorter = {"A profile across a lay does not tell K."};
     return all;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/surface_file.hpp"
 
-#include "io/npy.hpp"
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
+#include "io/npy.hpp"
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/measured/prepare.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/surface_file.hpp"
 
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
 
 namespace fstiff::scene {
 namespace {
@@ -10,12 +10,9 @@ namespace {
 /// Where the index of lambda_s comes from.
 std::string source_of_index(const parts::CutOffs<double>& cut_offs) {
     switch (cut_offs.index_source) {
-        case parts::IndexSource::tip:
-            return "of a tip of " + shown_length(cut_offs.tip_radius);
-        case parts::IndexSource::resolution:
-            return "of the resolution";
-        case parts::IndexSource::step:
-            break;
+        case parts::IndexSource::tip: return "of a tip of " + shown_length(cut_offs.tip_radius);
+        case parts::IndexSource::resolution: return "of the resolution";
+        case parts::IndexSource::step: break;
     }
     return "of five steps of " + shown_length(cut_offs.step);
 }
@@ -24,10 +21,8 @@ std::string source_of_index(const parts::CutOffs<double>& cut_offs) {
 std::string why_lambda_s(const parts::CutOffs<double>& cut_offs) {
     const std::string index = shown_length(cut_offs.index), why = source_of_index(cut_offs);
     switch (cut_offs.why_s) {
-        case parts::LambdaSReason::given:
-            break;
-        case parts::LambdaSReason::by_table:
-            return "by the table, the index " + why;
+        case parts::LambdaSReason::given: break;
+        case parts::LambdaSReason::by_table: return "by the table, the index " + why;
         case parts::LambdaSReason::too_short:
             return "as measured; " + std::to_string(parts::lambda_s_of_length) + " of " + index + ", the index " + why +
                    ", do not fit the length of " + shown_length(cut_offs.length);
@@ -42,10 +37,8 @@ std::string why_lambda_c(const parts::CutOffs<double>& cut_offs) {
     const std::string of_ra = "by the table, of Ra " + shown_length(cut_offs.mean_deviation, 3);
     const std::string length = shown_length(cut_offs.length);
     switch (cut_offs.why_c) {
-        case parts::CutOffReason::given:
-            break;
-        case parts::CutOffReason::roughness:
-            return of_ra;
+        case parts::CutOffReason::given: break;
+        case parts::CutOffReason::roughness: return of_ra;
         case parts::CutOffReason::length:
             return of_ra + ", whose row is longer: the longest of which the length of " + length + " holds five";
         case parts::CutOffReason::step:
@@ -55,8 +48,7 @@ std::string why_lambda_c(const parts::CutOffs<double>& cut_offs) {
                    shown_length(parts::cut_off_table.front().lambda_c) + ", the shortest of the table";
         case parts::CutOffReason::too_coarse:
             return "those of the table that the length of " + length + " holds are too short for the step";
-        case parts::CutOffReason::form_alone:
-            return "the form alone bounds the long waves";
+        case parts::CutOffReason::form_alone: return "the form alone bounds the long waves";
     }
     return "";
 }
@@ -94,7 +86,8 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
     if (!refused) return;
     const std::string short_name = options.name("lambda_s"), long_name = options.name("lambda_c");
     const std::string& name = refused->long_waves ? long_name : short_name;
-    const std::string quoted = name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s).text() + "\"";
+    const std::string quoted =
+        name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s).text() + "\"";
     const int steps = refused->long_waves ? parts::min_steps_of_lambda_c : parts::min_steps_of_lambda_s;
     switch (refused->why) {
         case parts::CutOffRefusal::below_steps:

@@ -105,12 +105,8 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
     if (found.fractal_dimension) document["fractal_dimension_window_error"] = found.dimension_window_error;
     if (std::isfinite(found.widest_band)) document["widest_band"] = found.widest_band;
     if (const auto& end = found.long_end; end.side > 0)
-        document["long_end"] = {{"side_m", end.side},
-                                {"hurst", end.hurst},
-                                {"open", end.open},
-                                {"log_error", end.error},
-                                {"law", end.law},
-                                {"form_share", end.form_share}};
+        document["long_end"] = {{"side_m", end.side},     {"hurst", end.hurst}, {"open", end.open},
+                                {"log_error", end.error}, {"law", end.law},     {"form_share", end.form_share}};
     if (!found.heights) return;
     const SpectralMoments<double>& moments = found.heights->moments;
     document["moments"] = {
@@ -123,9 +119,11 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
 Json measured_document(const MeasuredSurface& surface) {
     const Surface<double>& found = surface.found;
     Json document = json_document("measure");
-    document["source"] = {
-        {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions},
-        {"warnings", surface.of_file}};
+    document["source"] = {{"file", surface.file},
+                          {"sha256", surface.sha256},
+                          {"kind", surface.kind},
+                          {"decisions", surface.decisions},
+                          {"warnings", surface.of_file}};
     put_found(document, surface, found);
     for (const Surface<double>& neighbour : found.neighbours) {
         Json of;

@@ -3,9 +3,9 @@
 // What is known of a measured surface as JSON: what the command prints, and what a scene reads back.
 
 #include "document/json.hpp"
+#include "document/rows.hpp"
 #include "surface/measured_surface.hpp"
 #include "surface/roughness.hpp"
-#include "document/rows.hpp"
 
 #include <cstddef>
 #include <string>

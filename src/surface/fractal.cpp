@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/fractal.hpp"
 
-#include "surface/documents.hpp"
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
+#include "surface/documents.hpp"
 
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/profile/all_lags.hpp>
@@ -39,8 +39,7 @@ std::string curved_sentence(const FractalFit<double>& fit) {
 
 std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit, std::string_view prefix) {
     switch (concern) {
-        case MeasuredConcern::curved:
-            return curved_sentence(fit);
+        case MeasuredConcern::curved: return curved_sentence(fit);
         case MeasuredConcern::saturated:
             return "the structure function is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
                    shown_length(fit.flattest_lag, 3) +
@@ -155,8 +154,7 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
 
 MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input) {
     if (options.all_lags)
-        throw option_error(options.surface.name("all_lags") +
-                           " is for profiles; must not be given for a map");
+        throw option_error(options.surface.name("all_lags") + " is for profiles; must not be given for a map");
     parts::FractalFitOptions<double> how = fit_options(options);
     how.progress = options.progress;
     MapFractal result;

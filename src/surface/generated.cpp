@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/generated.hpp"
 
-#include "document/file.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/file.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/write.hpp>
@@ -106,7 +106,7 @@ Generated generate(const GenerateRequest& given) {
     const double spacing = length(request.spacing, "spacing", 0);
     const double side = static_cast<double>(std::max(request.points, request.rows)) * spacing;
     const WaveRange waves{spacing, length(request.longest, "longest", side),
-                      length(request.shortest, "shortest", 2 * spacing)};
+                          length(request.shortest, "shortest", 2 * spacing)};
     Generated made =
         request.kind == GeneratedKind::wm ? weierstrass_mandelbrot(request, waves) : self_affine(request, waves);
     made.parameters.insert(made.parameters.begin(), {"kind", std::string(name_of(request.kind))});

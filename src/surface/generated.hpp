@@ -27,15 +27,13 @@ enum class GeneratedForm { csv, sdf, sdf_text };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::GeneratedKind> =
-    name_list<scene::GeneratedKind>({{scene::GeneratedKind::wm, "wm"},
-                                     {scene::GeneratedKind::profile, "profile"},
-                                     {scene::GeneratedKind::map, "map"}});
+inline constexpr auto names<scene::GeneratedKind> = name_list<scene::GeneratedKind>(
+    {{scene::GeneratedKind::wm, "wm"}, {scene::GeneratedKind::profile, "profile"}, {scene::GeneratedKind::map, "map"}});
 template <>
-inline constexpr auto names<scene::GeneratedForm> =
-    name_list<scene::GeneratedForm>({{scene::GeneratedForm::csv, "csv"},
-                                     {scene::GeneratedForm::sdf, "sdf"},
-                                     {scene::GeneratedForm::sdf_text, "sdf-text"}});
+inline constexpr auto names<scene::GeneratedForm> = name_list<scene::GeneratedForm>({{scene::GeneratedForm::csv, "csv"},
+                                                                                     {scene::GeneratedForm::sdf, "sdf"},
+                                                                                     {scene::GeneratedForm::sdf_text,
+                                                                                      "sdf-text"}});
 
 }  // namespace fstiff
 
@@ -47,13 +45,14 @@ struct GenerateRequest {
     static constexpr int min_side = 16, max_points = 1 << 22;
 
     GeneratedKind kind = GeneratedKind::profile;
-    std::size_t points = 0, rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
+    std::size_t points = 0,
+                rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
     Lengths spacing{};
-    std::optional<double> dimension{};  ///< D
-    Lengths roughness{};                ///< G
-    double gamma = 1.5;               ///< ratio of neighbouring wavelengths
-    std::optional<double> hurst{};      ///< H
-    Lengths rms{}, longest{}, shortest{};   ///< wavelengths: the longest side and two spacings by default
+    std::optional<double> dimension{};     ///< D
+    Lengths roughness{};                   ///< G
+    double gamma = 1.5;                    ///< ratio of neighbouring wavelengths
+    std::optional<double> hurst{};         ///< H
+    Lengths rms{}, longest{}, shortest{};  ///< wavelengths: the longest side and two spacings by default
     parts::LongWaves long_waves = parts::LongWaves::plateau;
     std::uint64_t seed = 1;
     GeneratedForm format = GeneratedForm::csv;
@@ -64,8 +63,8 @@ struct GenerateRequest {
         const OptionTraits side{.low = min_side, .high = max_points};
         take("kind", kind, "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic",
              {.required = true, .positional = true});
-        take("points", points,
-             "number of points of the profile (default 4096) or of a row of the map (default 256)", side);
+        take("points", points, "number of points of the profile (default 4096) or of a row of the map (default 256)",
+             side);
         take("rows", rows, "number of rows of the map; the default is the number of points", side);
         take("spacing", spacing, "distance of neighbouring points, such as \"0.5 um\"");
         take("dimension", dimension, "fractal dimension D of a wm profile, between 1 and 2");
@@ -86,11 +85,13 @@ struct Generated {
     io::ProfileOrMap surface;
     std::vector<std::pair<std::string, std::string>> parameters;  ///< all of them, as they were used
 
-    /// "made by fstiff 0.1.0 generate (kind profile, H 0.5, ...)", worded so that no reader takes it for a size or a unit.
+    /// "made by fstiff 0.1.0 generate (kind profile, H 0.5, ...)", worded so that no reader takes it for a size or a
+    /// unit.
     [[nodiscard]] std::string origin() const;
 };
 
-/// \throws option_error for an option that the kind has no use for, or that it misses; domain_error for values out of range.
+/// \throws option_error for an option that the kind has no use for, or that it misses; domain_error for values out of
+/// range.
 [[nodiscard]] Generated generate(const GenerateRequest& request);
 /// The file, which fstiff reads back; the CSV has the origin in its first line.
 [[nodiscard]] std::string file_of(const Generated& generated, GeneratedForm form);

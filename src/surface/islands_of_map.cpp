@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/islands_of_map.hpp"
 
-#include "surface/documents.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "surface/documents.hpp"
 
 #include <fstiff/measured/measured_concerns.hpp>
 

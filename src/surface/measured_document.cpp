@@ -151,8 +151,7 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     if (const auto neighbours = document.find("neighbours"); neighbours != document.end() && neighbours->is_array())
         for (std::size_t k = 0; k < neighbours->size(); ++k)
             found.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
-    about_file(name,
-               [&] { parts::SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
+    about_file(name, [&] { parts::SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
     return surface;
 }
 

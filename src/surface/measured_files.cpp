@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several files of one surface as one.
-#include "surface/measured_surface.hpp"
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
+#include "surface/measured_surface.hpp"
 
 #include <fstiff/measured/pooled_surface.hpp>
 
@@ -42,8 +42,7 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
     };
     const parts::CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
     switch (parts::unlikeness(first.found, one.found)) {
-        case parts::Unlikeness::none:
-            return;
+        case parts::Unlikeness::none: return;
         case parts::Unlikeness::kind:
             throw unlike("is a " + one.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
         case parts::Unlikeness::lambda_s:

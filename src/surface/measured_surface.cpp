@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/measured_surface.hpp"
 
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
 
 #include <fstiff/measured/band_parts.hpp>
 
@@ -57,7 +57,8 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     if (lay)
         warned.push_back(
             profile ? "the profile repeats itself every " + shown_length(found.repetition.period) +
-                          " (autocorrelation " + rounded(found.repetition.correlation, 2) + "): the face has a lay, and a profile cannot show how far its ridges reach; K may be up to " +
+                          " (autocorrelation " + rounded(found.repetition.correlation, 2) +
+                          "): the face has a lay, and a profile cannot show how far its ridges reach; K may be up to " +
                           rounded(parts::lay_factor) + " times higher; measure a map"
                     : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
                           "): laws over a distribution of peaks take it for isotropic; hybrid and boundary_elements "
@@ -184,19 +185,20 @@ MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes
     if (input.surface.is_profile()) return measure_surface(options, input, progress);
     const auto how = library_options(options, input, progress);
     const MeasuredSurface read = surface_as_read(options, input);
-    return with_sentences(
-        read, about_file(options.input.file, [&] { return measure(input.take_map(), how); }), options);
+    return with_sentences(read, about_file(options.input.file, [&] { return measure(input.take_map(), how); }),
+                          options);
 }
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                 const ProgressHook& progress) {
     const auto how = library_options(options, input, progress);
     const MeasuredSurface read = surface_as_read(options, input);
-    return with_sentences(read, about_file(options.input.file, [&] {
-                              return std::visit([&](const auto& heights) { return measure(heights, how); },
-                                                input.surface.data);
-                          }),
-                          options);
+    return with_sentences(
+        read,
+        about_file(
+            options.input.file,
+            [&] { return std::visit([&](const auto& heights) { return measure(heights, how); }, input.surface.data); }),
+        options);
 }
 
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {

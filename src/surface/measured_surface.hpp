@@ -19,9 +19,9 @@ struct MeasureOptions {
     SurfaceOptions input;
     int resamples = 400;
     std::uint64_t seed = 2014;
-    bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too
+    bool neighbours = true;            ///< measures behind a smaller and a greater lambda_s too
     bool neighbour_dimensions = true;  ///< finds D of these, of maps
-    bool keep_maps = true;   ///< of the neighbours, with what a face takes of them
+    bool keep_maps = true;             ///< of the neighbours, with what a face takes of them
 };
 
 /// A surface of a file: what it came from, what was found, and the sentences on both.
@@ -45,10 +45,11 @@ struct MeasuredSurface {
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                               const ProgressHook& progress = {});
 
-/// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder stands for its files in the order of
-/// their names, without those that begin with a dot. One file is measure_surface(). A file that is there twice, by its SHA-256,
-/// counts once, with a warning.
-/// \throws domain_error for a folder without files, files of unlike kinds, or files whose steps differ without one lambda_s.
+/// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder stands for its files in the
+/// order of their names, without those that begin with a dot. One file is measure_surface(). A file that is there
+/// twice, by its SHA-256, counts once, with a warning.
+/// \throws domain_error for a folder without files, files of unlike kinds, or files whose steps differ without one
+/// lambda_s.
 [[nodiscard]] MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& names,
                                             const ProgressHook& progress = {});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/peak_density.hpp"
 
-#include "surface/documents.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "surface/documents.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -59,11 +59,9 @@ PeakDensity of_numbers(const PeakDensityRequest& request) {
         return {PeakDistribution<double>::from_autocorrelation(*request.rho1, *request.rho2), "rho1, rho2", {}};
     }
     if (request.theta.empty() || request.exponential == request.r.has_value())
-        throw option_error(name("theta") + " needs one of " + name("r") + " and " + name("exponential") +
-                           " beside it");
+        throw option_error(name("theta") + " needs one of " + name("r") + " and " + name("exponential") + " beside it");
     const double theta = request.theta.value(io::Dimension::angle, name("theta"));
-    if (request.exponential)
-        return {PeakDistribution<double>::exponential(theta), "exponential autocorrelation", {}};
+    if (request.exponential) return {PeakDistribution<double>::exponential(theta), "exponential autocorrelation", {}};
     return {PeakDistribution<double>(*request.r, theta), "r, theta", {}};
 }
 

@@ -16,22 +16,22 @@
 
 namespace fstiff::scene {
 
-/// One of: r and theta, theta and exponential, rho1 and rho2, a profile. And where the density of the height alone is wanted.
+/// One of: r and theta, theta and exponential, rho1 and rho2, a profile. And where the density of the height alone is
+/// wanted.
 struct PeakDensityRequest {
-    SurfaceOptions surface{};            ///< of a profile, or without a file; its prefix is that of all options
+    SurfaceOptions surface{};              ///< of a profile, or without a file; its prefix is that of all options
     std::string_view profile = "profile";  ///< how messages call its file
-    std::optional<double> r{};           ///< correlation of heights and curvatures, 0 <= r < 1
-    Amount theta{};                      ///< angle of the sampling
-    bool exponential = false;          ///< r is that of an exponential autocorrelation
+    std::optional<double> r{};             ///< correlation of heights and curvatures, 0 <= r < 1
+    Amount theta{};                        ///< angle of the sampling
+    bool exponential = false;              ///< r is that of an exponential autocorrelation
     std::optional<double> rho1{}, rho2{};  ///< autocorrelation at one sampling step, and at two
-    std::string heights{};               ///< "FROM,TO,COUNT" in rms heights, -30 to 30; empty: none
+    std::string heights{};                 ///< "FROM,TO,COUNT" in rms heights, -30 to 30; empty: none
 
     template <class Take>
     void each_option(Take take) {
         take("r", r, "correlation r of heights and curvatures, at least 0 and less than 1; needs --theta");
         take("theta", theta, "angle theta of the sampling: a number of radians, \"pi/4\" or \"45 deg\"");
-        take("exponential", exponential,
-             "take the r that belongs to --theta for an exponential autocorrelation");
+        take("exponential", exponential, "take the r that belongs to --theta for an exponential autocorrelation");
         take("rho1", rho1, "autocorrelation at one sampling step, with --rho2");
         take("rho2", rho2, "autocorrelation at two sampling steps");
         take("heights", heights,
@@ -48,8 +48,8 @@ struct PeakDensity {
     std::optional<PeakStatistics<double>> statistics{};
 };
 
-/// Of \p input, or of what \p request names, which is read. \throws option_error where it names none or two, and for heights that
-/// are no range; domain_error as PeakDistribution and level_profile().
+/// Of \p input, or of what \p request names, which is read. \throws option_error where it names none or two, and for
+/// heights that are no range; domain_error as PeakDistribution and level_profile().
 [[nodiscard]] PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input = {});
 /// r, theta, the moments, and what was counted.
 [[nodiscard]] NamedNumbers moments_of(const PeakDensity& found);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the requests of commands share: quantities as people or programs give them, and one list of options each. A request
-// hands its options, by key and with the help of the command line, to whatever reads them (the command line, Python, C):
+// What the requests of commands share: quantities as people or programs give them, and one list of options each. A
+// request hands its options, by key and with the help of the command line, to whatever reads them (the command line,
+// Python, C):
 //
 //     template <class Take>
-//     void each_option(Take take) { take("points", points, "points of a row; the default is 256", {.low = 16, .high = 4096}); }
+//     void each_option(Take take) { take("points", points, "points of a row; the default is 256", {.low = 16, .high =
+//     4096}); }
 
 #include "document/json.hpp"
 
@@ -21,8 +23,8 @@
 
 namespace fstiff::scene {
 
-/// A quantity of an option: a text with its unit, such as "7 MHz", or a number in SI. It is read where it is needed, so that a
-/// refusal quotes it.
+/// A quantity of an option: a text with its unit, such as "7 MHz", or a number in SI. It is read where it is needed, so
+/// that a refusal quotes it.
 class Amount {
 public:
     Amount() = default;  ///< none
@@ -47,7 +49,7 @@ private:
 
 /// What else is said of one option.
 struct OptionTraits {
-    double low = 0, high = 0;  ///< of a number, both allowed; equal: any
+    double low = 0, high = 0;                                          ///< of a number, both allowed; equal: any
     bool required = false, positional = false, shows_default = false;  ///< on the command line
     std::string_view type{};                                           ///< there: how its help calls the value
     std::vector<std::string_view> words{};                             ///< of a text: those that are allowed
@@ -63,7 +65,8 @@ struct OptionTraits {
     }
 };
 
-/// How messages call the option of \p key: "reflection_error", or behind the prefix of a command line "--reflection-error".
+/// How messages call the option of \p key: "reflection_error", or behind the prefix of a command line
+/// "--reflection-error".
 [[nodiscard]] std::string option_name(std::string_view prefix, std::string_view key);
 
 /// Named numbers: a line of CSV under a header, keys of a JSON document.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/roughness.hpp"
 
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
 
 #include <cmath>
 #include <span>
@@ -39,9 +39,11 @@ RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled, c
     const Profile<double>& profile = filtered.profile;
     const auto found = roughness_parameters(profile, filtered.cut_offs.lambda_c);
     const auto length = parts::autocorrelation_length(autocorrelation(profile));
-    RoughnessTable table{
-        .standard = "ISO 21920-2:2021", .lines = {}, .sections = {}, .section_length = found.section_length,
-        .cut_offs = filtered.cut_offs};
+    RoughnessTable table{.standard = "ISO 21920-2:2021",
+                         .lines = {},
+                         .sections = {},
+                         .section_length = found.section_length,
+                         .cut_offs = filtered.cut_offs};
     table.sections =
         found.by_cutoff ? "five of lambda_c, in the middle of the profile" : "five of a fifth of the profile each";
     if (found.sections < 5) table.sections += ", " + std::to_string(found.sections) + " of which have a point";
@@ -66,8 +68,7 @@ RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled, c
 RoughnessTable roughness_table(const parts::PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
     const auto found = areal_parameters(map, levelled.areal);
-    RoughnessTable table{
-        .standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
+    RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
     table.lines = {{"Sa", "m", found.mean_deviation, "mean of the distances from the mean height"},
                    {"Sq", "m", found.rms_height, "root of their mean square"},
                    {"Sp", "m", found.max_peak_height, "highest peak"},

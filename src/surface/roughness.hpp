@@ -20,10 +20,10 @@ struct RoughnessLine {
 struct RoughnessTable {
     std::string standard;  ///< "ISO 21920-2:2021"
     std::vector<RoughnessLine> lines;
-    std::string sections;     ///< how the sections of a profile were chosen; empty of a map
-    double section_length{};  ///< [m]; 0 of a map
+    std::string sections;             ///< how the sections of a profile were chosen; empty of a map
+    double section_length{};          ///< [m]; 0 of a map
     parts::CutOffs<double> cut_offs;  ///< that these parameters have: lambda_c of a profile is that of the standard
-    std::size_t files = 1;    ///< whose means these are
+    std::size_t files = 1;            ///< whose means these are
 };
 
 /// Of the heights that are there, about their mean. \throws domain_error for a surface out of range.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/spectrum.hpp"
 
-#include "surface/documents.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "surface/documents.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,13 +121,13 @@ std::string window_of(const SpectrumRequest& request) {
 Spectrum spectrum_of(const SpectrumRequest& request, const SurfaceInput& input) {
     const auto result_of = [&](const auto& levelled, const auto& heights, bool profile, double gradient) {
         return Spectrum{.curves = about_file(request.surface.file, [&] { return curves_of(request, heights); }),
-                      .form = form_name(levelled),
-                      .convention = convention_of(request, profile),
-                      .source = source_of(request, profile),
-                      .rms_as_read = levelled.rms_as_read,
-                      .rms = levelled.rms,
-                      .rms_gradient = gradient,
-                      .cut_offs = levelled.cut_offs};
+                        .form = form_name(levelled),
+                        .convention = convention_of(request, profile),
+                        .source = source_of(request, profile),
+                        .rms_as_read = levelled.rms_as_read,
+                        .rms = levelled.rms,
+                        .rms_gradient = gradient,
+                        .cut_offs = levelled.cut_offs};
     };
     if (input.surface.is_profile()) {
         const parts::PreparedProfile<double> levelled = level_profile(request.surface, input);

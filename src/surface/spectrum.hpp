@@ -22,8 +22,8 @@ enum class SpectrumKind { psd, acf };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::SpectrumKind> =
-    name_list<scene::SpectrumKind>({{scene::SpectrumKind::psd, "psd"}, {scene::SpectrumKind::acf, "acf"}});
+inline constexpr auto names<scene::SpectrumKind> = name_list<scene::SpectrumKind>({{scene::SpectrumKind::psd, "psd"},
+                                                                                   {scene::SpectrumKind::acf, "acf"}});
 
 }  // namespace fstiff
 
@@ -48,14 +48,14 @@ struct SpectrumRequest {
 struct SpectrumCurve {
     std::string label, x_key, x_shown, key, shown;  ///< shown: as people read it
     double x_factor = 1, factor = 1;                ///< from SI to what they read
-    std::vector<double> x, y;                       ///< [rad/m] and [m^3] or [m^4]; [m] and dimensionless, NaN without a pair
-    std::string count_key = {};                     ///< of what a value is the mean of, where that is counted
+    std::vector<double> x, y;    ///< [rad/m] and [m^3] or [m^4]; [m] and dimensionless, NaN without a pair
+    std::string count_key = {};  ///< of what a value is the mean of, where that is counted
     std::vector<std::size_t> counts = {};
 };
 
 struct Spectrum {
-    std::vector<SpectrumCurve> curves;  ///< of a map: all directions, along x, along y
-    std::string form, convention, source;  ///< how the numbers are normalised, and by whom
+    std::vector<SpectrumCurve> curves;            ///< of a map: all directions, along x, along y
+    std::string form, convention, source;         ///< how the numbers are normalised, and by whom
     double rms_as_read{}, rms{}, rms_gradient{};  ///< heights [m]
     parts::CutOffs<double> cut_offs;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/surface_file.hpp"
 
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
 
 #include <fstiff/surface/moments.hpp>
 
@@ -20,8 +20,8 @@ template <parts::NamedEnum FormOf>
 FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
                const std::string& more = "") {
     if (const auto form = parts::find_named<FormOf>(name)) return *form;
-    throw option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " +
-                       std::string(what) + " must be one of " + parts::choices_text<FormOf>() + more);
+    throw option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " + std::string(what) +
+                       " must be one of " + parts::choices_text<FormOf>() + more);
 }
 
 void refuse_cutoff(const SurfaceOptions& options) {
@@ -120,9 +120,9 @@ namespace {
 /// The form of a profile that \p options name; the line before the Gaussian filter.
 Form form_of_profile(const SurfaceOptions& options) {
     if (options.detrend != gaussian_form) {
-        const Form form = options.detrend.empty() ? Form::line
-                                                  : form_of<Form>(options, options.detrend, "profile",
-                                                                  ", " + std::string(gaussian_form));
+        const Form form = options.detrend.empty()
+                              ? Form::line
+                              : form_of<Form>(options, options.detrend, "profile", ", " + std::string(gaussian_form));
         refuse_cutoff(options);
         return form;
     }
@@ -146,8 +146,7 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
     return about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
         how.form = form;
-        if (options.detrend == gaussian_form)
-            how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
+        if (options.detrend == gaussian_form) how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
         how.height_step = input.surface.record.resolution;
         require_cut_offs(options, how, read.spacing, read.length());
         return how;
@@ -158,8 +157,7 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     if (input.surface.is_profile())
         throw domain_error(display_name(options.file) + ": holds a profile (" +
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
-    const MapForm form =
-        options.detrend.empty() ? MapForm::plane : form_of<MapForm>(options, options.detrend, "map");
+    const MapForm form = options.detrend.empty() ? MapForm::plane : form_of<MapForm>(options, options.detrend, "map");
     refuse_cutoff(options);
     const HeightMap<double>& map = input.surface.map();
     return about_file(options.file, [&] {

@@ -20,24 +20,23 @@ enum class SurfaceKind { profile, map, any };
 
 /// What an option is for; the command line lists them in this order.
 enum class OptionGroup {
-    file,              ///< any file
-    step_of_profile,   ///< of a file or of an array
+    file,             ///< any file
+    step_of_profile,  ///< of a file or of an array
     file_of_profile,
     form_of_profile,
-    step_of_map,       ///< of a file or of an array
+    step_of_map,  ///< of a file or of an array
     file_of_map,
     cleaning,
     form,
     filter,
-    estimate,          ///< of the parameters: of the commands that estimate them
+    estimate,  ///< of the parameters: of the commands that estimate them
 };
 
 /// The field of an option, whose type is the kind of its value.
-using SurfaceField =
-    std::variant<std::string SurfaceOptions::*, Lengths SurfaceOptions::*, int SurfaceOptions::*,
-                 double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
-                 std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
-                 parts::PeakSource SurfaceOptions::*>;
+using SurfaceField = std::variant<std::string SurfaceOptions::*, Lengths SurfaceOptions::*, int SurfaceOptions::*,
+                                  double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
+                                  std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
+                                  parts::PeakSource SurfaceOptions::*>;
 
 /// What a text may be written as in a scene, where it is no plain text.
 enum class TextForm { plain, or_number, file };

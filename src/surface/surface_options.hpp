@@ -56,8 +56,8 @@ struct SurfaceOptions {
     std::string detrend;                            ///< empty: "line" of a profile, "plane" of a map
     Lengths cutoff;                                 ///< of detrend = "gaussian"
     Lengths lambda_s, lambda_c;  ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
-    CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
-    parts::PeakSource peaks = parts::PeakSource::islands;        ///< of a map
+    CutOffFilter filter = CutOffFilter::gaussian;          ///< of lambda_c
+    parts::PeakSource peaks = parts::PeakSource::islands;  ///< of a map
     Lengths tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
     Lengths window;                  ///< of the lags that give D: the shortest and the longest
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/truth_of_map.hpp"
 
+#include <fstiff/double/surfaces.hpp>
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include <fstiff/double/surfaces.hpp>
 
 #include <fstiff/validity/checks.hpp>
 
@@ -26,8 +26,8 @@ bool TruthOfMap::doubtful() const {
     return unresolved() + failed() + closed() > 0 || !parts::is_plausible_gradient(rms_gradient);
 }
 std::size_t TruthOfMap::closed() const {
-    return static_cast<std::size_t>(std::count_if(
-        at.begin(), at.end(), [](const auto& point) { return std::isinf(point.state.stiffness); }));
+    return static_cast<std::size_t>(
+        std::count_if(at.begin(), at.end(), [](const auto& point) { return std::isinf(point.state.stiffness); }));
 }
 
 TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) {
@@ -90,9 +90,9 @@ std::vector<std::string> warnings_of(const TruthOfMap& solved) {
     if (const std::size_t failed = solved.failed())
         warnings.push_back(std::to_string(failed) + " solutions did not converge");
     if (const TruthPoint<double>* most = first_flowing(solved))
-        warnings.push_back("elastic pressures of up to " + shown_pressure(most->state.max_pressure) + " at p = " +
-                           shown_pressure(most->state.pressure) + " exceed the hardness of the softer body, " +
-                           shown_pressure(solved.flows_above) +
+        warnings.push_back("elastic pressures of up to " + shown_pressure(most->state.max_pressure) +
+                           " at p = " + shown_pressure(most->state.pressure) +
+                           " exceed the hardness of the softer body, " + shown_pressure(solved.flows_above) +
                            ": the contacts flow, and K is not theirs (--hardness cuts the pressures)");
     return warnings;
 }

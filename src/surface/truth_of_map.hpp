@@ -35,8 +35,8 @@ struct TruthOfMap {
     std::vector<TruthPoint<double>> at;
     std::vector<std::string> reading;  ///< warnings of the reader
 
-    /// Points that the grid does not resolve (K changes by more than a fifth from the grid half as fine), or that did not
-    /// converge.
+    /// Points that the grid does not resolve (K changes by more than a fifth from the grid half as fine), or that did
+    /// not converge.
     [[nodiscard]] std::size_t unresolved() const;
     [[nodiscard]] std::size_t failed() const;
     /// Points where all of the map is in contact, so that there is no K.

@@ -22,7 +22,8 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 constexpr double block_seconds = 0.05, sync_seconds = 1;
 constexpr std::uint64_t most_in_block = 4096;
 constexpr std::size_t sync_bytes = std::size_t(1) << 20;
-constexpr std::size_t bytes_kept_free = std::size_t(1) << 26;  // while threads are started; of address space, not of memory
+constexpr std::size_t bytes_kept_free = std::size_t(1)
+                                        << 26;  // while threads are started; of address space, not of memory
 
 /// Blocks of scenes between the threads that compute them and the one that hands them over.
 class Queue {
@@ -179,7 +180,7 @@ unsigned go_on(Course& course, unsigned wanted) {
         synced = Clock::now();
         if (course.options.progress && at < course.end)
             course.options.progress("scenes", static_cast<std::size_t>(at - course.first),
-                                   static_cast<std::size_t>(course.end - course.first));
+                                    static_cast<std::size_t>(course.end - course.first));
     }
     return threads.count();
 }

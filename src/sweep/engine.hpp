@@ -18,7 +18,7 @@ namespace fstiff::sweep {
 using ThreadStart = std::function<std::thread(const std::function<void()>&)>;
 
 struct EngineOptions {
-    unsigned threads = 1;  ///< that are asked for
+    unsigned threads = 1;     ///< that are asked for
     ProgressHook progress{};  ///< "scenes", of the shard; from the thread that calls run()
     ThreadStart start{};      ///< empty: std::thread
 };
@@ -26,10 +26,10 @@ struct EngineOptions {
 /// Takes the lines of whole scenes, the scene behind them, and how many of them have no result.
 using Sink = std::function<void(std::string_view lines, std::uint64_t next, std::uint64_t failed)>;
 
-/// The scenes from \p first up to \p end, in their order, a mebibyte or a second of work at a time. What \p sink throws, or
-/// a scene throws that is no domain_error or file_error, ends it.
-/// \returns how many threads computed the last of them. Where the system starts fewer than asked for, or has not the memory
-/// for so many, fewer compute everything, and of none the thread that calls does.
+/// The scenes from \p first up to \p end, in their order, a mebibyte or a second of work at a time. What \p sink
+/// throws, or a scene throws that is no domain_error or file_error, ends it.
+/// \returns how many threads computed the last of them. Where the system starts fewer than asked for, or has not the
+/// memory for so many, fewer compute everything, and of none the thread that calls does.
 unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,
              const Sink& sink);
 

@@ -66,8 +66,9 @@ std::optional<NumberWithUnit> quantity_of(const toml::node& node) {
 }
 
 /// Two quantities of one kind, such as the ends of a range.
-std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const toml::node& first, const toml::node& second,
-                                             const std::string& first_key, const std::string& second_key) {
+std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const toml::node& first,
+                                                         const toml::node& second, const std::string& first_key,
+                                                         const std::string& second_key) {
     const auto one = [&](const toml::node& node, const std::string& key) {
         const auto found = quantity_of(node);
         if (!found || !std::isfinite(found->value))
@@ -189,8 +190,7 @@ public:
 
     void walk(const toml::node& node, const std::string& key) {
         if (const auto* list = node.as_array()) {
-            if (!takes_list(key))
-                return found(node, key, [&](Found& one) { read_list(source_, node, key, one); });
+            if (!takes_list(key)) return found(node, key, [&](Found& one) { read_list(source_, node, key, one); });
             for (std::size_t i = 0; i < list->size(); ++i) walk((*list)[i], key + "[" + std::to_string(i) + "]");
             return;
         }
@@ -302,8 +302,7 @@ void add_hash(std::string& text, const std::filesystem::path& file) {
     std::set<std::filesystem::path> inside;
     for (const auto& entry : std::filesystem::directory_iterator(file))
         if (entry.is_regular_file()) inside.insert(entry.path());
-    for (const auto& one : inside)
-        text += scene::name_of_path(one.filename()) + " " + hash(one);
+    for (const auto& one : inside) text += scene::name_of_path(one.filename()) + " " + hash(one);
 }
 
 /// Appends the files that \p node names at the keys from and mask to \p files.

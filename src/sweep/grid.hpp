@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A grid of scenes: a scene in which some quantities are ranges, lists or distributions. It is never expanded: the values
-// of a scene follow from its index. The form of the file is in docs/sweep.md.
+// A grid of scenes: a scene in which some quantities are ranges, lists or distributions. It is never expanded: the
+// values of a scene follow from its index. The form of the file is in docs/sweep.md.
 //
 //     const Grid grid = read_grid(text, "grid.toml");
 //     std::vector<Value> values;
@@ -54,9 +54,9 @@ struct Value {
 struct Template;  // the TOML of the scene
 
 struct Grid {
-    std::string file;  ///< as messages call it
+    std::string file;                ///< as messages call it
     std::vector<std::string> files;  ///< that it names
-    std::string hash;  ///< of the text, of the files it names, and of the version of fstiff
+    std::string hash;                ///< of the text, of the files it names, and of the version of fstiff
     Mode mode = Mode::product;
     std::uint64_t samples = 1;  ///< draws at each point of the grid
     std::uint64_t seed = 2014;
@@ -69,8 +69,8 @@ struct Grid {
     void values(std::uint64_t index, std::vector<Value>& values) const;
 };
 
-/// \throws domain_error "<file>:<line>: <key> = <value>: must be ...", file_error for a file that the scene names and that
-/// cannot be read.
+/// \throws domain_error "<file>:<line>: <key> = <value>: must be ...", file_error for a file that the scene names and
+/// that cannot be read.
 [[nodiscard]] Grid read_grid(const std::string& text, const std::string& file);
 
 }  // namespace fstiff::sweep

@@ -107,7 +107,8 @@ void replace_file(const std::string& target, const std::function<bool(const Open
 void require_lines(const std::string& results) {
     for (const char* other : {".parquet", ".h5", ".hdf5", ".csv", ".tsv", ".txt", ".nc", ".npy", ".xlsx"})
         if (results.ends_with(other))
-            throw scene::option_error(results + ": results are lines of JSON, file.jsonl; pandas and pyarrow read them");
+            throw scene::option_error(results +
+                                      ": results are lines of JSON, file.jsonl; pandas and pyarrow read them");
 }
 
 std::string description_file(const std::string& results) { return results + ".sweep"; }
@@ -217,16 +218,16 @@ void ResultsFile::take_up() {
     const Description there = read_description(name);
     if (there.hash != description_.hash)
         throw file_error(name, "holds results of another grid (" + there.grid +
-                                    "), or of this one before it, a file it names or fstiff was changed; move it and " +
-                                    description_file(name) + " away, or give another -o");
+                                   "), or of this one before it, a file it names or fstiff was changed; move it and " +
+                                   description_file(name) + " away, or give another -o");
     if (there.shard.number != description_.shard.number || there.shard.of != description_.shard.of)
         throw file_error(name, "holds the results of shard " + there.shard.text() + ", not " +
-                                    description_.shard.text() + "; give every shard a file of its own");
+                                   description_.shard.text() + "; give every shard a file of its own");
     if (there.finished) {
         if (there.bytes != bytes)
             throw file_error(name, "was changed since it was finished: " + std::to_string(bytes) + " bytes, not " +
-                                        std::to_string(there.bytes) + "; move it and " + description_file(name) +
-                                        " away and run the sweep again");
+                                       std::to_string(there.bytes) + "; move it and " + description_file(name) +
+                                       " away and run the sweep again");
         description_ = there;
         next_ = there.shard.end(there.scenes);
         return;
@@ -241,9 +242,7 @@ void ResultsFile::take_up() {
 }
 
 void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64_t failed) {
-    const auto keep = [&](std::size_t bytes) {
-        static_cast<void>(os::cut(file_.descriptor(), size_ + bytes));
-    };
+    const auto keep = [&](std::size_t bytes) { static_cast<void>(os::cut(file_.descriptor(), size_ + bytes)); };
     try {
         file_.write(lines);
     } catch (...) {  // no room: the lines that found some stay

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The file of results of one shard: whole lines are appended and synced, so that a run that was killed goes on where it
-// stopped. Beside out.jsonl stands out.jsonl.sweep, a small JSON that says of which grid and shard these are; it is written
-// before the first result and again when the last one is there.
+// stopped. Beside out.jsonl stands out.jsonl.sweep, a small JSON that says of which grid and shard these are; it is
+// written before the first result and again when the last one is there.
 //
 //     ResultsFile file("out.jsonl", description);
 //     while (file.next() < end) file.append(lines of the scenes from file.next() on, ...);
@@ -79,8 +79,8 @@ struct Scan {
 class ResultsFile {
 public:
     /// Opens \p file, or makes it. What is torn at its end is cut off.
-    /// \throws file_error where another process writes it, where it holds results of another grid or shard, or something
-    /// else, and where it cannot be written.
+    /// \throws file_error where another process writes it, where it holds results of another grid or shard, or
+    /// something else, and where it cannot be written.
     ResultsFile(std::string file, Description description);
 
     /// The scene to go on with; that behind the last one of the shard when it is finished.
@@ -110,8 +110,8 @@ struct Merged {
     std::uint64_t scenes = 0, failed = 0, shards = 0;
 };
 
-/// Checks that \p files are the shards of one grid, that each is whole and that none is missing or double, and writes all
-/// of their lines to \p output by replace_file(), with its description. Names that end in .sweep are left out.
+/// Checks that \p files are the shards of one grid, that each is whole and that none is missing or double, and writes
+/// all of their lines to \p output by replace_file(), with its description. Names that end in .sweep are left out.
 /// \throws file_error for what cannot be read or written.
 [[nodiscard]] Merged merge(std::vector<std::string> files, const std::string& output);
 

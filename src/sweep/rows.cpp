@@ -14,8 +14,8 @@
 namespace fstiff::sweep {
 namespace {
 
-/// What stands behind "key": in a line; empty where it has no such key. Quotation marks inside of texts are escaped, so that
-/// none of them looks like a key.
+/// What stands behind "key": in a line; empty where it has no such key. Quotation marks inside of texts are escaped, so
+/// that none of them looks like a key.
 std::string_view value_of(std::string_view line, std::string_view quoted_key) {
     const std::size_t at = line.find(quoted_key);
     if (at == std::string_view::npos) return {};
@@ -29,7 +29,8 @@ std::optional<double> number_of(std::string_view text) {
     return value;
 }
 
-/// Where the text that begins with a quotation mark at \p at of \p line ends, with the escapes of json_text; npos for none.
+/// Where the text that begins with a quotation mark at \p at of \p line ends, with the escapes of json_text; npos for
+/// none.
 std::size_t end_of_text(std::string_view line, std::size_t at) {
     if (at >= line.size() || line[at] != '"') return std::string_view::npos;
     for (++at; at < line.size() && line[at] != '"'; ++at) {
@@ -52,8 +53,7 @@ std::size_t end_of_value(std::string_view line, std::size_t at) {
     if (line.substr(at).starts_with("null")) return at + 4;
     double ignored = 0;
     const auto [end, error] = parts::read_decimal(line.data() + at, line.data() + line.size(), ignored);
-    return error == std::errc::invalid_argument ? std::string_view::npos
-                                                : static_cast<std::size_t>(end - line.data());
+    return error == std::errc::invalid_argument ? std::string_view::npos : static_cast<std::size_t>(end - line.data());
 }
 
 /// Whether \p line is {"key":value,"key":value} from its first to its last character.
@@ -117,10 +117,11 @@ void for_each_row(const std::string& file, const std::function<bool(const Row&)>
                .pressure = number_of(value_of(line, ",\"pressure_Pa\":")).value_or(0),
                .stiffness = number_of(stiffness)};
         if (value_of(line, ",\"answer\":") == "1") row.law = "answer";  // by whatever law, it is one curve
-        if ((!scene::find_law(row.law) && row.law != "answer") || has_stiffness.value_or(!stiffness.empty()) == stiffness.empty())
+        if ((!scene::find_law(row.law) && row.law != "answer") ||
+            has_stiffness.value_or(!stiffness.empty()) == stiffness.empty())
             refuse_line(file, number);
-        const bool same =
-            has_stiffness && row.index == last.index && row.law == last.law && row.theta == last.theta && row.r == last.r;
+        const bool same = has_stiffness && row.index == last.index && row.law == last.law && row.theta == last.theta &&
+                          row.r == last.r;
         row.point = same ? last.point + 1 : 0;
         has_stiffness = !stiffness.empty();
         if (!call(row)) return false;

@@ -79,8 +79,8 @@ private:
 };
 
 /// Puts the table of each of \p contacts over \p range of pressures [Pa], or of separations [m] where the scene has
-/// these, in its place; a law that has no table stays. K and the separation of a table are within the error that it carries,
-/// which the results show as that of K.
+/// these, in its place; a law that has no table stays. K and the separation of a table are within the error that it
+/// carries, which the results show as that of K.
 void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
     for (scene::MadeContact& made : contacts) {
         try {
@@ -92,8 +92,8 @@ void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& sce
             }
             constexpr double room = 1e-3;  // so that no end falls out by rounding
             const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
-            made.contact = std::make_unique<Tabulated>(made.contact->tabulate(wider),
-                                                       scene.face.parameters.rms_height.value);
+            made.contact =
+                std::make_unique<Tabulated>(made.contact->tabulate(wider), scene.face.parameters.rms_height.value);
         } catch (const domain_error&) {  // no table of this law, or not so far: point by point
         }
     }
@@ -147,16 +147,14 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
         put(i, false);
     }
 
-    has_stiffness_ = first->stiffness || std::any_of(grid.axes.begin(), grid.axes.end(), [](const Axis& axis) {
-                         return axis.key.starts_with("output.");
-                     });
+    has_stiffness_ = first->stiffness || std::any_of(grid.axes.begin(), grid.axes.end(),
+                                                     [](const Axis& axis) { return axis.key.starts_with("output."); });
     const auto point =
         std::find_if(setters_.begin(), setters_.end(), [](const Setter& one) { return one.put == put_point; });
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
     // boundary elements take seconds a point, and another law may not be computed so
     folds_ = point != setters_.end() && first->points.size() == 1 &&
-             std::all_of(first->laws.begin(), first->laws.end(),
-                         [](const scene::Law* law) { return law->varies; }) &&
+             std::all_of(first->laws.begin(), first->laws.end(), [](const scene::Law* law) { return law->varies; }) &&
              std::none_of(grid.axes.begin(), grid.axes.end(),
                           [](const Axis& axis) { return axis.key.starts_with("contact.laws"); });
     if (grid.tabulate) find_table_range(*first);
@@ -251,7 +249,8 @@ void SceneMaker::make(const std::vector<Value>& values, Work& work) {
     put(values, work);
     if (!same) {
         work.contacts.clear();  // before what they were made of
-        if (work.scene.best) set_law_of_answer(work.scene);  // peaks may flow where those of the scene that was read do not
+        if (work.scene.best)
+            set_law_of_answer(work.scene);  // peaks may flow where those of the scene that was read do not
         work.contacts = scene::contacts_of(work.scene);
         if (grid_.tabulate) tabulate(work.contacts, work.scene, table_range_);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Scenes of a grid, quickly: numbers that enter a scene as they are, such as the rms height or a pressure, are put into a
-// scene that was read before; all other values change the TOML, which is read once for each of their combinations.
+// Scenes of a grid, quickly: numbers that enter a scene as they are, such as the rms height or a pressure, are put into
+// a scene that was read before; all other values change the TOML, which is read once for each of their combinations.
 //
 // Reference   the slow twin is table_of and read_table: both give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
@@ -27,8 +27,8 @@ public:
     using Key = std::vector<std::pair<std::uint64_t, double>>;
     using Read = std::shared_ptr<const scene::Scene>;
 
-    /// The scene of \p key; where it is not there, what \p read gives. A thread that wants what another one reads waits for
-    /// it. \throws what \p read throws.
+    /// The scene of \p key; where it is not there, what \p read gives. A thread that wants what another one reads waits
+    /// for it. \throws what \p read throws.
     [[nodiscard]] Read get(const Key& key, const std::function<Read()>& read);
 
 private:
@@ -53,8 +53,8 @@ public:
     /// \throws domain_error, file_error as read_scene and contacts_of.
     void make(const std::vector<Value>& values, Work& work);
 
-    /// The axis of the only point of a scene, so that scenes that differ in it alone are one scene with many points; none
-    /// where there are more points, or a law is not computed point by point.
+    /// The axis of the only point of a scene, so that scenes that differ in it alone are one scene with many points;
+    /// none where there are more points, or a law is not computed point by point.
     [[nodiscard]] const std::size_t* point_axis() const { return folds_ ? &point_axis_ : nullptr; }
     /// Whether the results have K; also where that hangs on the scene.
     [[nodiscard]] bool has_stiffness() const { return has_stiffness_; }

@@ -147,8 +147,9 @@ std::vector<SensitivityRow> sensitivities(const Grid& grid, const std::string& f
     });
     std::vector<SensitivityRow> rows = collector.rows();
     if (rows.empty())
-        throw domain_error(file + ": no K in it varies over 3 draws or more at one point of the grid; nothing hangs on "
-                                  "the distributed inputs");
+        throw domain_error(file +
+                           ": no K in it varies over 3 draws or more at one point of the grid; nothing hangs on "
+                           "the distributed inputs");
     return rows;
 }
 

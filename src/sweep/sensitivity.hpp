@@ -9,10 +9,10 @@
 //
 // What the S_i lack of 1 comes of inputs acting together. Both need nothing but the draws that are there.
 //
-// Reference   Gamboa, Gremaud, Klein, Lagnoux, Bernoulli 28 (2022) 2345, eq. (12) (the estimator by ranks); Sobol', Math.
-//             Comput. Simul. 55 (2001) 271 (the index)
-// Accuracy    the estimate scatters by about 1/sqrt(draws) (tests/sweep/sensitivity_test.cpp, against the closed form of
-//             a product of powers of lognormal inputs)
+// Reference   Gamboa, Gremaud, Klein, Lagnoux, Bernoulli 28 (2022) 2345, eq. (12) (the estimator by ranks); Sobol',
+//             Math. Comput. Simul. 55 (2001) 271 (the index)
+// Accuracy    the estimate scatters by about 1/sqrt(draws) (tests/sweep/sensitivity_test.cpp, against the closed form
+//             of a product of powers of lognormal inputs)
 
 #include "sweep/grid.hpp"
 
@@ -41,8 +41,8 @@ struct SensitivityRow {
     std::vector<Sensitivity> of_inputs;  ///< in the order of the distributed axes; means over the points of the grid
 };
 
-/// Of the results \p file of the whole \p grid, which has a distribution. Of more than a million draws at one point of the
-/// grid the first million is taken. \throws domain_error where no K in the results varies.
+/// Of the results \p file of the whole \p grid, which has a distribution. Of more than a million draws at one point of
+/// the grid the first million is taken. \throws domain_error where no K in the results varies.
 [[nodiscard]] std::vector<SensitivityRow> sensitivities(const Grid& grid, const std::string& file);
 
 }  // namespace fstiff::sweep

@@ -3,8 +3,8 @@
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 
-#include "support/catch.hpp"
 #include "support/accuracy.hpp"
+#include "support/catch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,8 @@ TEST_CASE("A film lies between the spots and nothing, and the gap and radiation 
     const GapFilling<double> grease{.conductivity = 0.8};
     CHECK(test::relative_error(gap_conductance(grease, 2e-6), 4e5) < 1e-15);
     CHECK(gap_conductance(grease, -1e-6) == 0);
-    // air at one atmosphere between metals: a temperature jump of some tenths of a micrometre (Yovanovich 2005: 0.37 um)
+    // air at one atmosphere between metals: a temperature jump of some tenths of a micrometre (Yovanovich 2005: 0.37
+    // um)
     const double jump = temperature_jump(air<double>, 0.87);
     CHECK(jump > 0.25e-6);
     CHECK(jump < 0.45e-6);
@@ -46,13 +47,16 @@ TEST_CASE("A film lies between the spots and nothing, and the gap and radiation 
 }
 
 TEST_CASE("Media by name are those of other tables, and of kinetic theory") {
-    // Conductivity at 300 K: Smirnov, Fundamentals of Ionized Gases (2011), table 4.6. Viscosity at 25 degrees and molar mass: CRC
-    // Handbook, which make the mean free path of hard spheres, 16/5 mu/p sqrt(R T/(2 pi M)), and Pr = c_p mu/k.
+    // Conductivity at 300 K: Smirnov, Fundamentals of Ionized Gases (2011), table 4.6. Viscosity at 25 degrees and
+    // molar mass: CRC Handbook, which make the mean free path of hard spheres, 16/5 mu/p sqrt(R T/(2 pi M)), and Pr =
+    // c_p mu/k.
     const struct {
         const char* name;
         double at_300_K, viscosity, molar_mass;
-    } rows[] = {{"helium", 0.151, 19.9e-6, 4.0026e-3}, {"argon", 0.0177, 22.7e-6, 39.95e-3},
-                {"nitrogen", 0.0259, 17.8e-6, 28.01e-3}, {"hydrogen", 0.183, 8.9e-6, 2.016e-3},
+    } rows[] = {{"helium", 0.151, 19.9e-6, 4.0026e-3},
+                {"argon", 0.0177, 22.7e-6, 39.95e-3},
+                {"nitrogen", 0.0259, 17.8e-6, 28.01e-3},
+                {"hydrogen", 0.183, 8.9e-6, 2.016e-3},
                 {"air", 0.0262, 18.5e-6, 28.96e-3}};
     const double R = 8.314, T = 293.15, p = 101325;
     for (const auto& row : rows) {
@@ -65,7 +69,8 @@ TEST_CASE("Media by name are those of other tables, and of kinetic theory") {
         const double mu = row.viscosity * std::pow(T / 298.15, 0.7), ratio = gas.heat_capacity_ratio;
         const double path = 3.2 * mu / p * std::sqrt(R * T / (2 * std::numbers::pi * row.molar_mass));
         CHECK(test::relative_error(gas.mean_free_path, path) < 0.03);
-        CHECK(test::relative_error(gas.prandtl, ratio / (ratio - 1) * R / row.molar_mass * mu / gas.conductivity) < 0.03);
+        CHECK(test::relative_error(gas.prandtl, ratio / (ratio - 1) * R / row.molar_mass * mu / gas.conductivity) <
+              0.03);
     }
     // Ramires and others, J. Phys. Chem. Ref. Data 24 (1995) 1377, of water at 1 bar
     const double t = T / 298.15, water = 0.6065 * (-1.48445 + 4.12292 * t - 1.63866 * t * t);

@@ -13,8 +13,8 @@
 
 namespace fractal_asperity_test {
 
-using fstiff::detail::AsperityFamily;
 using fstiff::Fractal;
+using fstiff::detail::AsperityFamily;
 using fstiff::detail::FractalAsperity;
 
 namespace {

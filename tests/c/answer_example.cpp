@@ -25,9 +25,10 @@ std::vector<double> numbers(const Document& from, const std::string& key) {
 }
 
 int main() {
-    const Document answer = run("material.upper = \"steel\"\n"
-                                "surface = { rms_height = \"0.8 um\", rms_gradient = 0.1 }\n"
-                                "contact.pressures = [\"1 MPa\", \"10 MPa\"]\n");
+    const Document answer =
+        run("material.upper = \"steel\"\n"
+            "surface = { rms_height = \"0.8 um\", rms_gradient = 0.1 }\n"
+            "contact.pressures = [\"1 MPa\", \"10 MPa\"]\n");
     const auto p = numbers(answer, "pressure_Pa"), K = numbers(answer, "stiffness_Pa_per_m"),
                low = numbers(answer, "stiffness_p05_Pa_per_m"), high = numbers(answer, "stiffness_p95_Pa_per_m");
     for (std::size_t i = 0; i < p.size(); ++i)

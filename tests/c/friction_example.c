@@ -3,8 +3,8 @@
 #include <stdio.h>
 
 int main(void) {
-    fstiff_roughness surface = {.size = sizeof surface, .rms_height = 1e-6, .peak_radius = 40e-6, .peak_density = 5e8,
-                                .theta = 1.0};
+    fstiff_roughness surface = {
+        .size = sizeof surface, .rms_height = 1e-6, .peak_radius = 40e-6, .peak_density = 5e8, .theta = 1.0};
     fstiff_body body = {.size = sizeof body, .effective_modulus = 112.6e9};
     fstiff_contact* contact = NULL;
     fstiff_law* law = NULL;

@@ -136,7 +136,8 @@ static void test_contacts(void) {
     check_contact("interacting", contact);
     fstiff_contact_free(contact);
 
-    /* What is not asked for changes nothing, and results may be written where the arguments were, in more than one part. */
+    /* What is not asked for changes nothing, and results may be written where the arguments were, in more than one
+     * part. */
     contact = contact_of("hertz");
     static double alone[most], in_place[most];
     static results all;
@@ -289,8 +290,8 @@ static void test_refusals_of_friction(void) {
     CHECK(a == -7 && b == -7);
     CHECK(fstiff_friction_first_slip(friction, d, 1e-7, NULL, &b) == FSTIFF_OK && b > 0);
 
-    const fstiff_slip good = {.size = sizeof good, .separation = d, .levels = {d + 1e-7, d + 2e-7},
-                              .drags = {{1e-9, 0}}, .count = 2};
+    const fstiff_slip good = {
+        .size = sizeof good, .separation = d, .levels = {d + 1e-7, d + 2e-7}, .drags = {{1e-9, 0}}, .count = 2};
     fstiff_slip bad = good, after = {.size = sizeof after};
     const double slip[2] = {1e-8, 0}, no_number[2] = {0, (double)NAN};
     a = -7;
@@ -365,8 +366,7 @@ static void test_tangents(void) {
     CHECK(fstiff_law_facts_of(law, &facts) == FSTIFF_OK && facts.stiffness_is_slope == 0);
     double d[300], p[300], slope[300];
     int status[300];
-    for (int i = 0; i < 300; ++i)
-        d[i] = facts.min_separation + (facts.max_separation - facts.min_separation) * i / 299;
+    for (int i = 0; i < 300; ++i) d[i] = facts.min_separation + (facts.max_separation - facts.min_separation) * i / 299;
     d[299] = 1;
     CHECK(fstiff_law_tangents_at_separations(law, d, 300, p, slope, status) == FSTIFF_REFUSED);
     CHECK(status[299] == FSTIFF_REFUSED && strstr(fstiff_last_message(), "separation"));
@@ -420,21 +420,26 @@ static void test_law(const char* file) {
 static char* scene_of_a_map(void) {
     FILE* file = fopen("waves.sdf", "wb");
     if (!file) exit(1);
-    fprintf(file, "aISO-1.0\nManufacID = test\nNumPoints = 64\nNumProfiles = 64\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-6\n"
-                  "Zresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n");
+    fprintf(
+        file,
+        "aISO-1.0\nManufacID = test\nNumPoints = 64\nNumProfiles = 64\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-6\n"
+        "Zresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n");
     for (int i = 0; i < 64; ++i)
         for (int j = 0; j < 64; ++j) {
             double z = 0;
             for (int n = 3; n < 9; ++n)
                 z += (cos(0.098174770424681 * (n * i + (11 - n) * j) + n * n) +
-                      cos(0.098174770424681 * (n * i - (10 - n) * j) + 5 * n)) / n;
+                      cos(0.098174770424681 * (n * i - (10 - n) * j) + 5 * n)) /
+                     n;
             fprintf(file, "%.6f\n", z);
         }
     fprintf(file, "*\n");
     fclose(file);
     return "name = \"waves\"\n[surface]\nfrom = \"waves.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
-           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
-           "hardness = \"6 GPa\"\n[contact]\nlaws = [\"hybrid\", \"summits\", \"persson\", \"plastic\"]\npressures = [\"10 MPa\"]\n";
+           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = "
+           "0.3\n"
+           "hardness = \"6 GPa\"\n[contact]\nlaws = [\"hybrid\", \"summits\", \"persson\", \"plastic\"]\npressures = "
+           "[\"10 MPa\"]\n";
 }
 
 static void test_law_of_a_map(void) {
@@ -546,8 +551,9 @@ static void test_documents(void) {
 
 /* h = k K/E of the answer and of the laws, with the band of K. */
 static void test_conductance(void) {
-    static const char scene[] = "material = { upper = \"steel\", lower = \"aluminium\" }\n[surface]\nrms_height = \"0.8 um\"\n"
-                                "rms_gradient = 0.1\n[contact]\npressures = [\"1 MPa\"]\n[gap]\nmedium = \"argon\"\n";
+    static const char scene[] =
+        "material = { upper = \"steel\", lower = \"aluminium\" }\n[surface]\nrms_height = \"0.8 um\"\n"
+        "rms_gradient = 0.1\n[contact]\npressures = [\"1 MPa\"]\n[gap]\nmedium = \"argon\"\n";
     static const char* const ends[] = {"", "_p05", "_p95"};
     fstiff_document* made;
     CHECK(fstiff_run(scene, strlen(scene), "scene", NULL, &made) == FSTIFF_OK);

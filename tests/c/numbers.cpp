@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What interface_test.c compares with: numbers of the C++ library, made without the C interface and without scenes but for one.
-// Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
+// What interface_test.c compares with: numbers of the C++ library, made without the C interface and without scenes but
+// for one. Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -60,8 +60,8 @@ void print_friction(const ContactLaw<double>& law) {
     const TangentialLaw<double> rough(law, 0.3, ratio);
     const auto first = rough.first_slip(d, 1e-7);
     const auto cycle = rough.cycle(d, 1e-7);
-    print("friction", {ratio, d, first.traction, first.stiffness, cycle.lost, cycle.loss_factor, law.energy(d),
-                       law.touch()});
+    print("friction",
+          {ratio, d, first.traction, first.stiffness, cycle.lost, cycle.loss_factor, law.energy(d), law.touch()});
     SlipState<double, 2> state{.separation = d};
     for (int i = 0; i < 40; ++i) {
         const Eigen::Vector2d slip(2e-7 * std::sin(3 * i), i < 10 ? 0 : 1e-7 * std::cos(5 * i));
@@ -105,9 +105,10 @@ int main(int, char** argv) {
 
     print_friction(law);
 
-    const std::string text = std::string(scene::builtin_scene) +  // which ends with [contact]
-                             "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n"
-                             "peaks = [{ theta = \"pi/4\", r = \"exponential\" }, { theta = \"pi/3\", r = \"exponential\" }]\n";
+    const std::string text =
+        std::string(scene::builtin_scene) +  // which ends with [contact]
+        "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n"
+        "peaks = [{ theta = \"pi/4\", r = \"exponential\" }, { theta = \"pi/3\", r = \"exponential\" }]\n";
     const scene::Results scene = scene::compute(scene::read_scene(text, {.name = "builtin"}));
     std::ofstream(std::string(argv[2]) + ".scene", std::ios::binary) << text;
     for (std::size_t i = 0; i < 5; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One answer for one request: spectra, peaks, generated surfaces, ultrasound, identification and exports through the C interface
-// are what the command prints, byte for byte. tests/python/test_answers.py holds the Python package to the command.
+// One answer for one request: spectra, peaks, generated surfaces, ultrasound, identification and exports through the C
+// interface are what the command prints, byte for byte. tests/python/test_answers.py holds the Python package to the
+// command.
 #ifdef FSTIFF_TEST_HAS_C
 #include "json.hpp"
 
@@ -92,8 +93,8 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
     const auto first = nlohmann::json::parse(printed.out)["rows"][0];
     const double p = first["pressure_Pa"], r = first["reflection"];
     const fstiff_curve array{sizeof array, &p, &r, nullptr, 1, 1};
-    const auto of_array = made_by(
-        [&](auto made) { return fstiff_ultrasound(&array, ("frequency = 7 MHz" + steel).c_str(), made); });
+    const auto of_array =
+        made_by([&](auto made) { return fstiff_ultrasound(&array, ("frequency = 7 MHz" + steel).c_str(), made); });
     CHECK(numbers_at(of_array, "rows.0.stiffness_Pa_per_m") == std::vector<double>{first["stiffness_Pa_per_m"]});
 
     const std::string file = data + "/sand_blasted_fine.toml", scene = test::read(file);
@@ -112,8 +113,7 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
         return fstiff_export(scene.c_str(), scene.size(), file.c_str(), "to = abaqus\ntolerance = 5%\nuntil = 50e6",
                              made);
     });
-    CHECK(text_of(law) ==
-          test::run_fstiff("export '" + file + "' --to abaqus --tolerance 5% --until '50 MPa'").out);
+    CHECK(text_of(law) == test::run_fstiff("export '" + file + "' --to abaqus --tolerance 5% --until '50 MPa'").out);
 }
 
 TEST_CASE("The C interface answers a scene as the command does") {
@@ -125,7 +125,8 @@ TEST_CASE("The C interface answers a scene as the command does") {
             return with_name ? fstiff_run(scene.c_str(), scene.size(), file.c_str(), nullptr, to)
                              : fstiff_run(nullptr, 0, nullptr, nullptr, to);
         });
-        const auto printed = test::run_fstiff("run " + (with_name ? "'" + file + "'" : std::string()) + " --format json");
+        const auto printed =
+            test::run_fstiff("run " + (with_name ? "'" + file + "'" : std::string()) + " --format json");
         if (!with_name) CHECK(text_of(made) == printed.out);
         const auto answer = nlohmann::json::parse(printed.out)["answer"];
         CHECK(answer.size() > 2);
@@ -139,7 +140,8 @@ TEST_CASE("The C interface answers a scene as the command does") {
         std::size_t length = 0;
         REQUIRE(fstiff_document_word(made.get(), "answer.1.law", law, sizeof law, &length) == FSTIFF_OK);
         CHECK(law == answer[1]["law"].get<std::string>());
-        CHECK(fstiff_document_word(made.get(), "answer.1.pressure_Pa", law, sizeof law, &length) == FSTIFF_BAD_ARGUMENT);
+        CHECK(fstiff_document_word(made.get(), "answer.1.pressure_Pa", law, sizeof law, &length) ==
+              FSTIFF_BAD_ARGUMENT);
         std::size_t count = 0;
         CHECK(fstiff_document_numbers(made.get(), "answer.*.none", nullptr, 0, &count) == FSTIFF_BAD_ARGUMENT);
     }

@@ -39,8 +39,8 @@ inline std::string as_one_line(std::string text) {
     return text;
 }
 
-/// Checks that \p outcome of \p arguments is a refusal: the exit code, one sentence with every one of \p parts on standard
-/// error, no document.
+/// Checks that \p outcome of \p arguments is a refusal: the exit code, one sentence with every one of \p parts on
+/// standard error, no document.
 inline void check_refusal(const Outcome& outcome, const std::string& arguments, int status,
                           const std::vector<std::string>& parts) {
     INFO("fstiff " << arguments << "\nstandard error: " << outcome.err);

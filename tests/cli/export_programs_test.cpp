@@ -19,8 +19,9 @@ const std::string bodies_and_law =
     "[contact]\nlaws = [\"hybrid\"]\n"
     "pressures = { from = \"1 MPa\", to = \"50 MPa\", count = 7, spacing = \"log\" }\n";
 const std::string scene =
-    bodies_and_law + "[gap]\nmedium = \"air\"\n[friction]\ncoefficient = 0.2\n[output]\nquantities = [\"stiffness\", "
-                     "\"separation\", \"tangential_stiffness\", \"thermal_conductance\", \"electrical_conductance\"]\n";
+    bodies_and_law +
+    "[gap]\nmedium = \"air\"\n[friction]\ncoefficient = 0.2\n[output]\nquantities = [\"stiffness\", "
+    "\"separation\", \"tangential_stiffness\", \"thermal_conductance\", \"electrical_conductance\"]\n";
 
 using Numbers = std::vector<double>;
 
@@ -182,8 +183,8 @@ TEST_CASE("The cards of friction stick with the tangential stiffness at one pres
 
         auto abaqus = cards_of(test::run_fstiff("export - --to abaqus" + at, scene).out);
         const std::string keyword = "*Friction, elastic slip=";
-        const auto card = std::find_if(abaqus.begin(), abaqus.end(),
-                                       [&](const auto& one) { return one.first.starts_with(keyword); });
+        const auto card =
+            std::find_if(abaqus.begin(), abaqus.end(), [&](const auto& one) { return one.first.starts_with(keyword); });
         REQUIRE(card != abaqus.end());
         CHECK(card->second[0][0] == coefficient);
         const double slip = std::stod(card->first.substr(keyword.size()));
@@ -227,9 +228,9 @@ TEST_CASE("MOOSE and COMSOL find every column by overclosure and by pressure") {
 
     const auto millimetres = columns_of(test::run_fstiff("export - --to moose", scene).out, "#", ',', "");
     const auto metres = columns_of(moose.out, "#", ',', "");
-    for (const auto& [name, factor] : {std::pair("overclosure", 1e3), std::pair("pressure", 1e-6),
-                                       std::pair("tangential_stiffness", 1e-9), std::pair("thermal_conductance", 1e-3),
-                                       std::pair("electrical_conductance", 1e-6)})
+    for (const auto& [name, factor] :
+         {std::pair("overclosure", 1e3), std::pair("pressure", 1e-6), std::pair("tangential_stiffness", 1e-9),
+          std::pair("thermal_conductance", 1e-3), std::pair("electrical_conductance", 1e-6)})
         CHECK(test::relative_error(millimetres.at(name).back(), factor * metres.at(name).back()) < 1e-9);
 }
 

@@ -103,7 +103,8 @@ TEST_CASE("export writes the law of the answer, the K that run prints, and where
     CHECK(test::lines(hertz.out).front().ends_with("its slope is -dp/dd, which is K of law hertz"));
     CHECK(hertz.err.find("slope") == std::string::npos);
     const double K = run.number(30, "stiffness_Pa_per_m");
-    CHECK(test::contains(outcome.out, "** answer    at 100000000 Pa K is " + fstiff::parts::rounded_text(K, 4) + " Pa/m, 90 % band "));
+    CHECK(test::contains(
+        outcome.out, "** answer    at 100000000 Pa K is " + fstiff::parts::rounded_text(K, 4) + " Pa/m, 90 % band "));
     CHECK(outcome.status == 0);
     CHECK(test::contains(outcome.err, "warning: the slope of the table is -dp/dd, 0."));
     const auto fractal = test::run_fstiff("export --to abaqus --law fractal");
@@ -115,18 +116,20 @@ TEST_CASE("export writes the law of the answer, the K that run prints, and where
 
 TEST_CASE("export writes the law itself, of a map too, with the K that run prints") {
     const test::Folder folder;
-    REQUIRE(test::run_fstiff("generate map --seed 3 --points 64 --rows 64 --spacing \"1 um\" --rms \"0.5 um\" --shortest "
-                             "\"8 um\" --hurst 0.8 --format sdf -o " +
-                             folder / "map.sdf")
-                .status == 0);
+    REQUIRE(
+        test::run_fstiff("generate map --seed 3 --points 64 --rows 64 --spacing \"1 um\" --rms \"0.5 um\" --shortest "
+                         "\"8 um\" --hurst 0.8 --format sdf -o " +
+                         folder / "map.sdf")
+            .status == 0);
     const std::string file = folder / "map.law";
     for (const std::string law : {"hybrid", "summits", "persson", "plastic", "hertz"}) {
         CAPTURE(law);
-        const std::string scene = folder.write(
-            law + ".toml", "name = \"m\"\n[surface]\nfrom = \"map.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
-                           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\n"
-                           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[contact]\nlaws = [\"" +
-                               law + "\"]\npressures = [\"3 MPa\", \"10 MPa\", \"50 MPa\"]\n");
+        const std::string scene =
+            folder.write(law + ".toml",
+                         "name = \"m\"\n[surface]\nfrom = \"map.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+                         "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\n"
+                         "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[contact]\nlaws = [\"" +
+                             law + "\"]\npressures = [\"3 MPa\", \"10 MPa\", \"50 MPa\"]\n");
         const auto outcome = test::run_fstiff("export " + scene + " --to law -o " + file);
         CAPTURE(outcome.err);
         REQUIRE(outcome.status == 0);

@@ -36,7 +36,7 @@ TEST_CASE("The channel of a Gwyddion file is an option, and a key of a scene") {
     scene.erase(scene.find("[surface]"), scene.find("\n[", scene.find("[surface]")) + 1 - scene.find("[surface]"));
     const auto run = [&](const std::string& keys) {
         return test::run_fstiff("run " +
-                            folder.write("scene.toml", scene + "\n[surface]\nfrom = \"" + file + "\"\n" + keys));
+                                folder.write("scene.toml", scene + "\n[surface]\nfrom = \"" + file + "\"\n" + keys));
     };
     CHECK(test::contains(run("channel = \"Phase\"\n").err, "channel 0 \"Phase\" = \"deg\""));
     CHECK_FALSE(test::contains(run("channel = \"Height\"\n").err, "= \"deg\""));

@@ -80,9 +80,9 @@ TEST_CASE("help prints what --help prints") {
 TEST_CASE("--help lists the commands under what they are for, and the older names in a line") {
     const std::string help = test::run_fstiff("--help").out;
     std::size_t last = 0;
-    for (const char* part : {"\nCompute:\n  run ", "\n  report ", "\n  ultrasound ", "\nSurfaces:\n  measure ",
-                             "\n  generate ", "\nMeasured K:\n  identify ", "\nChecks:\n  truth ", "\nHelp:\n  help ",
-                             "\nOlder names: fit, islands"}) {
+    for (const char* part :
+         {"\nCompute:\n  run ", "\n  report ", "\n  ultrasound ", "\nSurfaces:\n  measure ", "\n  generate ",
+          "\nMeasured K:\n  identify ", "\nChecks:\n  truth ", "\nHelp:\n  help ", "\nOlder names: fit, islands"}) {
         INFO(part << "\n" << help);
         const auto at = help.find(part, last);
         REQUIRE(at != std::string::npos);
@@ -100,7 +100,8 @@ TEST_CASE("measure --show and sweep --merge are the commands of older names") {
     const test::Folder folder;
     const std::string map = folder.write(
         "map.txt", test::run_fstiff("generate map --points 64 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest "
-                                    "'6 um' --longest '20 um'").out);
+                                    "'6 um' --longest '20 um'")
+                       .out);
     const std::string trace = folder.write(
         "trace.txt", test::run_fstiff("generate profile --points 1024 --spacing '1 um' --hurst 0.5 --rms '1 um'").out);
     const auto same = [&](const std::string& now, const std::string& before, int status = 0) {
@@ -113,15 +114,18 @@ TEST_CASE("measure --show and sweep --merge are the commands of older names") {
     };
     same("measure '" + trace + "' --show fit --format json --seed 3", "fit '" + trace + "' --format json --seed 3");
     same("measure --show=spectrum '" + map + "' --of acf", "spectrum '" + map + "' --of acf");
-    same("measure --show islands '" + map + "' --border drop --levels 30", "islands '" + map + "' --border drop --levels 30");
+    same("measure --show islands '" + map + "' --border drop --levels 30",
+         "islands '" + map + "' --border drop --levels 30");
     same("measure '" + trace + "' --heights=-4,4,9 --show peaks", "peaks --profile '" + trace + "' --heights=-4,4,9");
-    const std::string sweep = "cd '" + (folder / "") + "' && fstiff sweep --example > grid.toml && for i in 1 2; do fstiff "
+    const std::string sweep = "cd '" + (folder / "") +
+                              "' && fstiff sweep --example > grid.toml && for i in 1 2; do fstiff "
                               "sweep grid.toml --shard $i/2 -o p$i.jsonl || exit 1; done >/dev/null 2>&1 && fstiff ";
     const auto merged = test::shell(sweep + "sweep -o a.jsonl --merge p1.jsonl p2.jsonl");
     INFO(merged.err);
     CHECK(merged.status == 0);
     CHECK(test::contains(merged.out, "of 2 shards in a.jsonl"));
-    CHECK(test::shell("cd '" + (folder / "") + "' && fstiff merge p1.jsonl p2.jsonl -o b.jsonl && cmp a.jsonl b.jsonl").status == 0);
+    CHECK(test::shell("cd '" + (folder / "") + "' && fstiff merge p1.jsonl p2.jsonl -o b.jsonl && cmp a.jsonl b.jsonl")
+              .status == 0);
 }
 
 TEST_CASE("measure prints a table on a terminal, JSON into a pipe and a file, and what --format says") {

@@ -51,8 +51,8 @@ nlohmann::json identify(const test::Folder& folder, const std::string& start, co
                         const std::string& arguments, int status = 0) {
     folder.write("scene.toml", start);
     folder.write("data.csv", data);
-    const auto outcome = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
-                                      "' --format json " + arguments);
+    const auto outcome = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" +
+                                          folder / "data.csv" + "' --format json " + arguments);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == status);
     return nlohmann::json::parse(outcome.out);
@@ -158,13 +158,13 @@ TEST_CASE("identify: parameters that the data cannot tell apart end with exit co
     CHECK(!product["fits"][0]["parameters"][0].contains("value"));
     const auto blind = identify(folder, scene(), data, "--fit D", 4);
     CHECK(test::contains(blind["warnings"][0].get<std::string>(), "do not depend on D here"));
-    const auto table =
-        test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit R,Dp");
+    const auto table = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
+                                        "' --fit R,Dp");
     CHECK(table.status == 4);
     CHECK(test::contains(table.out, "singular"));
     CHECK(test::contains(table.out, "warning: hertz"));
     const auto csv = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
-                                  "' --fit R,Dp --format csv");
+                                      "' --fit R,Dp --format csv");
     CHECK(test::Csv(csv.out).text(1, "value").empty());
     CHECK(test::contains(csv.err, "cannot tell R and Dp apart"));
 }
@@ -360,8 +360,8 @@ TEST_CASE("A fit that misses its points, is bent by one of them or lies far from
     slipped = test::replaced(
         slipped, lines[6], lines[6].substr(0, comma + 1) + std::to_string(1.3 * std::stod(lines[6].substr(comma + 1))));
     CHECK(concerns(slipped, "sigma", 4) == Words{"outlier"});
-    const auto table =
-        test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma");
+    const auto table = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
+                                        "' --fit sigma");
     CHECK(table.status == 4);
     CHECK(test::contains(test::as_one_line(table.out), "times as far from the model as the median of the points"));
 }
@@ -369,8 +369,11 @@ TEST_CASE("A fit that misses its points, is bent by one of them or lies far from
 TEST_CASE("identify fits hybrid and plastic, which run answers with") {
     const test::Folder folder;
     const auto of = [](const std::string& law, const std::string& sigma, const std::string& gradient) {
-        return "[surface]\nrms_height = \"" + sigma + "\"\npeak_radius = \"14 um\"\npeak_density = \"1400 /mm^2\"\n"
-               "rms_gradient = " + gradient + "\nalpha = 8.0\nhurst = 0.8\n"
+        return "[surface]\nrms_height = \"" + sigma +
+               "\"\npeak_radius = \"14 um\"\npeak_density = \"1400 /mm^2\"\n"
+               "rms_gradient = " +
+               gradient +
+               "\nalpha = 8.0\nhurst = 0.8\n"
                "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nhardness = \"2 GPa\"\n"
                "[contact]\npressures = { from = \"1 MPa\", to = \"400 MPa\", count = 12 }\n" +
                (law.empty() ? "" : "laws = [\"" + law + "\"]\n");
@@ -379,8 +382,8 @@ TEST_CASE("identify fits hybrid and plastic, which run answers with") {
         INFO(law);
         const std::string data = measured("stiffness_Pa_per_m", 0.01, 0.5, of(law, "0.8 um", "0.12"));
         const std::string flows = law == "hybrid" ? "--fit sigma,g" : "--fit sigma";
-        const auto document = identify(folder, of(law, "0.5 um", law == "hybrid" ? "0.2" : "0.12"), data, flows,
-                                       law == "hybrid" ? 4 : 0);
+        const auto document =
+            identify(folder, of(law, "0.5 um", law == "hybrid" ? "0.2" : "0.12"), data, flows, law == "hybrid" ? 4 : 0);
         REQUIRE(document["fits"].size() == 1);
         const auto& fit = document["fits"][0];
         CHECK(fit["law"] == law);
@@ -401,8 +404,8 @@ TEST_CASE("identify fits hybrid and plastic, which run answers with") {
         CHECK(best["fits"][0]["law"] == "plastic");
     }
     const std::string data = measured("stiffness_Pa_per_m", 0.01, 0, of("plastic", "0.8 um", "0.12"));
-    const auto hardness = identify(folder, of("hertz", "0.8 um", "0.12"),
-                                   data, "--law plastic --fit sigma,hardness --plot '" + folder / "fit.svg" + "'");
+    const auto hardness = identify(folder, of("hertz", "0.8 um", "0.12"), data,
+                                   "--law plastic --fit sigma,hardness --plot '" + folder / "fit.svg" + "'");
     CHECK(test::relative_error(value(hardness["fits"][0], 1), 2e9) < 1e-5);
     CHECK(test::contains(test::read(folder / "fit.svg"), "plastic"));
     const auto product = identify(folder, of("hybrid", "0.8 um", "0.12"), data, "--fit g,E", 4);
@@ -415,9 +418,11 @@ TEST_CASE("identify fits hybrid and plastic, which run answers with") {
 TEST_CASE("sigma of a measured map is a factor of all its heights") {
     const test::Folder folder;
     folder.write("map.txt", test::run_fstiff("generate map --points 64 --spacing '0.5 um' --hurst 0.8 --rms '0.3 um' "
-                                             "--shortest '3 um' --longest '16 um'").out);
+                                             "--shortest '3 um' --longest '16 um'")
+                                .out);
     const std::string text =
-        "[surface]\nfrom = \"" + folder / "map.txt" + "\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+        "[surface]\nfrom = \"" + folder / "map.txt" +
+        "\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
         "poisson_ratio = 0.3\n[contact]\npressures = { from = \"10 MPa\", to = \"1 GPa\", count = 10 }\n"
         "laws = [\"hybrid\"]\n";
     // K of heights t times as high under t p is K of the heights under p
@@ -430,8 +435,8 @@ TEST_CASE("sigma of a measured map is a factor of all its heights") {
     }
     folder.write("scene.toml", text);
     folder.write("data.csv", taller);
-    const auto outcome = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
-                                          "' --fit sigma --format json");
+    const auto outcome = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" +
+                                          folder / "data.csv" + "' --fit sigma --format json");
     INFO(outcome.err);
     const auto fit = nlohmann::json::parse(outcome.out)["fits"][0];
     CHECK(fit["status"] == "converged");

@@ -80,8 +80,8 @@ TEST_CASE("A tolerance saves evaluations and is met") {
 
 TEST_CASE("Rows come back in their order with their other columns as they were") {
     const auto outcome = test::run_fstiff("integral -",
-                                      "\xEF\xBB\xBFnote,eta, theta,r,b,a,value\r\n\"x, "
-                                      "y\",2,1.0,0.30,-0.5,+0.5,seven\r\n\r\nz,2,1,0.3,-0.5,5e-1,\r\n");
+                                          "\xEF\xBB\xBFnote,eta, theta,r,b,a,value\r\n\"x, "
+                                          "y\",2,1.0,0.30,-0.5,+0.5,seven\r\n\r\nz,2,1,0.3,-0.5,5e-1,\r\n");
     REQUIRE(outcome.status == 0);
     const auto lines = test::lines(outcome.out);
     REQUIRE(lines.size() == 3);

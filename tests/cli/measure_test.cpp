@@ -19,11 +19,11 @@ const std::string rest =
 TEST_CASE("The JSON of measure goes through a pipe into run, and from a file into a scene") {
     const test::Folder folder;
     folder.write("from_json.toml", "[surface]\nfrom = \"measured.json\"\n" + rest);
-    const auto outcome =
-        test::shell("cd '" + (folder / "") +
-                    "' && fstiff generate map --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um' > map.txt"
-                    " && { fstiff measure map.txt -o measured.json; fstiff run from_json.toml --format csv -o file.csv; }"
-                    "; fstiff measure - < map.txt | fstiff run from_json.toml --surface - --format csv");
+    const auto outcome = test::shell(
+        "cd '" + (folder / "") +
+        "' && fstiff generate map --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um' > map.txt"
+        " && { fstiff measure map.txt -o measured.json; fstiff run from_json.toml --format csv -o file.csv; }"
+        "; fstiff measure - < map.txt | fstiff run from_json.toml --surface - --format csv");
     INFO(outcome.err);
     CHECK(outcome.status % 4 == 0);
     CHECK(test::Csv(outcome.out).size() == 2 + 2);  // of the answer, and of the law that is named

@@ -196,8 +196,9 @@ TEST_CASE("The output - is standard output, and what must be a file or a folder 
     folder.write("d.csv", profile());
     folder.write("grid.toml", read(FSTIFF_SCENES "/../examples/sweeps/grid.toml"));
     const std::string in = "cd '" + (folder / "") + "' && fstiff ";
-    for (const char* command : {"run", "fit d.csv", "measure d.csv", "spectrum d.csv", "peaks --profile d.csv", "formats",
-                                "export --to abaqus", "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um'"}) {
+    for (const char* command :
+         {"run", "fit d.csv", "measure d.csv", "spectrum d.csv", "peaks --profile d.csv", "formats",
+          "export --to abaqus", "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um'"}) {
         const Outcome plain = shell(in + command), dash = shell(in + command + " -o -");
         INFO(command << "\n" << dash.err);
         CHECK(plain.status % 4 == 0);
@@ -241,7 +242,10 @@ TEST_CASE("An output is written through symbolic links, dangling ones too, and r
 
 TEST_CASE("Control characters of names are printed nowhere") {
     const Folder folder;
-    const std::string name = "a\x1b[31m\x7f\xc2\x9b" "2J\n\xff" "b";  // escape, delete, the C1 of CSI, a line end, no UTF-8
+    const std::string name =
+        "a\x1b[31m\x7f\xc2\x9b"
+        "2J\n\xff"
+        "b";  // escape, delete, the C1 of CSI, a line end, no UTF-8
     const std::string profile_file = folder.write(name + ".csv", profile());
     const std::string scene = folder.write(name + ".toml", scene_from("x.csv"));
     folder.write("x.csv", profile());
@@ -251,9 +255,10 @@ TEST_CASE("Control characters of names are printed nowhere") {
     };
     const std::string picture = folder / "k.svg", page = folder / "site";
     for (const std::string& command :
-         {"fit '" + profile_file + "'", "measure --format table '" + profile_file + "'", "spectrum '" + profile_file + "'",
-          "peaks --profile '" + profile_file + "'", "run --surface '" + profile_file + "'",
-          "run '" + scene + "' --plot '" + picture + "'", "run '" + scene + "' --full", "report '" + scene + "' -o '" + page + "'",
+         {"fit '" + profile_file + "'", "measure --format table '" + profile_file + "'",
+          "spectrum '" + profile_file + "'", "peaks --profile '" + profile_file + "'",
+          "run --surface '" + profile_file + "'", "run '" + scene + "' --plot '" + picture + "'",
+          "run '" + scene + "' --full", "report '" + scene + "' -o '" + page + "'",
           "export --to abaqus '" + scene + "'", "measure '" + profile_file + "'", "run '" + scene + "' --format json",
           "truth '" + profile_file + "'", "run '" + folder / (name + "none") + "'"}) {
         const Outcome outcome = test::run_fstiff(command);
@@ -263,7 +268,9 @@ TEST_CASE("Control characters of names are printed nowhere") {
         CHECK_FALSE(has_controls(outcome.err));
         for (const std::string& line : lines(outcome.out + outcome.err)) {
             INFO(line);
-            CHECK(!line.starts_with("\xEF\xBF\xBD" "b"));  // no line begins within the name
+            CHECK(
+                !line.starts_with("\xEF\xBF\xBD"
+                                  "b"));  // no line begins within the name
         }
     }
     CHECK_FALSE(has_controls(read(picture)));

@@ -276,16 +276,18 @@ TEST_CASE("The picture has the verdict in short") {
 TEST_CASE("The curve of boundary elements has the error that truth gives") {
     const Folder folder;
     REQUIRE(run_fstiff("generate map --points 32 --spacing '1 um' --hurst 0.7 --rms '0.3 um' --shortest '6 um' -o '" +
-                   folder / "map.txt" + "'")
+                       folder / "map.txt" + "'")
                 .status == 0);
-    const std::string scene = "[surface]\nfrom = \"map.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
-                              "poisson_ratio = 0.3\n[contact]\nlaws = [\"boundary_elements\"]\n"
-                              "pressures = [\"10 MPa\", \"100 MPa\", \"300 MPa\"]\n";
+    const std::string scene =
+        "[surface]\nfrom = \"map.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+        "poisson_ratio = 0.3\n[contact]\nlaws = [\"boundary_elements\"]\n"
+        "pressures = [\"10 MPa\", \"100 MPa\", \"300 MPa\"]\n";
     const std::string plot = plots(drawn(folder, scene)).at(0);
     CHECK(all_between(plot, "<path class=\"bar ", "/>").size() == 1);
     const auto curve = curves(folder / "out.plot.csv").at(1);  // below that of the answer
     CHECK(curve.label == "boundary_elements");
-    const Csv truth(run_fstiff("truth '" + folder / "map.txt" + "' --pressures '10 MPa,100 MPa,300 MPa' --format csv").out);
+    const Csv truth(
+        run_fstiff("truth '" + folder / "map.txt" + "' --pressures '10 MPa,100 MPa,300 MPa' --format csv").out);
     REQUIRE(curve.low.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) {
         const double value = truth.number(i, "stiffness_Pa_per_m"), error = truth.number(i, "stiffness_error_Pa_per_m"),

@@ -10,7 +10,8 @@ namespace {
 const std::string long_scene =
     "[surface]\nrms_height = \"1 um\"\npeak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = 1.5\n"
     "errors = { rms_height = \"0.1 um\" }\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
-    "[contact]\npressures = { from = \"1 MPa\", to = \"10 MPa\", count = 10 }\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 300\n";
+    "[contact]\npressures = { from = \"1 MPa\", to = \"10 MPa\", count = 10 }\nlaws = "
+    "[\"hertz\"]\n[uncertainty]\nsamples = 300\n";
 
 }  // namespace
 
@@ -22,9 +23,8 @@ TEST_CASE("Long work shows a bar with the time left on a terminal, and nothing i
     CHECK(piped.err.empty());
     if (test::shell("script -qec true /dev/null").status != 0)
         SKIP_CASE("`script` makes no terminal here: the bar is not tested");
-    const auto shown =
-        test::shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' run '" + scene +
-                    "' --format csv -o '" + folder / "out.csv" + "'\" /dev/null");
+    const auto shown = test::shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' run '" + scene +
+                                   "' --format csv -o '" + folder / "out.csv" + "'\" /dev/null");
     INFO(shown.out << shown.err);
     CHECK(shown.status == 0);
     CHECK(test::contains(shown.out, "surfaces ["));
@@ -56,8 +56,10 @@ TEST_CASE("Boundary elements of an answer show a bar") {
         SKIP_CASE("`script` makes no terminal here: the bar is not tested");
     const test::Folder folder;
     const std::string map = folder / "map.csv";
-    REQUIRE(test::run_fstiff("generate map --points 256 --spacing '1 um' --hurst 0.8 --rms '1 um' --longest '64 um' -o '" + map +
-                             "'").status == 0);
+    REQUIRE(
+        test::run_fstiff("generate map --points 256 --spacing '1 um' --hurst 0.8 --rms '1 um' --longest '64 um' -o '" +
+                         map + "'")
+            .status == 0);
     const auto shown = test::shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' run --surface '" + map +
                                    "' --format csv -o '" + folder / "run.csv" + "'\" /dev/null");
     INFO(shown.out);

@@ -128,9 +128,10 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
 
 TEST_CASE("The report shows the conductances that a scene asks for, with the band of K") {
     const Folder folder;
-    const std::string scene = folder.write("heat.toml", "material = { upper = \"steel\", lower = \"aluminium\" }\n"
-                                                        "[surface]\nSq = \"0.8 um\"\nSdq = 0.1\n[contact]\n"
-                                                        "pressures = [\"1 MPa\", \"10 MPa\"]\n[gap]\nmedium = \"helium\"\n");
+    const std::string scene = folder.write("heat.toml",
+                                           "material = { upper = \"steel\", lower = \"aluminium\" }\n"
+                                           "[surface]\nSq = \"0.8 um\"\nSdq = 0.1\n[contact]\n"
+                                           "pressures = [\"1 MPa\", \"10 MPa\"]\n[gap]\nmedium = \"helium\"\n");
     REQUIRE(run_fstiff("report '" + scene + "' -o '" + folder / "out" + "'").status == 0);
     const std::string page = read(folder / "out/report.html");
     // what run prints of the same scene, in the form of the page
@@ -139,8 +140,8 @@ TEST_CASE("The report shows the conductances that a scene asks for, with the ban
         const double value = rows.number(0, column), step = std::pow(10, std::floor(std::log10(value)) - 2);
         return std::to_string(std::lround(std::round(value / step) * step));
     };
-    CHECK(contains(page, shown("thermal_conductance_W_per_m2K") + " (" + shown("thermal_conductance_p05_W_per_m2K") + " to " +
-                             shown("thermal_conductance_p95_W_per_m2K") + ")"));
+    CHECK(contains(page, shown("thermal_conductance_W_per_m2K") + " (" + shown("thermal_conductance_p05_W_per_m2K") +
+                             " to " + shown("thermal_conductance_p95_W_per_m2K") + ")"));
     CHECK(contains(page, "h of the gap [W/(m² K)]"));
     CHECK_FALSE(contains(page, "the lower is assumed to be as the upper"));
     const Json seen = rendered(page);
@@ -151,10 +152,11 @@ TEST_CASE("The report shows the conductances that a scene asks for, with the ban
 
 TEST_CASE("The report of a measured profile shows it, its bearing curve and its structure function") {
     const Folder folder;
-    REQUIRE(run_fstiff("generate profile --points 8192 --spacing \"0.5 um\" --hurst 0.5 --rms \"1 um\" --longest \"1 mm\" "
+    REQUIRE(
+        run_fstiff("generate profile --points 8192 --spacing \"0.5 um\" --hurst 0.5 --rms \"1 um\" --longest \"1 mm\" "
                    "--shortest \"4 um\" -o '" +
                    folder / "profile.csv" + "'")
-                .status == 0);
+            .status == 0);
     const Outcome outcome = run_fstiff("report --surface '" + folder / "profile.csv" + "' -o '" + folder / "out" + "'");
     INFO(outcome.err);
     REQUIRE((outcome.status == 0 || outcome.status == 4));
@@ -182,9 +184,10 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
 TEST_CASE("The report of a measured map shows it in colours") {
     const Folder folder;
     REQUIRE(
-        run_fstiff("generate map --points 200 --rows 160 --spacing \"1 um\" --hurst 0.6 --rms \"1 um\" --shortest \"8 um\" "
-               "--format sdf -o '" +
-               folder / "map.sdf" + "'")
+        run_fstiff(
+            "generate map --points 200 --rows 160 --spacing \"1 um\" --hurst 0.6 --rms \"1 um\" --shortest \"8 um\" "
+            "--format sdf -o '" +
+            folder / "map.sdf" + "'")
             .status == 0);
     const Outcome outcome = run_fstiff("report --surface '" + folder / "map.sdf" + "' -o '" + folder / "out" + "'");
     INFO(outcome.err);
@@ -265,13 +268,15 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
     const std::string how =
         " --points 128 --spacing '1 um' --hurst 0.7 --rms '0.5 um' --shortest '6 um' --longest '60 um'";
     REQUIRE(run_fstiff("generate map" + how + " -o '" + folder / "map.txt" + "'").status == 0);
-    REQUIRE(run_fstiff("generate profile --points 8192 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --longest '1 mm' -o '" +
+    REQUIRE(
+        run_fstiff("generate profile --points 8192 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --longest '1 mm' -o '" +
                    folder / "trace.txt" + "'")
-                .status == 0);
+            .status == 0);
     const std::string upper = "[surface.upper]\nfrom = \"map.txt\"\n", lower = "[surface.lower]\nfrom = \"map.txt\"\n",
                       steel = "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n";
-    const std::string two = folder.write("two.toml", upper + lower + "[material.upper]\n" + steel + "[material.lower]\n" +
-                                                         steel + "[contact]\npressures = [\"1 MPa\", \"1 GPa\"]\n");
+    const std::string two =
+        folder.write("two.toml", upper + lower + "[material.upper]\n" + steel + "[material.lower]\n" + steel +
+                                     "[contact]\npressures = [\"1 MPa\", \"1 GPa\"]\n");
     for (const std::string& surface :
          {"--surface '" + folder / "map.txt" + "'", "--surface '" + folder / "trace.txt" + "'", "'" + two + "'"}) {
         INFO(surface);
@@ -282,7 +287,8 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
                       folder / "profile" + "' --no-pdf-header-footer --print-to-pdf='" + pdf + "' 'file://" +
                       folder / "out/report.html" + "'")
                     .status == 0);
-        const std::string first = shell("pdftotext -l 1 '" + pdf + "' -").out, all = shell("pdftotext '" + pdf + "' -").out;
+        const std::string first = shell("pdftotext -l 1 '" + pdf + "' -").out,
+                          all = shell("pdftotext '" + pdf + "' -").out;
         for (const char* part : {"Surface measured from", "K/A₀ [", "Verdict: "}) {
             INFO(part);
             CHECK(contains(first, part));
@@ -297,8 +303,8 @@ TEST_CASE("A report gives no sentence three times") {
     const Folder folder;
     // too few lags for D: the reason stands among the warnings and under the surface
     REQUIRE(run_fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '40 um' "
-                   "--longest '60 um' -o '" +
-                   folder / "trace.txt" + "'")
+                       "--longest '60 um' -o '" +
+                       folder / "trace.txt" + "'")
                 .status == 0);
     REQUIRE(run_fstiff("report --surface '" + folder / "trace.txt" + "' -o '" + folder / "out" + "'").status % 4 == 0);
     const std::string page = read(folder / "out/report.html"), start = "No D and G: ";

@@ -35,7 +35,8 @@ double at(const std::map<double, double>& curve, double x) {
     return after->second;
 }
 
-/// Integral of f from a to b by the trapezoidal rule after t = tanh-like substitution: slow, and nothing of the library.
+/// Integral of f from a to b by the trapezoidal rule after t = tanh-like substitution: slow, and nothing of the
+/// library.
 template <class F>
 double integral(double a, double b, const F& f) {
     double sum = 0;
@@ -203,8 +204,7 @@ TEST_CASE("Fig. 6 shows what was fitted, and Fig. 4 holds the radii at the level
     const Curves four = curves(folder / "paper/fig4.plot.csv");
     const std::string picture = read(folder / "paper/fig4.svg");
     const auto range = picture.rfind(" data-y=\"") + 9;
-    const double low = std::stod(picture.substr(range)),
-                 high = std::stod(picture.substr(picture.find(' ', range) + 1));
+    const double low = std::stod(picture.substr(range)), high = std::stod(picture.substr(picture.find(' ', range) + 1));
     for (const auto& [key, curve] : four)
         if (key.first == 2)
             for (const auto& [share, radius] : curve)

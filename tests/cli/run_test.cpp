@@ -84,8 +84,7 @@ void check_screen(const test::Outcome& outcome) {
     for (const char* words : {"over the answer", "plasticity index", "known to", "longer than an eighth", "sigma R D_p",
                               "p*", "structure function", "no D and G", "above the highest peak"})
         CHECK_FALSE(test::contains(all, words));
-    for (const char* once : {"H/(E g)", "vibration", "no hardness"})
-        CHECK(all.find(once) == all.rfind(once));
+    for (const char* once : {"H/(E g)", "vibration", "no hardness"}) CHECK(all.find(once) == all.rfind(once));
 }
 
 }  // namespace
@@ -96,8 +95,10 @@ TEST_CASE("The answer of numbers, a profile and a map is one screen of a hundred
         return folder.write(name, test::run_fstiff("generate " + how + " --hurst 0.7 --rms '0.4 um' --seed 3").out);
     };
     for (const std::string& surface :
-         {std::string(), " --surface '" + made("p.csv", "profile --points 4096 --spacing '1 um' --longest '300 um'") + "'",
-          " --surface '" + made("m.csv", "map --points 64 --spacing '1 um' --longest '16 um' --shortest '4 um'") + "'"}) {
+         {std::string(),
+          " --surface '" + made("p.csv", "profile --points 4096 --spacing '1 um' --longest '300 um'") + "'",
+          " --surface '" + made("m.csv", "map --points 64 --spacing '1 um' --longest '16 um' --shortest '4 um'") +
+              "'"}) {
         const auto outcome = test::run_fstiff("run" + surface);
         check_screen(outcome);
         CHECK(outcome.status == 0);
@@ -109,8 +110,9 @@ TEST_CASE("The answer of numbers, a profile and a map is one screen of a hundred
     check_screen(test::run_fstiff("run -", "[surface]\nRa = \"0.8 um\"\n" + steel));
     // a joint has the most columns: causes give way before the page does
     const auto joint = test::run_fstiff(
-        "run -", "[surface]\nRa = \"0.8 um\"\n[material.upper]\nname = \"steel\"\nhardness = \"2 GPa\"\n[contact]\n"
-                 "force = [\"1 kN\", \"20 kN\"]\nnominal_area = \"200 mm^2\"\n");
+        "run -",
+        "[surface]\nRa = \"0.8 um\"\n[material.upper]\nname = \"steel\"\nhardness = \"2 GPa\"\n[contact]\n"
+        "force = [\"1 kN\", \"20 kN\"]\nnominal_area = \"200 mm^2\"\n");
     check_screen(joint);
     CHECK(test::contains(joint.out, "approach ["));
 }
@@ -119,17 +121,19 @@ TEST_CASE("The answer of every measured surface is one screen of a hundred colum
     const std::string folder = FSTIFF_SURFACES;
     if (!std::filesystem::exists(folder)) SKIP_CASE("there is no folder of measured surfaces " FSTIFF_SURFACES);
     int shown = 0;
+    // clang-format off
     for (const auto& [file, units] : std::vector<std::pair<std::string, std::string>>{
              {"dektak-1.csv", "um,um"}, {"opdx-3.txt", "m,m"}, {"xy-4.txt", "um,um"}, {"nanovea_test1.txt", "mm,um"},
              {"matrix-3.txt", ""}, {"matrix-4.txt", ""}, {"sdf-1.sdf", ""}, {"derived_matrix-4_binary.sdf", ""},
              {"x3p-2.x3p", ""}, {"x3ptools_sample-land.x3p", ""}}) {
+        // clang-format on
         INFO(file);
         for (const char* steel : {"upper = \"steel\"\n", "upper = { name = \"steel\", hardness = \"2 GPa\" }\n"}) {
-            const auto outcome = test::run_fstiff(
-                "run -", "[surface]\nfrom = '" + folder + "/" + file + "'\n" +
-                             (units.empty() ? "" : "units = \"" + units + "\"\n") +
-                             (file.ends_with("land.x3p") ? "fill = true\n" : "") + "[material]\n" + steel +
-                             "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n");
+            const auto outcome =
+                test::run_fstiff("run -", "[surface]\nfrom = '" + folder + "/" + file + "'\n" +
+                                              (units.empty() ? "" : "units = \"" + units + "\"\n") +
+                                              (file.ends_with("land.x3p") ? "fill = true\n" : "") + "[material]\n" +
+                                              steel + "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n");
             if (test::contains(outcome.err, "built without")) {
                 test::leave_out("built without X3P: " + file);
                 break;
@@ -171,15 +175,16 @@ TEST_CASE("The summary shows every law that is named at decades of the pressure,
 
 TEST_CASE("The other quantities that a scene without laws asks for are below its answer") {
     const std::string scene = test::scene_with("sand_blasted_fine", {{"laws", ""}, {"peaks", ""}});
-    const auto waves = test::run_fstiff(
-        "run -", test::replaced(scene, "[output]", "[ultrasound]\nfrequency = \"1 MHz\"\n"
-                                                   "upper = { impedance = \"46 MRayl\" }\n[output]"));
+    const auto waves = test::run_fstiff("run -", test::replaced(scene, "[output]",
+                                                                "[ultrasound]\nfrequency = \"1 MHz\"\n"
+                                                                "upper = { impedance = \"46 MRayl\" }\n[output]"));
     INFO(waves.out << waves.err);
     CHECK(test::contains(waves.out, "90 % band"));
-    const auto areas = test::run_fstiff("run -", scene.substr(0, scene.find("[output]")) +
-                                                     "[output]\nquantities = [\"separation\", \"real_area\"]\n");
+    const auto areas = test::run_fstiff(
+        "run -", scene.substr(0, scene.find("[output]")) + "[output]\nquantities = [\"separation\", \"real_area\"]\n");
     INFO(areas.out << areas.err);
-    for (const char* part : {"90 % band", "\n  separation [µm]", "\n  real area"}) CHECK(test::contains(areas.out, part));
+    for (const char* part : {"90 % band", "\n  separation [µm]", "\n  real area"})
+        CHECK(test::contains(areas.out, part));
 }
 
 TEST_CASE("The summary has every pressure that was asked for, in tables below one another where one is too wide") {
@@ -278,9 +283,8 @@ TEST_CASE("The output file is whole, replaces an older one and leaves nothing be
 }
 
 TEST_CASE("A real area above the nominal one is printed with exit code 4") {
-    const std::string deep =
-        test::scene_with("sand_blasted_fine",
-                         {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}});
+    const std::string deep = test::scene_with(
+        "sand_blasted_fine", {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}});
     const auto outcome = test::run_fstiff("run - --format csv", deep);
     CHECK(outcome.status == 4);
     CHECK(test::contains(outcome.err, "real area exceeds the nominal area"));
@@ -299,8 +303,9 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
     const std::string both = "\"hertz\", \"boundary_elements\"";
     folder.write("s.toml", text_of("\"90 GPa\", \"10 MPa\"", both));
     const std::string in = "cd '" + (folder / "") + "' && fstiff ";
-    const std::string warning = "boundary_elements has no result at 1 of 2 points, the first of them 9e+10 Pa: all points of "
-                                "the map are in contact";
+    const std::string warning =
+        "boundary_elements has no result at 1 of 2 points, the first of them 9e+10 Pa: all points of "
+        "the map are in contact";
     const Outcome table = shell(in + "run s.toml --plot k.svg");
     CHECK(table.status == 4);
     CHECK(contains(as_one_line(table.out), warning));

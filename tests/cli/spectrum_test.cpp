@@ -220,7 +220,7 @@ TEST_CASE("The picture of a spectrum has its curves and its numbers, and replace
     folder.write("map.csv", map_text());
     for (const std::string of : {"psd", "acf"}) {
         const auto made = test::run_fstiff("spectrum '" + (folder / "map.csv") + "' --of " + of + none + " --plot '" +
-                                       (folder / (of + ".svg")) + "'");
+                                           (folder / (of + ".svg")) + "'");
         INFO(made.err);
         CHECK(made.status == 0);
         const std::string picture = read(folder / (of + ".svg"));
@@ -249,12 +249,13 @@ TEST_CASE("Of several files the roughness is the mean of theirs, and each file h
     const Folder folder;
     std::string names;
     for (const std::string seed : {"1", "2", "3"})
-        names += " '" +
-                 folder.write(seed + ".csv", test::run_fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.7 "
-                                                          "--rms '1 um' --shortest '8 um' --seed " +
-                                                          seed)
-                                                 .out) +
-                 "'";
+        names +=
+            " '" +
+            folder.write(seed + ".csv", test::run_fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.7 "
+                                                         "--rms '1 um' --shortest '8 um' --seed " +
+                                                         seed)
+                                            .out) +
+            "'";
     const auto document = document_of("measure" + names + " --resamples 2");
     const auto& pooled = document["roughness"];
     CHECK(pooled["mean_of_files"] == 3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What happens to a sweep that is killed, whose disk is full, or whose file another one writes: nothing is lost or doubled.
+// What happens to a sweep that is killed, whose disk is full, or whose file another one writes: nothing is lost or
+// doubled.
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 
@@ -81,7 +82,9 @@ void check_killed_sweeps(unsigned runs) {
 
 }  // namespace
 
-TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 8 runs") { check_killed_sweeps(8); }
+TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 8 runs") {
+    check_killed_sweeps(8);
+}
 TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 40 runs", "[long]") {
     check_killed_sweeps(40);
 }
@@ -122,12 +125,12 @@ TEST_CASE("A sweep whose threads find no room goes on with fewer, and says how m
     if (shell("ulimit -s 4000000 && ulimit -v 100000 && fstiff --version").status != 0)
         SKIP_CASE("no program runs here with little memory, or the limits cannot be set");
     // each thread asks for a stack of the size of the limit on that of the process
-    for (const char* limits : {"-s 4000000 && ulimit -v 2000000", "-s 400000 && ulimit -v 2000000", "-v 500000", "-v 200000",
-                               "-v 140000", "-v 100000"}) {
+    for (const char* limits : {"-s 4000000 && ulimit -v 2000000", "-s 400000 && ulimit -v 2000000", "-v 500000",
+                               "-v 200000", "-v 140000", "-v 100000"}) {
         std::filesystem::remove(out);
         std::filesystem::remove(out + ".sweep");
-        const Outcome outcome = shell("ulimit " + std::string(limits) + " && fstiff sweep '" + file + "' -o '" + out +
-                                      "' --threads 64");
+        const Outcome outcome =
+            shell("ulimit " + std::string(limits) + " && fstiff sweep '" + file + "' -o '" + out + "' --threads 64");
         INFO(limits << "\n" << outcome.err);
         CHECK(outcome.status == 0);
         CHECK(contains(outcome.err, " of 64 threads computed; the system has no room for more"));

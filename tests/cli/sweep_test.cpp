@@ -62,7 +62,8 @@ std::string scene_with(const std::string& key, const std::string& written) {
                               std::regex("lower_ratio"), "poisson_ratio");
 }
 
-/// Checks that every line of \p results holds what `fstiff run --format csv` prints of the scene that \p of makes of it.
+/// Checks that every line of \p results holds what `fstiff run --format csv` prints of the scene that \p of makes of
+/// it.
 template <class Of>
 void check_as_run(const std::string& results, const Of& of, std::size_t every = 1) {
     std::map<std::string, std::vector<Line>> by_index;
@@ -77,7 +78,8 @@ void check_as_run(const std::string& results, const Of& of, std::size_t every = 
         INFO("scene " << index << ": " << run.err);
         REQUIRE((run.status == 0 || run.status == 4));
         auto csv = lines(run.out);
-        if (!contains(lines(results).front(), "\"answer\":1"))  // the laws that are named, without the answer above them
+        if (!contains(lines(results).front(),
+                      "\"answer\":1"))  // the laws that are named, without the answer above them
             std::erase_if(csv, [](const std::string& line) { return line.ends_with(",1"); });
         REQUIRE(csv.size() == rows.size() + 1);
         for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -130,8 +132,8 @@ TEST_CASE("Each line of a sweep has the digits of fstiff run of that scene, for 
 TEST_CASE("A grid that names no law carries the answer, whose law is chosen anew where a swept value lets peaks flow") {
     const auto scene = [](const std::string& strength) {
         return "[surface]\nrms_height = \"0.5 um\"\nrms_gradient = 0.1\nalpha = 5\n"
-               "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nyield_strength = " + strength +
-               "\n[contact]\npressures = [\"3 MPa\", \"30 MPa\"]\n";
+               "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nyield_strength = " +
+               strength + "\n[contact]\npressures = [\"3 MPa\", \"30 MPa\"]\n";
     };
     const Folder folder;
     const std::string file = folder.write("grid.toml", scene("[\"100 MPa\", \"9 GPa\"]"));
@@ -145,10 +147,12 @@ TEST_CASE("A grid that names no law carries the answer, whose law is chosen anew
     check_as_run(results, [&](const Line& line) { return scene("\"" + line.at(1).second + " Pa\""); });
 }
 
-TEST_CASE("A grid carries the conductances with their bands, and its gaps may be filled with one medium after the other") {
+TEST_CASE(
+    "A grid carries the conductances with their bands, and its gaps may be filled with one medium after the other") {
     const auto scene = [](const std::string& medium) {
         return "material = { upper = \"steel\", lower = \"aluminium\" }\n[surface]\nrms_height = \"0.5 um\"\n"
-               "rms_gradient = 0.1\n[contact]\npressures = [\"3 MPa\", \"30 MPa\"]\n[gap]\nmedium = " + medium + "\n";
+               "rms_gradient = 0.1\n[contact]\npressures = [\"3 MPa\", \"30 MPa\"]\n[gap]\nmedium = " +
+               medium + "\n";
     };
     const Folder folder;
     const std::string file = folder.write("grid.toml", scene("[\"air\", \"helium\", \"vacuum\"]"));
@@ -188,7 +192,7 @@ TEST_CASE("Measured files may be swept") {
     const Folder folder;
     for (const char* seed : {"1", "2"})
         REQUIRE(run_fstiff("generate profile --hurst 0.8 --rms '1 um' --points 2000 --spacing '1 um' --seed " +
-                       std::string(seed) + " -o '" + folder / ("trace" + std::string(seed) + ".csv") + "'")
+                           std::string(seed) + " -o '" + folder / ("trace" + std::string(seed) + ".csv") + "'")
                     .status == 0);
     const std::string text =
         "[surface]\nfrom = { values = [\"trace1.csv\", [\"trace1.csv\", \"trace2.csv\"]] }\n"
@@ -242,15 +246,16 @@ TEST_CASE("K by the table of a law is within the error that it tells, for any nu
         CHECK(most < 1e-13);     // of separations of a micrometre
         CHECK(wanted != found);  // they are tables
         for (const char* i : {"1", "2", "3"})
-            REQUIRE(run_fstiff("sweep '" + tables + "' --shard " + i + "/3 -o '" + folder / "part-{shard}" + "'").status ==
-                    0);
+            REQUIRE(
+                run_fstiff("sweep '" + tables + "' --shard " + i + "/3 -o '" + folder / "part-{shard}" + "'").status ==
+                0);
         REQUIRE(shell("fstiff merge '" + folder / "" + "'part-* -o '" + folder / "all" + "'").status == 0);
         CHECK(read(folder / "all") == read(folder / "tables"));
     }
     const Folder folder;
     const auto refused = [&](const std::string& text, const std::string& sentence) {
         const Outcome outcome = run_fstiff("sweep '" + folder.write("grid.toml", text + "[sweep]\ntabulate = true\n") +
-                                       "' -o '" + folder / "out" + "'");
+                                           "' -o '" + folder / "out" + "'");
         CHECK(outcome.status == 3);
         CHECK(contains(outcome.err, sentence));
     };
@@ -262,7 +267,7 @@ TEST_CASE("K by the table of a law is within the error that it tells, for any nu
 TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their points are computed together or not") {
     const Folder folder;
     REQUIRE(run_fstiff("generate map --hurst 0.8 --rms '0.3 um' --points 48 --spacing '1 um' --format sdf -o '" +
-                   folder / "map.sdf" + "'")
+                       folder / "map.sdf" + "'")
                 .status == 0);
     for (const char* laws : {"\"summits\", \"hybrid\", \"persson\"", "\"hybrid\", \"boundary_elements\""}) {
         const std::string text =
@@ -333,7 +338,8 @@ TEST_CASE("A second sweep does nothing, and a cut one goes on, wherever it was c
         CHECK(read(out) == whole);
         CHECK(read(out + ".sweep") == description);
     }
-    // zeros behind what was synced, as some file systems leave them after a loss of power, and a scene in between that is lost
+    // zeros behind what was synced, as some file systems leave them after a loss of power, and a scene in between that
+    // is lost
     folder.write("out.sweep", unfinished);
     folder.write("out", whole.substr(0, 1000) + std::string(5000, '\0'));
     CHECK(run_fstiff(sweep).status == 0);
@@ -395,7 +401,8 @@ TEST_CASE("What is wrong with a value is told before anything is computed") {
     check(replaced(grid, "[\"20 um\", \"40 um\"]", "{ from = \"20 um\", to = \"40 um\", count = 1e18 }"),
           "surface.peak_radius.count = 1e+18: must be a whole number from 2 to 9007199254740992, written without a");
     CHECK(run_fstiff("sweep").status == 2);
-    CHECK(run_fstiff("sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --shard 3").status == 2);
+    CHECK(run_fstiff("sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --shard 3").status ==
+          2);
 }
 
 TEST_CASE("A scene that cannot be computed says why, and the others have their results") {

@@ -119,9 +119,8 @@ TEST_CASE("A sweep shows a bar with its rate and the time left on a terminal") {
     const std::string file = folder.write(
         "grid.toml",
         grid("\"0.8 um\"", "\"40 um\"", "pressures = [ { from = \"1 MPa\", to = \"100 MPa\", count = 20000 } ]"));
-    const Outcome shown =
-        shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' sweep '" + file +
-              "' -o '" + folder / "out" + "'\" /dev/null");
+    const Outcome shown = shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' sweep '" + file + "' -o '" +
+                                folder / "out" + "'\" /dev/null");
     INFO(shown.out);
     CHECK(shown.status == 0);
     CHECK(contains(shown.out, "scenes ["));

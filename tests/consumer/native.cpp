@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compiled for the processor of this machine, linked with fstiff::io, which was compiled for any: arrays of Eigen are set
-// aside and freed in another way by each, so that none may be handed over.
+// Compiled for the processor of this machine, linked with fstiff::io, which was compiled for any: arrays of Eigen are
+// set aside and freed in another way by each, so that none may be handed over.
 #include <fstiff/io.hpp>
 
 #include <sstream>

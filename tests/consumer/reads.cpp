@@ -18,8 +18,8 @@ int main() {
     const io::Surface one = io::read_surface(sdf, "written.sdf"), other = io::read_surface(csv, "written.csv");
     bool right = one.record.format == io::SurfaceFormat::sdf && other.record.format == io::SurfaceFormat::matrix;
     for (const io::Surface* read : {&one, &other})
-        right = right && !read->is_profile() && (read->map().heights == map.heights).all() && read->map().dx == map.dx &&
-                read->map().dy == map.dy;
+        right = right && !read->is_profile() && (read->map().heights == map.heights).all() &&
+                read->map().dx == map.dx && read->map().dy == map.dy;
     try {
         (void)io::read_surface("PK\3\4", "damaged.x3p");
         right = false;

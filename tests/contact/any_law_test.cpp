@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts of laws that a user writes. Truth: the closed integrals of the same law given its powers, the contact integrals
-// themselves, and differences of p(d).
+// Contacts of laws that a user writes. Truth: the closed integrals of the same law given its powers, the contact
+// integrals themselves, and differences of p(d).
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -133,7 +133,8 @@ TEST_CASE("a law without powers gives what its powers give") {
 TEST_CASE("a law of plain functions gives what one of arrays gives") {
     const PeakDistribution<double> peaks(0.5, 1.0);
     // the rule in two dimensions is told nothing of the root that the plain law has at omega = 0
-    same(RoughContact(fine, peaks, PlainHertz{}, modulus), RoughContact(fine, peaks, HertzLaw<double>{}, modulus), 1e-9);
+    same(RoughContact(fine, peaks, PlainHertz{}, modulus), RoughContact(fine, peaks, HertzLaw<double>{}, modulus),
+         1e-9);
 }
 
 TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
@@ -145,7 +146,8 @@ TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
         const auto at = contact.at_separation(eta * fine.rms_height);
         const auto j = [&](double a, double b) { return contact_integral(a, b, peaks, eta).value; };
         INFO("eta " << eta);
-        // theory: A = 2 pi D_p sigma/sigma_kappa J[1,-1], p = H A, K = sqrt(2) of Hertz, -dp/dd = 2 pi H D_p J[0,-1]/sigma_kappa
+        // theory: A = 2 pi D_p sigma/sigma_kappa J[1,-1], p = H A, K = sqrt(2) of Hertz, -dp/dd = 2 pi H D_p
+        // J[0,-1]/sigma_kappa
         CHECK(test::relative_error(at.real_area_fraction.value,
                                    2 * pi * fine.peak_density * fine.rms_height / curvature * j(1, -1)) < 1e-14);
         CHECK(test::relative_error(at.pressure.value, hardness * at.real_area_fraction.value) < 1e-14);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: Persson's contact under a Gaussian; the fixed point by plain iteration with a separation summed here; boundary elements
-// and K of another program on tests/data/bearing_map_honed.f32, made again with its rules and with finer ones.
+// Truth: Persson's contact under a Gaussian; the fixed point by plain iteration with a separation summed here; boundary
+// elements and K of another program on tests/data/bearing_map_honed.f32, made again with its rules and with finer ones.
 #include <fstiff/contact/bearing_contact.hpp>
-#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
@@ -38,7 +38,8 @@ HeightMap<double> honed() {
 parts::BearingContact<double> contact_of(const HeightMap<double>& map, double modulus = 1,
                                          Edges edges = Edges::periodic, double closing = 0.25) {
     const auto order = parts::gaussian_order(map);
-    return {PerssonContact<double>(map_spectrum(order.map, edges), modulus, 0.45, closing), order.curve, order.rms_height};
+    return {PerssonContact<double>(map_spectrum(order.map, edges), modulus, 0.45, closing), order.curve,
+            order.rms_height};
 }
 
 /// rho by plain iteration from 1; d_g by Simpson's rule in ln p.
@@ -163,7 +164,9 @@ TEST_CASE("The crowded contact of a honed map is that of another program, and ne
         const double p = table.input(row, "pressure"), K = contact.stiffness(p);
         CAPTURE(p);
         // 1e-4 where many points touch; where few do, the sum of the other program is 3e-3 less (next case)
-        CHECK(test::relative_error(K, table.input(row, "stiffness_crowded")) < (p > 5e-4 ? 1e-4 : p > 5e-5 ? 1e-3 : 4e-3));
+        CHECK(test::relative_error(K, table.input(row, "stiffness_crowded")) < (p > 5e-4   ? 1e-4
+                                                                                : p > 5e-5 ? 1e-3
+                                                                                           : 4e-3));
         CHECK(test::relative_error(contact.local_scale(p),
                                    slow_scale(contact.gaussian(), order.curve, order.rms_height, p)) < 1e-6);
         const double truth = table.input(row, "stiffness_boundary_elements");
@@ -250,7 +253,8 @@ TEST_CASE("Small maps, plateaus of equal heights and light loads have a finite K
         double last = 0;
         for (double p = contact.full_pressure() * 1e-9; p < contact.full_pressure(); p *= 2) {
             if (p > contact.local_scale(p) * contact.gaussian().largest_compared_pressure()) {
-                CHECK(test::refusal([&] { (void)contact.at_pressure(p); }).find("the bulk carries") != std::string::npos);
+                CHECK(test::refusal([&] { (void)contact.at_pressure(p); }).find("the bulk carries") !=
+                      std::string::npos);
                 break;
             }
             const auto state = contact.at_pressure(p);

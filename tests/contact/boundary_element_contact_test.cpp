@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: boundary elements themselves; the way back from a separation; -dp/dd by difference, which K is where the set of
-// contacts changes smoothly.
+// Truth: boundary elements themselves; the way back from a separation; -dp/dd by difference, which K is where the set
+// of contacts changes smoothly.
 #include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -52,15 +52,17 @@ TEST_CASE("boundary elements as a contact have the states of the solver, bit for
             CHECK(state.loading_stiffness.value == state.stiffness.value);
             CHECK(state.real_area_fraction.value == solved[i].state.contact_fraction);
             CHECK(test::relative_error(state.eta * rms_height(map), state.separation.value) < 1e-15);
-            CHECK(test::relative_error(state.contact_density.value * map.area(), double(solved[i].state.spots)) < 1e-14);
+            CHECK(test::relative_error(state.contact_density.value * map.area(), double(solved[i].state.spots)) <
+                  1e-14);
         }
         const double d = curve[1].state.separation.value;
         CHECK(test::relative_error(contact.at_separation(d).pressure.value, pressures[1]) < 1e-7);
     }
     const BoundaryElementContact<double> contact(map, E, {.points = 64, .grid_error = false});
     const double p = 0.05, step = 2e-3;
-    const double chord = 2 * step * p / (contact.at_pressure(p * (1 - step)).separation.value -
-                                         contact.at_pressure(p * (1 + step)).separation.value);
+    const double chord =
+        2 * step * p /
+        (contact.at_pressure(p * (1 - step)).separation.value - contact.at_pressure(p * (1 + step)).separation.value);
     CHECK(test::relative_error(contact.at_pressure(p).stiffness.value, chord) < 1e-2);
 }
 

@@ -16,10 +16,10 @@ namespace contact_integrals_test {
 
 using fstiff::contact_integral;
 using fstiff::contact_integrals;
-using fstiff::parts::ContactIntegrator;
 using fstiff::Estimate;
 using fstiff::PeakDistribution;
 using fstiff::Quantity;
+using fstiff::parts::ContactIntegrator;
 
 namespace {
 
@@ -33,7 +33,8 @@ struct Point {
     double r, theta, eta;
 };
 
-/// Problems of every regime: plain, r near 1, theta near 0 and near pi/2, |eta| of the order of c, far negative and far positive.
+/// Problems of every regime: plain, r near 1, theta near 0 and near pi/2, |eta| of the order of c, far negative and far
+/// positive.
 std::vector<Point> random_points(int count, unsigned seed = 20140601) {
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {
@@ -98,8 +99,8 @@ TEMPLATE_TEST_CASE("the tables of reference integrals, error estimate included",
 #ifdef FSTIFF_TEST_LONG_DOUBLE
 namespace {
 
-/// Compares all four integrals at \p points with long double: the estimate covers every one, three times the tolerance all but
-/// a share \p beyond_allowed.
+/// Compares all four integrals at \p points with long double: the estimate covers every one, three times the tolerance
+/// all but a share \p beyond_allowed.
 void check_cover(const std::vector<Point>& points, double tolerance, double beyond_allowed = 0) {
     int missed = 0, beyond = 0, count = 0;
     std::string first;
@@ -135,8 +136,8 @@ TEST_CASE("the estimate covers the error at random points of every regime, at ev
 TEST_CASE(
     "far above the surface, where the rounding of eta rules, the estimate covers it and is no hundred times too "
     "large") {
-    // At a separation eta the exponent z = (t - r eta)/c inherits the rounding of numbers of the size of eta: the value is
-    // wrong by a part of eta epsilon, while the rule itself is right to the tolerance, 50 epsilon.
+    // At a separation eta the exponent z = (t - r eta)/c inherits the rounding of numbers of the size of eta: the value
+    // is wrong by a part of eta epsilon, while the rule itself is right to the tolerance, 50 epsilon.
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     for (const double eta : {1e2, 1e3, 1e4, 1e5}) {
         double largest = 0;  // error over estimate
@@ -162,9 +163,10 @@ TEST_CASE(
 }
 
 TEST_CASE("where the rule itself has converged, the share of rounding in the estimate covers the error") {
-    // At the least tolerance, 50 epsilon, the share of the tolerance in the estimate is 10 epsilon. These are problems of which
-    // the error is more than that by rounding alone (15 to 21 epsilon, found among 239,000 values of random problems by the
-    // greatest error less estimate); without 8 epsilon for rounding the estimate would miss each of them.
+    // At the least tolerance, 50 epsilon, the share of the tolerance in the estimate is 10 epsilon. These are problems
+    // of which the error is more than that by rounding alone (15 to 21 epsilon, found among 239,000 values of random
+    // problems by the greatest error less estimate); without 8 epsilon for rounding the estimate would miss each of
+    // them.
     for (const Point& p : {Point{0.87627108133238085, 1.5707859360724308, 5.2158317571199078},
                            Point{0.93630015615556117, 1.5707815044916262, 3.519041214002705},
                            Point{0.96618647127960899, 1.5707614176512028, 2.4585058545207334}})
@@ -305,8 +307,7 @@ TEMPLATE_TEST_CASE("the far tail underflows to 0 and its logarithm goes on", "",
                   scaled.stiffness.error / scaled.stiffness.value +
                       (100 + 2 * std::abs(log)) * std::numeric_limits<T>::epsilon());
         // log J = -eta^2/2 - O(log eta)
-        CHECK(std::abs(log + eta * eta / 2) <=
-              5 * std::log(eta) + 4 * std::numeric_limits<T>::epsilon() * eta * eta);
+        CHECK(std::abs(log + eta * eta / 2) <= 5 * std::log(eta) + 4 * std::numeric_limits<T>::epsilon() * eta * eta);
     }
     CHECK(contact_integral(T(1.5), T(-0.5), peaks, T(1e6)).value == 0);
     CHECK(std::isfinite(contact_integral(T(1.5), T(-0.5), peaks, T(-1e6)).value));

@@ -57,8 +57,8 @@ RoughContact<double, YieldingLaw> plastic(const RoughContactOptions<double>& opt
     return {fine, third, YieldingLaw{0.01}, modulus, options};
 }
 
-/// Largest relative error of the law between the nodes, against the model, at seeded random pressures; of -dp/dd too where
-/// K is no constant times that.
+/// Largest relative error of the law between the nodes, against the model, at seeded random pressures; of -dp/dd too
+/// where K is no constant times that.
 template <class Contact>
 double worst_error(const Law& law, const Contact& contact, int count = 400) {
     std::mt19937 random(11);
@@ -137,8 +137,9 @@ TEST_CASE(
 
 namespace {
 
-/// \p claimed and \p found, the largest error at \p points pressures of each, of 400 laws of random surfaces: every law,
-/// a plastic one and Greenwood-Williamson too, one contact in three with interaction, over up to six decades of pressure.
+/// \p claimed and \p found, the largest error at \p points pressures of each, of 400 laws of random surfaces: every
+/// law, a plastic one and Greenwood-Williamson too, one contact in three with interaction, over up to six decades of
+/// pressure.
 struct RandomLaws {
     std::vector<double> claimed, found;
 };
@@ -169,13 +170,9 @@ RandomLaws random_laws(int points) {
         RoughContactOptions<double> options;
         if (i % 3 == 0) options.interaction = {InteractionReading::effective_separation, decades(-4, -1)};
         switch (i % 7) {
-            case 0:
-                check(GreenwoodWilliamson<double>(surface, stiff), low, high);
-                break;
+            case 0: check(GreenwoodWilliamson<double>(surface, stiff), low, high); break;
             case 1:
-            case 2:
-                check(RoughContact(surface, peaks, HertzLaw<double>{}, stiff, options), low, high);
-                break;
+            case 2: check(RoughContact(surface, peaks, HertzLaw<double>{}, stiff, options), low, high); break;
             case 3:
             case 4:
                 check(RoughContact(surface, peaks, FractalConsistentLaw<double>(dimension), stiff, options), low, high);
@@ -183,8 +180,7 @@ RandomLaws random_laws(int points) {
             case 5:
                 check(RoughContact(surface, peaks, FractalLaw<double>(dimension), stiff, options), low, high);
                 break;
-            default:
-                check(RoughContact(surface, peaks, YieldingLaw{stiff / 1e12}, stiff, options), low, high);
+            default: check(RoughContact(surface, peaks, YieldingLaw{stiff / 1e12}, stiff, options), low, high);
         }
     }
     std::sort(out.claimed.begin(), out.claimed.end());
@@ -381,7 +377,8 @@ TEST_CASE("a continued law is smooth at its ends: log p linear in the separation
                                        light.pressure * std::exp(-x * sigma * light.slope / light.pressure)) < 1e-14);
             CHECK(test::relative_error(at.stiffness / at.pressure, light.stiffness / light.pressure) < 1e-14);
         }
-        // K linear: its differences do not depend on where; p is its integral over the ratio of the two, that of the end
+        // K linear: its differences do not depend on where; p is its integral over the ratio of the two, that of the
+        // end
         const double k = law.stiffness_at_separation(near - sigma) - heavy.stiffness;
         CHECK(k > 0);
         CHECK(test::relative_error(law.stiffness_at_separation(near - 3 * sigma) - heavy.stiffness, 3 * k) < 1e-12);
@@ -431,7 +428,8 @@ TEST_CASE("a continued law is smooth at its ends: log p linear in the separation
 }
 
 TEST_CASE("a mass on a continued law opens and closes by Newton's method, which converges quadratically") {
-    // m a = p(separation) A - weight by implicit Euler: thrown up, it leaves the contact, falls back and presses it beyond its range
+    // m a = p(separation) A - weight by implicit Euler: thrown up, it leaves the contact, falls back and presses it
+    // beyond its range
     for_laws({1e5, 2e6, OutsideRange::extrapolate}, [](const Law& law, double) {
         const auto [near, far] = law.separations();
         const double area = 1e-4, weight = 3e5 * area, mass = 0.1;
@@ -502,8 +500,8 @@ TEST_CASE("an empty law refuses every evaluation with one sentence, and may be f
 
 namespace {
 
-/// K of the pressures and {p, K} of the separations by batch against the calls one by one; from arrays that begin \p offset numbers
-/// after an aligned one.
+/// K of the pressures and {p, K} of the separations by batch against the calls one by one; from arrays that begin \p
+/// offset numbers after an aligned one.
 template <class T>
 void check_batch(const ContactLaw<T>& law, const Eigen::ArrayX<T>& pressure, const Eigen::ArrayX<T>& separation,
                  Eigen::Index offset) {
@@ -635,7 +633,8 @@ TEST_CASE("a batch refuses what the scalar calls refuse: outside, NaN, arrays of
 }
 
 TEST_CASE("the separation of every pressure in the range is one that the law takes") {
-    // of two tables, which differ in the last digits: an initial state at the end of the range is what a solver begins with
+    // of two tables, which differ in the last digits: an initial state at the end of the range is what a solver begins
+    // with
     for (const double low : {1e4, 1e5, 3.3e5, 7.7e6})
         for (const double ratio : {1.001, 2.0, 100.0, 12345.6}) {
             const Law law = Law::tabulate(hertz(), {low, low * ratio});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem_maps.csv; the exact spectrum of maps that repeat
-// themselves.
+// Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem_maps.csv; the exact spectrum of maps
+// that repeat themselves.
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
@@ -115,7 +115,8 @@ TEST_CASE("Of a map's own summits and its bearing curve hybrid is near boundary 
     CHECK(largest / least < 1.2);
 }
 
-TEST_CASE("A hand-over is continuous, fades out over a factor of 8, and keeps its ratios on surfaces drawn about a map") {
+TEST_CASE(
+    "A hand-over is continuous, fades out over a factor of 8, and keeps its ratios on surfaces drawn about a map") {
     const HeightMap<double> map = test::half_space_map("gaussian");
     const parts::BearingContact<double> crowded(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
     const Summits<double> summits = summits_of(map);

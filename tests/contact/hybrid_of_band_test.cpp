@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: boundary elements of tests/data/broad.csv (bench/broad.cpp, tools/make_broad.py), of which the seeds 1 and 3 were
-// fitted, and of tests/data/bem.csv; published molecular dynamics; the parts of the law, put together anew.
+// Truth: boundary elements of tests/data/broad.csv (bench/broad.cpp, tools/make_broad.py), of which the seeds 1 and 3
+// were fitted, and of tests/data/bem.csv; published molecular dynamics; the parts of the law, put together anew.
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 
@@ -154,7 +154,8 @@ TEST_CASE("the hybrid contact of numbers at alpha of 700 and 1000: single maps w
     CHECK(before.mean() > 1.05 * found.mean());
 }
 
-TEST_CASE("K of the hybrid contact of numbers against published molecular dynamics: H = 0.8, two decades, alpha = 140") {
+TEST_CASE(
+    "K of the hybrid contact of numbers against published molecular dynamics: H = 0.8, two decades, alpha = 140") {
     // Zhou et al., Int. J. Solids Struct. (2024) 112684: the mean gap over the rms height; K sigma/p of its chords
     const auto band = band_of_moments(parts::moments_of_gradient(1.0, 1.0, 140.0), 0.8);
     const auto contact = hybrid_of_band(band, 1.0);
@@ -171,8 +172,7 @@ TEST_CASE("K of the hybrid contact of numbers against published molecular dynami
     // gaps as published, so without the choice of a chord
     const std::vector<std::array<double, 2>> gaps{
         {0.00361536, 1.883}, {0.0361536, 0.85398}, {0.144615, 0.26442}, {0.408536, 0.038363}};
-    for (const auto& [p, gap] : gaps)
-        CHECK(std::abs(contact.at_pressure(p).separation.value - gap) < 0.05);
+    for (const auto& [p, gap] : gaps) CHECK(std::abs(contact.at_pressure(p).separation.value - gap) < 0.05);
 }
 
 TEST_CASE("the hybrid contact of numbers is put together from its parts") {

@@ -37,7 +37,8 @@ HeightMap<double> random_map(unsigned seed) {
             if (q < 2 || q > 8) continue;
             for (Eigen::Index i = 0; i < 64; ++i)
                 for (Eigen::Index j = 0; j < 64; ++j)
-                    map.heights(i, j) += std::pow(q, -1.8) * std::cos(2 * std::numbers::pi * static_cast<double>(a * i + b * j) / 64 + at);
+                    map.heights(i, j) += std::pow(q, -1.8) *
+                                         std::cos(2 * std::numbers::pi * static_cast<double>(a * i + b * j) / 64 + at);
         }
     map.heights *= 0.1 / map_spectrum(map, Edges::periodic).rms_gradient();
     return map;
@@ -59,7 +60,8 @@ struct Laws {
         hybrid, parts::MapCut<double>(map, 1.0, Edges::periodic), 0.1 * g, 1.0, g};
 };
 
-/// The law of \p contact against it at \p points random pressures, and its own p(d), -dp/dd and K(p) against each other.
+/// The law of \p contact against it at \p points random pressures, and its own p(d), -dp/dd and K(p) against each
+/// other.
 template <class C>
 void check(const C& contact, double low, double high, int points) {
     const Law law = Law::tabulate(contact, {low, high});
@@ -146,7 +148,8 @@ TEST_CASE("a law with kinks: text, policies, arrays, float") {
     const auto [closest, furthest] = open.separations();
     for (const double end : {closest, furthest}) {
         const double step = 1e-9 * (furthest - closest);
-        CHECK(test::relative_error(open.pressure_at_separation(end - step), open.pressure_at_separation(end + step)) < 1e-6);
+        CHECK(test::relative_error(open.pressure_at_separation(end - step), open.pressure_at_separation(end + step)) <
+              1e-6);
         CHECK(test::relative_error(open.slope_at_separation(end - step), open.slope_at_separation(end + step)) < 1e-5);
     }
     CHECK(open.stiffness(0) == 0);

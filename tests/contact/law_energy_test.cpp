@@ -46,7 +46,9 @@ TEST_CASE("energy is the integral of the pressure, within the range and on both 
     const LawRange<double> range{1e5, 1e8, OutsideRange::extrapolate};
     const Law smooth = Law::tabulate(contact, range);
     const Law kinked = Law::tabulate_points(
-        [&](double p) -> detail::LawPoint<double> { return {smooth.separation(p), smooth.stiffness(p)}; },
+        [&](double p) -> detail::LawPoint<double> {
+            return {smooth.separation(p), smooth.stiffness(p)};
+        },
         fine.rms_height, range);
     for (const Law& law : {smooth, kinked}) {
         const double far = law.separation(1e3), open = law.separation(3e5), closed = law.separation(5e7),

@@ -45,7 +45,8 @@ TEST_CASE("the mean over shifts is the mean, and its error holds the scatter of 
             CHECK(std::abs((found.*member).error - std::sqrt(scatter * scatter + error * error)) < 1e-12 * std::abs(m));
         }
         CHECK(test::relative_error(found.eta, (a.eta + b.eta + c.eta) / 3) < 1e-14);
-        CHECK(found.stiffness.evaluations == a.stiffness.evaluations + b.stiffness.evaluations + c.stiffness.evaluations);
+        CHECK(found.stiffness.evaluations ==
+              a.stiffness.evaluations + b.stiffness.evaluations + c.stiffness.evaluations);
     }
     CHECK(test::relative_error(mean.rms_height(), 0.8e-6) < 1e-15);
 }

@@ -79,7 +79,8 @@ TEST_CASE("the push by neighbours and a grid against a dense matrix of lattice s
         for (int i = 0; i < 120; ++i)
             of.summits.push_back({1e-4 * uniform(random), 100 + 400 * uniform(random), 30 + 70 * uniform(random),
                                   uniform(random), height * uniform(random)});
-        std::sort(of.summits.begin(), of.summits.end(), [](const auto& a, const auto& b) { return a.height > b.height; });
+        std::sort(of.summits.begin(), of.summits.end(),
+                  [](const auto& a, const auto& b) { return a.height > b.height; });
         const double p = 2e-3;
         const auto [K, d] = dense(of, p);
         const auto state = parts::MutualSummits<double>(of, 1.0, Edges::periodic).at_pressure(p);
@@ -100,7 +101,8 @@ TEST_CASE("summits that push each other down: K is the slope, pressure and separ
                        high = contact.at_pressure(p * (1 + 1e-5));
             CAPTURE(p);
             const double slope = 2e-5 * p / (low.separation.value - high.separation.value);
-            CHECK(test::relative_error(state.stiffness.value, slope) < 1e-5);  // of the grid, which changes with the summits
+            CHECK(test::relative_error(state.stiffness.value, slope) <
+                  1e-5);  // of the grid, which changes with the summits
             CHECK(test::relative_error(contact.at_separation(state.separation.value).pressure.value, p) < 1e-6);
             const auto log_p = contact.log_pressure(state.eta);
             CHECK(test::relative_error(log_p.log, std::log(p)) < 1e-6);

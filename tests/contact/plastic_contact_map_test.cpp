@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: boundary elements whose pressures are cut at the hardness; K_cut and K_elastic by themselves; differences of p(d).
+// Truth: boundary elements whose pressures are cut at the hardness; K_cut and K_elastic by themselves; differences of
+// p(d).
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -59,10 +60,13 @@ TEST_CASE("K of a plastic contact joins its parts, and its load is that of both"
         const auto state = contact.at_pressure(p);
         const double K_cut = 0.68 * E * g * p / (sigma * H), K = persson.stiffness(p);
         CAPTURE(p);
-        CHECK(test::relative_error(std::pow(state.stiffness.value, 1.9), std::pow(K_cut, 1.9) + std::pow(K, 1.9)) < 1e-12);
-        CHECK(test::relative_error(state.real_area_fraction.value, p * std::sqrt(1 / (H * H) + 4 / (E * g * E * g))) < 1e-12);
+        CHECK(test::relative_error(std::pow(state.stiffness.value, 1.9), std::pow(K_cut, 1.9) + std::pow(K, 1.9)) <
+              1e-12);
+        CHECK(test::relative_error(state.real_area_fraction.value, p * std::sqrt(1 / (H * H) + 4 / (E * g * E * g))) <
+              1e-12);
         const double d = state.separation.value;
-        const double p_cut = H * std::erfc(d / sigma / std::sqrt(2.0)) / 2, p_elastic = persson.at_separation(d).pressure.value;
+        const double p_cut = H * std::erfc(d / sigma / std::sqrt(2.0)) / 2,
+                     p_elastic = persson.at_separation(d).pressure.value;
         CHECK(test::relative_error(std::pow(p, -1.3), std::pow(p_cut, -1.3) + std::pow(p_elastic, -1.3)) < 1e-7);
         const double step = 1e-4 * p, rise = contact.at_pressure(p - step).separation.value -
                                              contact.at_pressure(p + step).separation.value;

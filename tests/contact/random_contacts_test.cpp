@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// 200 random contacts of every law. Truth: the load, the stiffness and the area of one asperity, integrated over the density of
-// the peaks by panels, with (4.4)-(4.11) written out anew.
+// 200 random contacts of every law. Truth: the load, the stiffness and the area of one asperity, integrated over the
+// density of the peaks by panels, with (4.4)-(4.11) written out anew.
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 

@@ -51,7 +51,8 @@ TEST_CASE("a modulus is converted to the scalar of the surface, an integer or a 
     const Summits<double> map{{{1e-6, 1e5, 1e5, 0, 0}}, 1e-8, 1e-4, 1e-4, 1e-6};
     const SummitContact summit(map, 112600000000);
 
-    static_assert(std::is_same_v<decltype(in_float), const RoughContact<float, HertzLaw<float>, PeakDistribution<float>>>);
+    static_assert(
+        std::is_same_v<decltype(in_float), const RoughContact<float, HertzLaw<float>, PeakDistribution<float>>>);
     static_assert(std::is_same_v<decltype(persson), const PerssonContact<double>>);
     static_assert(std::is_same_v<decltype(persson_in_float), const PerssonContact<float>>);
     CHECK(rough.effective_modulus() == 112.6e9);
@@ -60,7 +61,8 @@ TEST_CASE("a modulus is converted to the scalar of the surface, an integer or a 
     CHECK(single_in_float.effective_modulus() == 0x1p37F);
     CHECK(persson.effective_modulus() == 112.6e9);
     CHECK(persson_in_float.effective_modulus() == 0x1p37F);
-    CHECK(summit.at_pressure(1e5).stiffness.value == SummitContact<double>(map, 112.6e9).at_pressure(1e5).stiffness.value);
+    CHECK(summit.at_pressure(1e5).stiffness.value ==
+          SummitContact<double>(map, 112.6e9).at_pressure(1e5).stiffness.value);
 }
 
 TEST_CASE("the curves of Table 1 to 1e-10") {

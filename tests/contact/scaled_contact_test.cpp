@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: the Gaussian contact under a straight bearing curve; boundary elements of the skewed map of tests/data/bem_maps.csv.
+// Truth: the Gaussian contact under a straight bearing curve; boundary elements of the skewed map of
+// tests/data/bem_maps.csv.
 #include <fstiff/asperity/laws.hpp>
+#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/surface/bearing_family.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
@@ -24,8 +25,8 @@ auto law_of(const SpectralMoments<double>& m, const parts::BearingSlope<double>&
     const PerssonContact<double> persson(band_of_moments(m, 0.8), 1.0);
     const double sigma = std::sqrt(m.m0), alpha = m.bandwidth();
     const Roughness<double> surface{sigma, parts::peak_radius_of(m), parts::peak_density_of(m)};
-    HybridContact of(RoughContact(surface, PeakDistribution<double>(1 / std::sqrt(alpha), 1e-3), HertzLaw<double>{}, 1.0),
-                     persson);
+    HybridContact of(
+        RoughContact(surface, PeakDistribution<double>(1 / std::sqrt(alpha), 1e-3), HertzLaw<double>{}, 1.0), persson);
     return parts::ScaledContact(of, parts::BearingContact<double>(persson, curve.scaled(sigma / unit), sigma));
 }
 

@@ -27,8 +27,8 @@ double worst(const parts::SimilarHybrids<double>& similar, double alpha, double 
         const double p = x * modulus * gradient;
         const auto K = similar.stiffness(moments, hurst, modulus, p);
         REQUIRE(K);
-        most = (std::max)(most, std::abs(
-            test::relative_error(*K, contact.at_pressure(p, Quantity::stiffness).stiffness.value)));
+        most = (std::max)(
+            most, std::abs(test::relative_error(*K, contact.at_pressure(p, Quantity::stiffness).stiffness.value)));
     }
     return most;
 }

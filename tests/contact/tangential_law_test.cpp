@@ -30,16 +30,19 @@ const Roughness<double> fine = test::sand_blasted_fine.roughness();
 constexpr double modulus = 112.6e9, mu = 0.3, ratio = 0.8235294117647058;
 
 Law hertz() {
-    return Law::tabulate(RoughContact(fine, PeakDistribution<double>::exponential(std::numbers::pi / 3),
-                                      HertzLaw<double>{}, modulus),
-                         {1e3, 1e9, OutsideRange::extrapolate});
+    return Law::tabulate(
+        RoughContact(fine, PeakDistribution<double>::exponential(std::numbers::pi / 3), HertzLaw<double>{}, modulus),
+        {1e3, 1e9, OutsideRange::extrapolate});
 }
 
 /// One sphere, p = x^(3/2) with x = 10 - d, as a contact that can be tabulated.
 struct Sphere {
     ContactPoint<double> point_at_separation(double d, Quantity) const {
         const double x = 10 - d, k = 1.5 * std::sqrt(x);
-        return {.state = {.eta = d, .separation = {d, 0}, .pressure = {std::pow(x, 1.5), 0}, .stiffness = {k, 0},
+        return {.state = {.eta = d,
+                          .separation = {d, 0},
+                          .pressure = {std::pow(x, 1.5), 0},
+                          .stiffness = {k, 0},
                           .loading_stiffness = {k, 0}}};
     }
     ContactPoint<double> point_at_pressure(double p, Quantity wanted) const {
@@ -186,8 +189,7 @@ double departure(double size, double turn, int steps) {
         slip[0] = length * (Directions == 1 ? std::copysign(1, std::cos(angle)) : std::cos(angle));
         if constexpr (Directions == 2) slip[1] = length * std::sin(angle);
         const double before = state.separation;
-        const double d =
-            std::clamp(before + uniform(-0.3, 0.3) * size * u0, law.separation(1e8), law.separation(1e6));
+        const double d = std::clamp(before + uniform(-0.3, 0.3) * size * u0, law.separation(1e8), law.separation(1e6));
         const auto found = friction.step(state, d, slip, state);
         const double p = law.pressure_at_separation(d);
         CHECK(found.pressure == p);
@@ -222,9 +224,9 @@ TEST_CASE("a contact in friction never gives energy back, and a straight path lo
     Friction::Vector<2> q = Friction::Vector<2>::Zero();
     for (int leg = 0; leg < 40; ++leg) {
         const Friction::Vector<2> slip(uniform(-1, 1) * mu * u0 / ratio, uniform(-1, 1) * mu * u0 / ratio);
-        const double opening = std::clamp(state.separation + uniform(-0.5, 0.5) * u0, law.separation(1e8),
-                                          law.separation(1e6)) -
-                               state.separation;
+        const double opening =
+            std::clamp(state.separation + uniform(-0.5, 0.5) * u0, law.separation(1e8), law.separation(1e6)) -
+            state.separation;
         double work = 0;
         constexpr int steps = 200;
         for (int i = 0; i < steps; ++i) {
@@ -325,9 +327,9 @@ TEST_CASE("Newton's method finds the displacements of given loads, and squares i
 }
 
 TEST_CASE("friction is refused where its theorem does not hold, and for numbers that are none") {
-    const Law plastic = Law::tabulate(RoughContact(fine, PeakDistribution<double>(0, std::numbers::pi / 4),
-                                                   FractalLaw<double>(1.62), modulus),
-                                      {1e5, 1e8});
+    const Law plastic = Law::tabulate(
+        RoughContact(fine, PeakDistribution<double>(0, std::numbers::pi / 4), FractalLaw<double>(1.62), modulus),
+        {1e5, 1e8});
     CHECK_THROWS_WITH(Friction(plastic, mu, ratio), Catch::Contains("must be elastic"));
     CHECK_THROWS_WITH(Friction(Law(), mu, ratio), Catch::Contains("law = empty"));
     CHECK_THROWS_WITH(Friction(hertz(), 0, ratio), Catch::Contains("friction"));

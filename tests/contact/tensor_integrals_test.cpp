@@ -154,8 +154,8 @@ struct KogutEtsionLike {
     }
 };
 
-/// Kinks at critical and 3 critical for critical = 0.4, t/2, 0.3 + t^2/5, 1/(2 sqrt t) and 1/(2t): the first two lie on the
-/// row's own window for some t, and where eta is negative they pass it from end to end.
+/// Kinks at critical and 3 critical for critical = 0.4, t/2, 0.3 + t^2/5, 1/(2 sqrt t) and 1/(2t): the first two lie on
+/// the row's own window for some t, and where eta is negative they pass it from end to end.
 struct TwoKinks {
     int form;
     [[nodiscard]] double critical(double t) const {
@@ -292,7 +292,8 @@ TEST_CASE("a law that names a kink where there is none is integrated as if it ha
 }
 
 TEST_CASE("the end of a window that falls on a kink changes nothing") {
-    // the window of the row at t begins at r t - eta - c sqrt(2 depth - t^2): kinks on that curve for depths about that of 1e-8
+    // the window of the row at t begins at r t - eta - c sqrt(2 depth - t^2): kinks on that curve for depths about that
+    // of 1e-8
     struct OnTheEdge {
         double depth;
         double critical(double t) const {

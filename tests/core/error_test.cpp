@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two exceptions: what they are, what they say, their fields, and that no locale changes them. Sentences are written out.
+// The two exceptions: what they are, what they say, their fields, and that no locale changes them. Sentences are
+// written out.
 #include <fstiff/core/error.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers to text and back: bit for bit, correctly rounded, the same in every locale. Built twice: with what the standard
-// library has, and with the substitutes of core/text.hpp (test_text_substitutes).
+// Numbers to text and back: bit for bit, correctly rounded, the same in every locale. Built twice: with what the
+// standard library has, and with the substitutes of core/text.hpp (test_text_substitutes).
 #include <fstiff/core/text.hpp>
 
 #include "support/skip.hpp"

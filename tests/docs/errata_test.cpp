@@ -5,8 +5,8 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/validity/checks.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

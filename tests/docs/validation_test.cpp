@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What docs/validation.md says of the models against boundary elements. Its numbers stand in bench/validation.csv, which a
-// test of its own compares with what bench/validation.cpp prints; here they are held against other computations.
+// What docs/validation.md says of the models against boundary elements. Its numbers stand in bench/validation.csv,
+// which a test of its own compares with what bench/validation.cpp prints; here they are held against other
+// computations.
 #include <fstiff/asperity/material.hpp>
 
 #include "support/accuracy.hpp"

@@ -119,9 +119,8 @@ TEST_CASE("What the data do not see stands alone, and is fatal") {
     CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
     CHECK(parts::is_fatal(FitConcern::singular));
     CHECK((parts::is_fatal(FitConcern::not_converged) && parts::is_fatal(FitConcern::at_bound)));
-    for (const FitConcern concern :
-         {FitConcern::misfit, FitConcern::scattered, FitConcern::outlier, FitConcern::far_from_start,
-          FitConcern::unresolved})
+    for (const FitConcern concern : {FitConcern::misfit, FitConcern::scattered, FitConcern::outlier,
+                                     FitConcern::far_from_start, FitConcern::unresolved})
         CHECK((parts::is_doubtful(concern) && !parts::is_fatal(concern)));
     for (const FitConcern concern : {FitConcern::no_errors, FitConcern::correlated})
         CHECK((!parts::is_doubtful(concern) && !parts::is_fatal(concern)));

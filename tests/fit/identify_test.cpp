@@ -16,12 +16,12 @@ using namespace fstiff;
 namespace {
 
 const ContactParameters<double> true_contact{.rms_height = test::sand_blasted_fine.rms_height,
-                                      .peak_radius = test::sand_blasted_fine.peak_radius,
-                                      .peak_density = test::sand_blasted_fine.peak_density,
-                                      .fractal_dimension = test::sand_blasted_fine.fractal_dimension,
-                                      .effective_modulus = 112.6e9,
-                                      .r = 0.6,
-                                      .theta = 1.1};
+                                             .peak_radius = test::sand_blasted_fine.peak_radius,
+                                             .peak_density = test::sand_blasted_fine.peak_density,
+                                             .fractal_dimension = test::sand_blasted_fine.fractal_dimension,
+                                             .effective_modulus = 112.6e9,
+                                             .r = 0.6,
+                                             .theta = 1.1};
 const Wave<double> wave{{46e6, 46e6}, 4.398e7};
 const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
 const auto hertz = [](double) { return HertzLaw<double>{}; };
@@ -50,7 +50,8 @@ std::vector<Observation<double>> curve(const ContactParameters<double>& x, const
     return data;
 }
 
-/// In how many of 100 seeded runs each parameter's interval holds the truth; \p error is relative for K, absolute for R.
+/// In how many of 100 seeded runs each parameter's interval holds the truth; \p error is relative for K, absolute for
+/// R.
 template <class Law>
 std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<Parameter>& wanted, const Law& law,
                           double error, bool known, const Wave<double>* as = nullptr) {
@@ -112,7 +113,8 @@ TEST_CASE("with interaction, and for plastic peaks, the truth comes back") {
         for (const Parameter p : wanted) CHECK(test::relative_error(fit.all[p], true_contact[p]) < 1e-6);
         // without the bulk it is another surface
         if (options.interaction.reading != InteractionReading::none)
-            CHECK(test::relative_error(identify(data, wanted, start, law).all.rms_height, true_contact.rms_height) > 0.05);
+            CHECK(test::relative_error(identify(data, wanted, start, law).all.rms_height, true_contact.rms_height) >
+                  0.05);
     };
     check(fractal, {rms_height, peak_density}, patch);
     check(hertz, {rms_height, effective_modulus}, patch);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surface data files, text and binary; what is read is written in both forms and comes back.
-#include "io/sdf.hpp"
 #include <fstiff/io/write.hpp>
+#include "io/sdf.hpp"
 
 #include "fuzz.hpp"
 

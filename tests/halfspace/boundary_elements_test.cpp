@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: tests/data/bem_maps.csv, by another code, on three maps (tests/data/bem_map_*.f32); the wave of Westergaard, closed.
+// Truth: tests/data/bem_maps.csv, by another code, on three maps (tests/data/bem_map_*.f32); the wave of Westergaard,
+// closed.
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/topography/coarsen.hpp>
 

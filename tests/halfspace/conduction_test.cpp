@@ -19,8 +19,8 @@ using namespace fstiff;
 
 namespace {
 
-/// h of a body of conductivity 1 and of the side 1, repeated in x and y, whose spots \p on are at 1 while the rest of the face is
-/// insulated, less the resistance of the body without constriction: cells of one size, as deep as the side.
+/// h of a body of conductivity 1 and of the side 1, repeated in x and y, whose spots \p on are at 1 while the rest of
+/// the face is insulated, less the resistance of the body without constriction: cells of one size, as deep as the side.
 double conductance_of_body(const Eigen::ArrayXX<bool>& on) {
     const auto n = static_cast<int>(on.rows());
     const auto cell = [n](int x, int y, int z) { return (z * n + (y + n) % n) * n + (x + n) % n; };
@@ -60,7 +60,8 @@ TEST_CASE("K of boundary elements is the conductance of their contact set by fin
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
                 const double x = 2 * std::numbers::pi * i / n, y = 2 * std::numbers::pi * j / n;
-                map.heights(j, i) = 0.01 * (std::cos(x) * std::cos(y) + 0.4 * std::cos(x + 0.7) + 0.2 * std::sin(2 * y));
+                map.heights(j, i) =
+                    0.01 * (std::cos(x) * std::cos(y) + 0.4 * std::cos(x + 0.7) + 0.2 * std::sin(2 * y));
             }
         BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic});
         const auto state = solver.at_pressure(pressure);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: boundary elements of the map itself, whose contact set is held together in the same way; a flat band, in closed form.
+// Truth: boundary elements of the map itself, whose contact set is held together in the same way; a flat band, in
+// closed form.
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 
@@ -23,7 +24,8 @@ TEST_CASE("A periodic flat band held together has the stiffness of its closed fo
     for (const double share : {0.125, 0.25, 0.5}) {
         const double K = -3 * std::numbers::pi / (2 * std::log(std::sin(std::numbers::pi * share / 2)));
         CAPTURE(share);
-        CHECK(test::relative_error(points.stiffness(share), K) < 1e-2);  // a band ends half a step beyond its last point
+        CHECK(test::relative_error(points.stiffness(share), K) <
+              1e-2);  // a band ends half a step beyond its last point
     }
     CHECK(points.stiffness(0.25) < points.stiffness(0.26));
     CHECK_THROWS_AS(points.stiffness(0.0), domain_error);
@@ -36,8 +38,9 @@ TEST_CASE("The highest points of a wave are its contact, whose stiffness boundar
     map.heights.resize(64, 64);
     for (int j = 0; j < 64; ++j)
         for (int i = 0; i < 64; ++i)
-            map.heights(j, i) = 0.01 * std::cos(2 * std::numbers::pi * i / 64) * std::cos(2 * std::numbers::pi * j / 64) +
-                                1e-7 * j;  // no two points of one height
+            map.heights(j, i) =
+                0.01 * std::cos(2 * std::numbers::pi * i / 64) * std::cos(2 * std::numbers::pi * j / 64) +
+                1e-7 * j;  // no two points of one height
     for (const Edges edges : {Edges::mirrored, Edges::periodic}) {
         BoundaryElements<double> solver(map, 1.0, {.edges = edges});
         const auto state = solver.at_pressure(0.004);

@@ -90,7 +90,8 @@ TEST_CASE("forces that are spread over a grid deflect it as pressures do, and le
     detail::SurfaceCompliance<double> compliance(n, n, 1.0 / n, 1.0 / n, Edges::periodic);
     compliance.deflect(field);
     const Values u = parts::PointForces<double>(x, y, 1, 1, Edges::periodic).deflections(force) / (n * n);
-    // a cell as a point misses its own 4 ln(1 + sqrt 2)/(pi n), and of its neighbours what is of the fourth order in the wave
+    // a cell as a point misses its own 4 ln(1 + sqrt 2)/(pi n), and of its neighbours what is of the fourth order in
+    // the wave
     const double pi = std::numbers::pi, lattice = 3.9002649200019563 / (pi * n);
     for (int k = 0; k < n; ++k)
         CHECK(std::abs(u[k] + lattice * std::cos(2 * pi * x[k]) - field(0, k)) < 0.02 * std::abs(field(0, k)));

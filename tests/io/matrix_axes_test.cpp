@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matrices with positions as their first row and column, as Excel, MATLAB and pandas write them: the same map as without.
-#include "io/map_text.hpp"
+// Matrices with positions as their first row and column, as Excel, MATLAB and pandas write them: the same map as
+// without.
 #include <fstiff/io/surface_file.hpp>
+#include "io/map_text.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -42,7 +42,7 @@ TEST_CASE("what a message shows of a cell is short and printable", "[number]") {
     CHECK(shown_cell("\xB5m") == "\"\xC2\xB5m\"");                                // the same in CP1252
     CHECK(shown_cell("\xE2\x80\xAE\xC2\x85\xC2") == "\"??\xC3\x82\"");  // turns text round; a control; half a letter
     CHECK(shown_cell("\xF0\x9D\x9C\x8Em") == "\"\xF0\x9D\x9C\x8Em\"");  // a sigma of four bytes
-    CHECK(shown_cell("\xF3\xA0\x80\x81") == "\"?\"");  // a tag, which is not seen
+    CHECK(shown_cell("\xF3\xA0\x80\x81") == "\"?\"");                   // a tag, which is not seen
     for (const char* none : {"\xF0\x80\x80\x80", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xF0\x9D\x9C"})
         CHECK(utf8_length(none) == 0);
     CHECK(number_in("1.0D-02", false) == 0.01);

@@ -151,7 +151,8 @@ bool turn_over(std::string_view stream, std::span<char> out) {
     return true;
 }
 
-/// A compressed file of streams of the sizes \p parts (the last has what is left); \p declare(i, size) may lie about them.
+/// A compressed file of streams of the sizes \p parts (the last has what is left); \p declare(i, size) may lie about
+/// them.
 std::string compressed(const File& file, std::vector<std::size_t> parts,
                        const std::function<std::size_t(std::size_t, std::size_t)>& declare = {}) {
     std::string all = file.bytes();

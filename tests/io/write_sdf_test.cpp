@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is written, the reader must give back; what a file cannot hold is refused.
-#include "io/sdf.hpp"
 #include <fstiff/io/write.hpp>
+#include "io/sdf.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -44,8 +44,8 @@ TEMPLATE_TEST_CASE("pieces by the binary exponent: log x and 1/x, one and four a
     CHECK(pieces.edge(0) <= low);
     CHECK(pieces.edge(1) > low);
     CHECK(pieces.edge(std::ssize(pieces.rows)) > high);
-    // interpolation of log over [1, 9/8] in 8 points: 4 / (8 rho^8) with rho = 34 is 3e-13; the conversion to powers has a
-    // condition of some hundreds of the largest value, 16, and the slope that over the 1/16 of half a piece
+    // interpolation of log over [1, 9/8] in 8 points: 4 / (8 rho^8) with rho = 34 is 3e-13; the conversion to powers
+    // has a condition of some hundreds of the largest value, 16, and the slope that over the 1/16 of half a piece
     const T bound = 256 * epsilon + T(3e-13), slope_bound = 100000 * epsilon + T(1e-10);
     Eigen::Index count = 0;
     for (T x = low; x <= high; x *= T(1.0137)) {

@@ -152,7 +152,7 @@ TEST_CASE("A given cut-off that a surface cannot hold is refused, with the bound
 
 TEST_CASE("A map has a lambda_s of its coarser step and shorter side, and no lambda_c") {
     const auto found = parts::choose_cut_offs(grid(300, 400, 0.1e-6, 0.3e-6));
-    CHECK(found.lambda_s == 2e-6);  // five of 0.3 um
+    CHECK(found.lambda_s == 2e-6);                       // five of 0.3 um
     CHECK(relative_error(found.length, 40e-6) < 1e-14);  // 400 of 0.1 um, shorter than 300 of 0.3
     CHECK_FALSE(found.lambda_c);
     CHECK(found.why_c == parts::CutOffReason::form_alone);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: independent normal numbers, of which n and D^2 are known; heights whose departure is a closed form; plain sums.
+// Truth: independent normal numbers, of which n and D^2 are known; heights whose departure is a closed form; plain
+// sums.
 #include <fstiff/math/random.hpp>
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -82,7 +83,8 @@ TEST_CASE("Shape counts where heights are surely not Gaussian, and not where the
         CHECK(share_of(z) < 0.8);
     }
     SelfAffineOptions<double> options;
-    options.hurst = 0.8, options.rms = 1e-6, options.longest_wavelength = 1.0 / 8, options.shortest_wavelength = 1.0 / 24;
+    options.hurst = 0.8, options.rms = 1e-6, options.longest_wavelength = 1.0 / 8,
+    options.shortest_wavelength = 1.0 / 24;
     for (const std::uint64_t seed : {1u, 2u, 3u}) {  // 8 waves cannot know
         options.seed = seed;
         CHECK(share_of(self_affine_profile(options, 512, 1.0 / 512).heights) == 0);
@@ -98,7 +100,8 @@ TEST_CASE("Shape counts where heights are surely not Gaussian, and not where the
 
 TEST_CASE("Maps and several traces are one surface") {
     SelfAffineOptions<double> options;
-    options.hurst = 0.8, options.rms = 1e-6, options.longest_wavelength = 1.0 / 8, options.shortest_wavelength = 1.0 / 24, options.seed = 4;
+    options.hurst = 0.8, options.rms = 1e-6, options.longest_wavelength = 1.0 / 8,
+    options.shortest_wavelength = 1.0 / 24, options.seed = 4;
     HeightMap<double> map = self_affine_map(options, 192, 192, 1.0 / 192, 1.0 / 192);
     parts::ShapeOfHeights<double> gaussian;
     gaussian.add(map);

@@ -23,8 +23,8 @@ Parts wave(Eigen::Index rows, Eigen::Index columns, int kx, int ky) {
     });
 }
 
-/// The 5 % point of chi^2 with \p v degrees of freedom: where the integral of x^(v/2-1) e^(-x/2) is a twentieth of the whole,
-/// by Simpson's rule in the root of x, v >= 2.
+/// The 5 % point of chi^2 with \p v degrees of freedom: where the integral of x^(v/2-1) e^(-x/2) is a twentieth of the
+/// whole, by Simpson's rule in the root of x, v >= 2.
 double chi_square_5_percent(double v) {
     const auto integral = [&](double to) {  // of 2 u^(v-1) e^(-u^2/2) du
         constexpr int steps = 4000;
@@ -49,8 +49,8 @@ double chi_square_5_percent(double v) {
 TEST_CASE("Waves of unlike numbers of periods make the share and the error of their chi square") {
     for (const auto& [rows, columns] : {std::pair{1, 64}, std::pair{64, 48}}) {
         for (const int waves : {1, 2, 4, 6}) {
-            // m waves of one strength: e = 2/(3 m), V = 2/(3 m - 2); no shorter ones: four times that, or of a map twice,
-            // since the power law has 1; and 1 at the most
+            // m waves of one strength: e = 2/(3 m), V = 2/(3 m - 2); no shorter ones: four times that, or of a map
+            // twice, since the power law has 1; and 1 at the most
             Parts sum = Parts::Zero(rows, columns);
             for (int k = 1; k <= waves; ++k) sum += wave(rows, columns, k, rows > 1 ? k % 2 : 0);
             const auto found = detail::long_waves<double>(sum, waves);

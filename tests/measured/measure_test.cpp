@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// measure() against its steps taken by hand; tests/scene/one_measurement_test.cpp holds the command, C and Python to it.
+// measure() against its steps taken by hand; tests/scene/one_measurement_test.cpp holds the command, C and Python to
+// it.
 #include <fstiff/fstiff.hpp>
 
 #include "support/accuracy.hpp"

@@ -57,8 +57,8 @@ TEST_CASE("unlike measurements: means of the spectra, and the scatter is the err
     // ln 2 apart, weights 3/4 and 1/4: variance 3/16 ln^2 2, times (10/16)/(6/16), times t^2
     const double k = math::student_quantile(math::normal_95<double>, 1) / math::normal_95<double>.value,
                  error = k * std::log(2.0) * std::sqrt(3.0 / 16 * 10 / 6);
-    CHECK(test::relative_error(both.rms_height.error / both.rms_height.value,
-                               std::sqrt(std::expm1(error * error))) < 1e-10);
+    CHECK(test::relative_error(both.rms_height.error / both.rms_height.value, std::sqrt(std::expm1(error * error))) <
+          1e-10);
     auto without = b;
     without.fractal_dimension.reset(), without.fractal_roughness.reset();
     CHECK(test::relative_error(pooled(std::vector{a, without}).fractal_dimension->value, 1.4) < 1e-14);

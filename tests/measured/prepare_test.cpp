@@ -16,8 +16,8 @@ namespace {
 
 /// A trace of 4 mm with a tilt and a bow.
 Profile<double> trace() {
-    auto profile = self_affine_profile<double>(
-        {.hurst = 0.6, .rms = 0.3e-6, .longest_wavelength = 300e-6, .seed = 5}, 8192, 0.5e-6);
+    auto profile = self_affine_profile<double>({.hurst = 0.6, .rms = 0.3e-6, .longest_wavelength = 300e-6, .seed = 5},
+                                               8192, 0.5e-6);
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const double x = static_cast<double>(i) / 8192;
         profile.heights[i] += 5e-6 * x + 3e-6 * x * x;

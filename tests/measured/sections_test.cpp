@@ -105,8 +105,8 @@ TEST_CASE("D along x and along y is 2 - H, and isotropic maps are not called ani
 }
 
 TEST_CASE("Isotropic maps whose windows fall apart are not called anisotropic") {
-    // small maps of waves no longer than half their side: the windows of some directions stand at the short end, of others
-    // at the long one, and D of each by itself differed by up to 0.3
+    // small maps of waves no longer than half their side: the windows of some directions stand at the short end, of
+    // others at the long one, and D of each by itself differed by up to 0.3
     int apart = 0, warned = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         const auto map = self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .longest_wavelength = 32e-6, .seed = seed},
@@ -197,8 +197,8 @@ TEST_CASE("Maps without sections to fit say why") {
 
 TEST_CASE("The interval of 95 % covers D along x and along y at every decimation of 40 maps of a kind", "[long]") {
     struct Kind {
-        std::size_t side;   // of the map that the part is cut from
-        double longest;     // where the spectrum turns flat [m]; 0: nowhere
+        std::size_t side;  // of the map that the part is cut from
+        double longest;    // where the spectrum turns flat [m]; 0: nowhere
     };
     const double hurst = GENERATE(0.2, 0.5, 0.8);
     const auto [side, longest] = GENERATE(Kind{256, 0}, Kind{512, 0}, Kind{512, 64e-6});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: a loop over the sampler; with an error of D_p alone K grows with it, so that the quantiles of K are K at those of
-// D_p, which are closed.
+// Truth: a loop over the sampler; with an error of D_p alone K grows with it, so that the quantiles of K are K at those
+// of D_p, which are closed.
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/measured/stiffness_band.hpp>
 
@@ -72,7 +72,8 @@ TEST_CASE("The band is that of a loop over the surfaces, and of its seed") {
 TEST_CASE("The band over the error of the density of peaks is that of its quantiles") {
     parts::SurfaceParameters<double> s = surface();
     s.peak_density.error = 100e6;
-    // p and K are both proportional to D_p: at a pressure p of the surface with c D_p, K = c K_1(p/c) of the surface itself
+    // p and K are both proportional to D_p: at a pressure p of the surface with c D_p, K = c K_1(p/c) of the surface
+    // itself
     const auto contact_of = [](const auto& drawn) {
         return GreenwoodWilliamson<double>(detail::roughness_of(drawn), 112.6e9);
     };

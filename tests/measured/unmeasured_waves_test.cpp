@@ -13,7 +13,7 @@ namespace {
 
 /// How many of several pieces have a known whole in their band, and the mean growth that they foretell.
 struct Coverage {
-    static constexpr int wholes = 20;  // of four pieces each, which share what the whole scatters
+    static constexpr int wholes = 20;     // of four pieces each, which share what the whole scatters
     int pieces{}, rougher{}, smoother{};  ///< wholes above and below the band of 90 %
     double growth{}, law{}, true_growth{};
 
@@ -32,7 +32,7 @@ struct Coverage {
                     << growth / pieces << ", true " << true_growth / pieces);
         CHECK(rougher <= (longest > 3 ? 0.2 : 0.06) * pieces);  // of few waves the wholes scatter as the pieces do
         CHECK(smoother <= 0.06 * pieces);
-        if (longest <= 0.13) CHECK(growth / pieces < 0.25);  // the roll-off is seen
+        if (longest <= 0.13) CHECK(growth / pieces < 0.25);                   // the roll-off is seen
         if (longest > 3) CHECK(std::abs(law - true_growth) / pieces < 0.15);  // the law goes on
     }
 };
@@ -163,8 +163,8 @@ TEST_CASE("The form takes of sigma what the long waves can explain, not the tilt
         }
         WARN("waves of " << longest << " m: the plane took " << taken / 20 << " of sigma, form_share " << found / 20);
         CHECK(found > 0.6 * taken);
-        const auto map = self_affine_map<double>({.hurst = 0.8, .rms = 1e-6, .longest_wavelength = longest}, 128, 128,
-                                                 1e-6, 1e-6);
+        const auto map =
+            self_affine_map<double>({.hurst = 0.8, .rms = 1e-6, .longest_wavelength = longest}, 128, 128, 1e-6, 1e-6);
         const MeasureOptions<double> mean{
             .map_form = MapForm::mean, .texture = false, .dimension = false, .neighbours = false};
         CHECK(measure(map, mean).long_end.form_share == 0);

@@ -30,10 +30,9 @@ const std::vector<double> pressures{1e6, 1e7};
 
 /// K of \p surface by itself.
 double stiffness_of(const parts::SurfaceParameters<double>& surface, double pressure) {
-    const RoughContact contact(Roughness<double>{surface.rms_height.value, surface.peak_radius.value,
-                                                 surface.peak_density.value},
-                               PeakDistribution<double>(surface.r->value, surface.theta->value), HertzLaw<double>{},
-                               112.6e9);
+    const RoughContact contact(
+        Roughness<double>{surface.rms_height.value, surface.peak_radius.value, surface.peak_density.value},
+        PeakDistribution<double>(surface.r->value, surface.theta->value), HertzLaw<double>{}, 112.6e9);
     return contact.at_pressure(pressure, Quantity::stiffness).stiffness.value;
 }
 
@@ -48,7 +47,8 @@ TEST_CASE("Unknowns widen a band by squares, those of one kind by squares too, a
         curves(parts::Unknown::gradient, -0.3, 0.4), curves(parts::Unknown::gradient, 0.3, -0.4),  // of the other face
         curves(parts::Unknown::alpha, 0.1, std::numeric_limits<double>::quiet_NaN()),
         curves(parts::Unknown::skewness, 0.05, -0.2), curves(parts::Unknown::kurtosis, -0.1, 0)};
-    const auto wide = parts::widened<double>(k, {k * std::exp(-0.2), k, k * std::exp(0.1), 0}, {}, {}, 0, false, 1, unknowns);
+    const auto wide =
+        parts::widened<double>(k, {k * std::exp(-0.2), k, k * std::exp(0.1), 0}, {}, {}, 0, false, 1, unknowns);
     const auto& parts = wide.parts;
     CHECK(relative_error(-parts.prior_low, std::hypot(0.3, 0.4)) < 1e-14);
     CHECK(relative_error(parts.prior_high, std::hypot(0.4, 0.3, 0.1)) < 1e-14);
@@ -82,8 +82,8 @@ TEST_CASE("A band is widened by squares, and its parts are logarithms over K") {
     CHECK(relative_error(parts.scale_high, std::log(1.1)) < 1e-13);
     CHECK(relative_error(band.low, k * std::exp(-std::sqrt(std::pow(std::log(0.8), 2) + std::pow(std::log(0.7), 2)))) <
           1e-13);
-    CHECK(relative_error(band.high,
-                         k * std::exp(std::sqrt(std::pow(std::log(1.25), 2) + std::pow(std::log(1.1), 2)))) < 1e-13);
+    CHECK(relative_error(band.high, k * std::exp(std::sqrt(std::pow(std::log(1.25), 2) + std::pow(std::log(1.1), 2)))) <
+          1e-13);
     CHECK(band.median == at(1.01));
     CHECK(parts.window_low == 0);
 }

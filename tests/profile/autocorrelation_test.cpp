@@ -42,7 +42,8 @@ TEST_CASE("The autocorrelation of a cosine is a cosine, and falls to a fifth at 
     const auto found = autocorrelation(profile);
     for (std::size_t n = 0; n <= 50000; n += 1000)  // over whole waves the pairs have the variance of all points
         CHECK(std::abs(found.value[n] - 1) < 1e-12);
-    // else a part of one wave of at least 50 is over: its sum of cos(a) cos(b) is at most 1/(2 pi) of a wave, twice the variance
+    // else a part of one wave of at least 50 is over: its sum of cos(a) cos(b) is at most 1/(2 pi) of a wave, twice the
+    // variance
     for (std::size_t n = 0; n <= 50000; ++n)
         REQUIRE(std::abs(found.value[n] - std::cos(2 * pi * static_cast<double>(n) / 1000)) < 1 / (50 * pi));
     CHECK(test::relative_error(*parts::autocorrelation_length(found), std::acos(0.2) / (2 * pi) * 1e-3) <

@@ -151,7 +151,8 @@ TEST_CASE("A bend in the structure function is flagged, a power law is not") {
 }
 
 TEST_CASE("The waves of a part do not reach the fit, and a window over a plateau is flagged or refused") {
-    // roughness of 1 nm correlated over some 5 samples, and five smooth waves of 8 nm, which second differences hardly see
+    // roughness of 1 nm correlated over some 5 samples, and five smooth waves of 8 nm, which second differences hardly
+    // see
     std::mt19937_64 random(3);
     const std::size_t points = 20000;
     Profile<double> profile{std::vector<double>(points), 1e-6}, walk = random_walk(points, 3), wavy = walk;

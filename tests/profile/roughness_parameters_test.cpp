@@ -31,7 +31,8 @@ TEST_CASE("A sine has Ra = 2A/pi, Rku = 3/2, and the slope of the seven-point fo
     const std::size_t points = 4000;
     const auto found = roughness_parameters(sine(2e-6, points, 20, offset));
     const double rounding = 1e-13 + 1e-15 * offset / 2e-6;
-    // the sum of |sin| at 200 points a wave, shifted by a quarter step, is below 2/pi by (2 pi/200)^2 times a number below 1/12
+    // the sum of |sin| at 200 points a wave, shifted by a quarter step, is below 2/pi by (2 pi/200)^2 times a number
+    // below 1/12
     CHECK(test::relative_error(found.mean_deviation, 4e-6 / pi) < 1e-4);
     CHECK(test::relative_error(found.rms_height, 2e-6 / std::sqrt(2.0)) < rounding);
     CHECK(std::abs(found.skewness) < 1e-12 + rounding);
@@ -80,7 +81,8 @@ TEST_CASE("Sections are those of the cut-off where it fits five times, in the mi
     CHECK(middle.by_cutoff);
     CHECK(middle.section_length == 15);
     CHECK(middle.total_height == whole.total_height);
-    // the deep point is in one of five sections in both, the high one in the whole alone; the mean is that of the whole profile
+    // the deep point is in one of five sections in both, the high one in the whole alone; the mean is that of the whole
+    // profile
     CHECK(whole.section_peak_height > middle.section_peak_height + 1);
     CHECK(roughness_parameters(profile, 20.0).by_cutoff);
     CHECK_FALSE(roughness_parameters(profile, 21.0).by_cutoff);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The covariance against the sum over every pair of pairs, and against simulated walks; resamples against that sum.
 #include <fstiff/math/decompositions.hpp>
-#include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/structure_errors.hpp>
+#include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -79,7 +79,7 @@ TEST_CASE("The closed-form covariance of ln S2 is that of simulated random walks
     Eigen::MatrixXd samples(3, walks);
     for (int w = 0; w < walks; ++w) {
         const auto s = parts::second_differences(random_walk(points, static_cast<std::uint64_t>(w + 1)),
-                                          std::span<const std::size_t>(lags));
+                                                 std::span<const std::size_t>(lags));
         // relative deviations from the exact mean 2 n sigma^2 of a walk: what the formula is about
         for (int k = 0; k < 3; ++k)
             samples(k, w) = s.value[static_cast<std::size_t>(k)] /
@@ -106,8 +106,7 @@ TEST_CASE("Resamples of a walk scatter as walks do, at lags of which it holds ma
         parts::Vector<double> row = parts::Vector<double>::Zero(3);
         row[k] = 1;
         // the variance of 256 cells is known to 9 %, its root to half of that: four times that
-        CHECK(test::relative_error(parts::sample_spread(row, resampled), parts::expected_spread(row, formula)) <
-              0.18);
+        CHECK(test::relative_error(parts::sample_spread(row, resampled), parts::expected_spread(row, formula)) < 0.18);
     }
 }
 

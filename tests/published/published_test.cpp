@@ -28,9 +28,10 @@ std::string quoted(double value, const char* unit) {
 std::string gaussian(const std::vector<double>& stars, const char* laws = "") {
     std::string list;
     for (const double star : stars) list += (list.empty() ? "" : ", ") + quoted(star * 0.276597, "GPa");
-    return "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.276597\nalpha = 139.79\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n"
-           "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\n[contact]\npressures = [" + list + "]\n" + laws +
-           "[output]\nquantities = [\"stiffness\", \"separation\", \"real_area\"]\n";
+    return "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.276597\nalpha = 139.79\nhurst = 0.8\nskewness = "
+           "0\nkurtosis = 3\n"
+           "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\n[contact]\npressures = [" +
+           list + "]\n" + laws + "[output]\nquantities = [\"stiffness\", \"separation\", \"real_area\"]\n";
 }
 
 struct Heat {
@@ -96,7 +97,8 @@ TEST_CASE("Gaps of hybrid are those of molecular dynamics to 0.03 sigma where ma
         INFO("p* = " << stars[i]);
         const double gap = rows[i]["separation_m"].get<double>() / 1e-6 - table.input(i, "mean_gap_over_rms_height");
         CHECK(std::abs(gap) < (i == 0 ? 0.12 : 0.03));  // at 0.0004 few contacts of one surface carry
-        CHECK(test::relative_error(rows[i]["real_area_fraction"].get<double>(), table.input(i, "area_fraction")) < 0.05);
+        CHECK(test::relative_error(rows[i]["real_area_fraction"].get<double>(), table.input(i, "area_fraction")) <
+              0.05);
     }
 }
 
@@ -109,12 +111,12 @@ TEST_CASE("The band covers 11 of 18 published conductances of joints of which ro
         };
         const std::string face = "{ rms_height = " + quoted(middle("roughness", "um"), "um") + ", process = \"" +
                                  table.text(i, "process") + "\" }\n";
-        const std::string bodies = "material = { upper = \"" + table.text(i, "upper") + "\", lower = \"" +
-                                   table.text(i, "lower") + "\" }\n";
-        const Heat found = heat(bodies + "[surface]\nupper = " + face + "lower = " + face + "[contact]\npressures = [" +
-                                quoted(middle("pressure", "MPa"), "MPa") + "]\n[gap]\nmedium = \"" +
-                                table.text(i, "medium") + "\"\n")
-                               .at(0);
+        const std::string bodies =
+            "material = { upper = \"" + table.text(i, "upper") + "\", lower = \"" + table.text(i, "lower") + "\" }\n";
+        const Heat found =
+            heat(bodies + "[surface]\nupper = " + face + "lower = " + face + "[contact]\npressures = [" +
+                 quoted(middle("pressure", "MPa"), "MPa") + "]\n[gap]\nmedium = \"" + table.text(i, "medium") + "\"\n")
+                .at(0);
         const double h = table.input(i, "h_W_per_m2K"), ratio = (found.gap + found.spots) / h;
         inside += found.gap + found.low <= h && h <= found.gap + found.high;
         INFO("row " << i << ": " << ratio);
@@ -137,11 +139,12 @@ TEST_CASE("Conductance in air to 230 kPa follows from one fitted rms height, and
             }
         REQUIRE(h.size() == 10);
         const auto at = [&](double height) {
-            return heat("[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.29\n"
-                        "thermal_conductivity = \"11.4 W/(m K)\"\n"
-                        "[material.lower]\nyoungs_modulus = \"225 GPa\"\npoisson_ratio = 0.3\n"
-                        "thermal_conductivity = \"9.4 W/(m K)\"\n[surface]\nrms_height = " + quoted(height, "um") + "\n[contact]\npressures = [" + pressures +
-                        "]\n[gap]\nmedium = \"air\"\n");
+            return heat(
+                "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.29\n"
+                "thermal_conductivity = \"11.4 W/(m K)\"\n"
+                "[material.lower]\nyoungs_modulus = \"225 GPa\"\npoisson_ratio = 0.3\n"
+                "thermal_conductivity = \"9.4 W/(m K)\"\n[surface]\nrms_height = " +
+                quoted(height, "um") + "\n[contact]\npressures = [" + pressures + "]\n[gap]\nmedium = \"air\"\n");
         };
         double low = 0.1, high = 20;
         for (int i = 0; i < 12; ++i) {
@@ -158,7 +161,8 @@ TEST_CASE("Conductance in air to 230 kPa follows from one fitted rms height, and
     }
 }
 
-TEST_CASE("Mated rock unloads more stiffly than it loads, and K grows more slowly than that of faces that do not mate") {
+TEST_CASE(
+    "Mated rock unloads more stiffly than it loads, and K grows more slowly than that of faces that do not mate") {
     for (const char* specimen : {"vd1", "vd2", "vd3"}) {
         INFO(specimen);
         const double two = slope(specimen, "loading", 2.05), eight = slope(specimen, "loading", 8.22);
@@ -173,9 +177,11 @@ TEST_CASE("Mated rock unloads more stiffly than it loads, and K grows more slowl
 
 TEST_CASE("Ground metals that flow unload 1.2 to 2 times as stiffly as they load, of a measured 3") {
     const auto ratio = [](const char* gradient) {
-        const json document = run("material.upper = { name = \"titanium\", hardness = \"3.4 GPa\" }\n"
-                                  "contact.pressures = [\"70 MPa\"]\n[surface]\nrms_height = \"0.5 um\"\n"
-                                  "process = \"ground\"\nrms_gradient = " + std::string(gradient) + "\n");
+        const json document =
+            run("material.upper = { name = \"titanium\", hardness = \"3.4 GPa\" }\n"
+                "contact.pressures = [\"70 MPa\"]\n[surface]\nrms_height = \"0.5 um\"\n"
+                "process = \"ground\"\nrms_gradient = " +
+                std::string(gradient) + "\n");
         const json& row = document["answer"][0];
         return row["stiffness_Pa_per_m"].get<double>() / row["loading_stiffness_Pa_per_m"].get<double>();
     };
@@ -185,8 +191,9 @@ TEST_CASE("Ground metals that flow unload 1.2 to 2 times as stiffly as they load
 }
 
 TEST_CASE("The answer for ground bearing steel at 400 MPa is above the elastic laws, and short of what ultrasound is") {
-    const std::string scene = "material.upper = { name = \"steel\", hardness = \"7 GPa\" }\n[surface]\nrms_height = \"0.25 um\"\n"
-                              "process = \"ground\"\n[contact]\npressures = [\"400 MPa\"]\n";
+    const std::string scene =
+        "material.upper = { name = \"steel\", hardness = \"7 GPa\" }\n[surface]\nrms_height = \"0.25 um\"\n"
+        "process = \"ground\"\n[contact]\npressures = [\"400 MPa\"]\n";
     const json row = run(scene)["answer"][0];
     CHECK(row["stiffness_p05_Pa_per_m"].get<double>() < 4.2e15);  // measured
     CHECK(row["stiffness_p95_Pa_per_m"].get<double>() > 4.2e15);

@@ -89,13 +89,9 @@ const std::vector<Advice>& table() {
              return with_law(with_line(text, "[surface]", "alpha = 8"), "hybrid");
          }},
         {R"(needs material\.upper\.hardness or material\.upper\.yield_strength)",
-         [](const std::string& text, const std::smatch&) {
-             return with_strength(text, "hardness = \"3 GPa\"");
-         }},
+         [](const std::string& text, const std::smatch&) { return with_strength(text, "hardness = \"3 GPa\""); }},
         {R"(needs material\.upper\.yield_strength)",
-         [](const std::string& text, const std::smatch&) {
-             return with_strength(text, "yield_strength = \"1 GPa\"");
-         }},
+         [](const std::string& text, const std::smatch&) { return with_strength(text, "yield_strength = \"1 GPa\""); }},
         {R"(give process, or skewness and kurtosis)",
          [](const std::string& text, const std::smatch&) {
              return with_line(text, "[surface]", "process = \"honed\"");
@@ -183,7 +179,8 @@ int follow(const Text& of, const std::string& sentence) {
     return followed;
 }
 
-/// What is said of \p results. The verdict has at most three sentences, and nothing asks for a law that was not computed.
+/// What is said of \p results. The verdict has at most three sentences, and nothing asks for a law that was not
+/// computed.
 std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Results& results) {
     std::vector<std::string> all = results.verdict;
     CHECK(all.size() <= 3);

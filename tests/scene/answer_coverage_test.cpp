@@ -40,7 +40,8 @@ struct Coverage {
     void add(const std::string& surface, const std::string& kind, const std::map<std::string, double>& truth,
              int seed = 30) {
         std::ostringstream scene;
-        scene << "[surface]\n" << surface << "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+        scene << "[surface]\n"
+              << surface << "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
               << "[contact]\nnominal_area = \"" << side * side << " m^2\"\npressures = [";
         for (const double p : p_stars) scene << '"' << 0.1 * p * modulus << " Pa\",";
         scene << "]\n";
@@ -103,13 +104,16 @@ TEST_CASE("The band of boundary elements holds what lambda_s and the removed pla
     std::vector<test::MapKind> kinds = test::map_kinds();
     for (test::MapKind& kind : test::more_map_kinds()) kinds.push_back(std::move(kind));
     Coverage found;
-    // hills that the filter lowers: K is 0.83 to 0.95 of that of the map with it; plateaus that the plane tilts: to 1.9 of it
-    for (const auto& one : {std::pair("particles", 10), {"many particles", 13}, {"plateaus", 11}, {"two worn faces", 12}}) {
+    // hills that the filter lowers: K is 0.83 to 0.95 of that of the map with it; plateaus that the plane tilts: to 1.9
+    // of it
+    for (const auto& one :
+         {std::pair("particles", 10), {"many particles", 13}, {"plateaus", 11}, {"two worn faces", 12}}) {
         const std::string name = one.first;
         const auto kind = std::find_if(kinds.begin(), kinds.end(), [&name](const auto& of) { return of.name == name; });
         REQUIRE(kind != kinds.end());
         const auto map = kind->map(static_cast<std::uint64_t>(one.second));
-        found.add("from = \"" + folder.write("map.gsf", test::simple_field(map, side)) + "\"\n", name, truth, one.second);
+        found.add("from = \"" + folder.write("map.gsf", test::simple_field(map, side)) + "\"\n", name, truth,
+                  one.second);
     }
     CHECK(found.inside >= found.all - 1);
     CHECK(found.median_width() < 1.4);

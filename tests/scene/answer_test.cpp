@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone; what
-// docs/scene.md says of it, statement by statement.
+// The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone;
+// what docs/scene.md says of it, statement by statement.
 #include "scene/answer.hpp"
 #include "scene/verdict.hpp"
 
@@ -29,7 +29,8 @@ std::string text_of(const std::string& surface, const std::string& contact, cons
 template <class Change>
 std::string map_of(const test::Folder& folder, int points, const Change& change) {
     fstiff::HeightMap<double> map = fstiff::self_affine_map<double>(
-        {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 16e-6, .shortest_wavelength = 4e-6}, points, points, 1e-6, 1e-6);
+        {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 16e-6, .shortest_wavelength = 4e-6}, points, points, 1e-6,
+        1e-6);
     change(map.heights);
     std::ofstream file(folder / "map.csv");
     fstiff::io::write_csv(file, map);
@@ -90,11 +91,12 @@ TEST_CASE("Laws that are named leave every digit of the answer, whichever they a
     for (const std::string& surface : {numbers, map}) {
         const Answered best(text_of(surface, wide, "hardness = \"2 GPa\"\n"));
         for (const char* laws : {"\"persson\"", "\"hybrid\"", "\"plastic\", \"persson\""})
-            CHECK(best.rows == Answered(text_of(surface, "laws = [" + std::string(laws) + "]\n" + wide,
-                                                "hardness = \"2 GPa\"\n"))
-                                   .rows);
+            CHECK(best.rows ==
+                  Answered(text_of(surface, "laws = [" + std::string(laws) + "]\n" + wide, "hardness = \"2 GPa\"\n"))
+                      .rows);
         CHECK(best.rows ==
-              Answered(text_of(surface, wide, "hardness = \"2 GPa\"\n") + "[output]\nquantities = [\"separation\"]\n").rows);
+              Answered(text_of(surface, wide, "hardness = \"2 GPa\"\n") + "[output]\nquantities = [\"separation\"]\n")
+                  .rows);
     }
 }
 
@@ -108,7 +110,8 @@ TEST_CASE("The band is there without samples, and without any error of a paramet
     }
 }
 
-TEST_CASE("Boundary elements answer for a map where they know a contact, and the law of peaks where they know a pixel") {
+TEST_CASE(
+    "Boundary elements answer for a map where they know a contact, and the law of peaks where they know a pixel") {
     const test::Folder folder;
     const std::string contact = "pressures = [\"100 MPa\", \"1 GPa\"]\n";
     const std::string map = map_of(folder, 64);
@@ -130,13 +133,14 @@ TEST_CASE("Boundary elements answer for a map where they know a contact, and the
     CHECK(pixel.law(0) != "boundary_elements");
     for (const json& row : pixel.rows)
         if (row.at("law") == "boundary_elements") {
-            const auto solved = test::results_of(
-                text_of(spike, "laws = [\"boundary_elements\"]\npressures = [\"1 GPa\"]\n"));
+            const auto solved =
+                test::results_of(text_of(spike, "laws = [\"boundary_elements\"]\npressures = [\"1 GPa\"]\n"));
             CHECK(solved.curves[0].states[0].real_area_fraction.value * 64 * 64 >= 20);
         }
 }
 
-TEST_CASE("A map of more points than boundary elements take is solved on fewer, and the band holds the error of the grid") {
+TEST_CASE(
+    "A map of more points than boundary elements take is solved on fewer, and the band holds the error of the grid") {
     const test::Folder folder;
     const std::string map = map_of(folder, 64), contact = "pressures = [\"100 MPa\"]\n",
                       coarse = "[contact.boundary_elements]\npoints = 32\n";
@@ -149,7 +153,8 @@ TEST_CASE("A map of more points than boundary elements take is solved on fewer, 
     const auto own = [&](const Answered& one, const std::string& grid) {
         const auto solved = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact + grid));
         const auto& K = solved.curves[0].states[0].stiffness;
-        const double whole = one.results.answer->reasons[0].causes[static_cast<std::size_t>(fstiff::parts::Cause::law)].high;
+        const double whole =
+            one.results.answer->reasons[0].causes[static_cast<std::size_t>(fstiff::parts::Cause::law)].high;
         CHECK(whole > K.error / K.value);
         return std::sqrt(whole * whole - std::pow(K.error / K.value, 2));
     };
@@ -208,7 +213,8 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
     CHECK_FALSE(contains(outside_band(large.of, large.results), "contacts"));
     for (std::size_t i = 0; i < 9; ++i) {
         CHECK(test::relative_error(double(large.rows[i].at("stiffness_N_per_m")), large.K(i) * 1e-4) < 1e-14);
-        CHECK(test::relative_error(double(large.rows[i].at("contacts")), 1e4 * double(small.rows[i].at("contacts"))) < 1e-12);
+        CHECK(test::relative_error(double(large.rows[i].at("contacts")), 1e4 * double(small.rows[i].at("contacts"))) <
+              1e-12);
         CHECK(large.K(i) == small.K(i));
         CHECK(small.width(i) > large.width(i));
         CHECK(large.width(i) > none.width(i));

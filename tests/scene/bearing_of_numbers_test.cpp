@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hybrid and plastic of numbers and traces with a bearing curve. Truth: the Gaussian law, the library's hybrid_of_band, and the
-// same surface written in another way.
-#include "surface/documents.hpp"
+// hybrid and plastic of numbers and traces with a bearing curve. Truth: the Gaussian law, the library's hybrid_of_band,
+// and the same surface written in another way.
 #include "scene/one_contact.hpp"
 #include "scene/results.hpp"
 #include "scene/scene.hpp"
+#include "surface/documents.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
@@ -53,8 +53,8 @@ std::string gaussian_core(char letter) {
     const double share = 0.0907, z = math::normal_quantile(1 - share),
                  peak = 2 / share * (math::normal_density(z) - z * share);
     const std::string name(1, letter), length = std::to_string(peak);
-    return name + "k = \"" + std::to_string(2 * z) + " um\"\n" + name + "pk = \"" + length + " um\"\n" + name + "vk = \"" +
-           length + " um\"\n" + name + "mr1 = 0.0907\n" + name + "mr2 = 0.9093\n";
+    return name + "k = \"" + std::to_string(2 * z) + " um\"\n" + name + "pk = \"" + length + " um\"\n" + name +
+           "vk = \"" + length + " um\"\n" + name + "mr1 = 0.0907\n" + name + "mr2 = 0.9093\n";
 }
 
 /// 1001 heights f(zeta) at the middles of equal shares.
@@ -69,13 +69,16 @@ std::string list(const F& f) {
 TEST_CASE("hybrid of a Gaussian bearing curve is that of Gaussian numbers") {
     const auto gaussian = stiffnesses(numbers);
     CHECK(stiffnesses(numbers + "skewness = 0\nkurtosis = 3\n") == gaussian);  // the same law, to the last bit
-    for (const char letter : {'S', 'R'}) CHECK(largest_change(stiffnesses(numbers + gaussian_core(letter)), gaussian) < 1e-5);
+    for (const char letter : {'S', 'R'})
+        CHECK(largest_change(stiffnesses(numbers + gaussian_core(letter)), gaussian) < 1e-5);
     CHECK(largest_change(stiffnesses(numbers + list([](double z) { return z; })), gaussian) < 1e-5);
     // and next to it
     CHECK(largest_change(stiffnesses(numbers + "skewness = 1e-6\nkurtosis = 3\n"), gaussian) < 1e-4);
-    const std::string plastic = rest.substr(0, rest.find("laws")) + "laws = [\"plastic\"]\n[uncertainty]\nsamples = 0\n";
+    const std::string plastic =
+        rest.substr(0, rest.find("laws")) + "laws = [\"plastic\"]\n[uncertainty]\nsamples = 0\n";
     CHECK(stiffnesses(read(numbers + "skewness = 0\nkurtosis = 3\n", plastic)) == stiffnesses(read(numbers, plastic)));
-    CHECK(largest_change(stiffnesses(read(numbers + gaussian_core('S'), plastic)), stiffnesses(read(numbers, plastic))) < 1e-5);
+    CHECK(largest_change(stiffnesses(read(numbers + gaussian_core('S'), plastic)),
+                         stiffnesses(read(numbers, plastic))) < 1e-5);
 }
 
 TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the same heights agrees") {
@@ -95,7 +98,9 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     scene::ContactNumbers plain{.surface = {1e-6, 20e-6, 2e9}, .rms_gradient = 0.1, .effective_modulus = modulus};
     const std::vector<double> pressure{1e8};
     const auto stiffness = [&] {
-        return scene::contact_of("hybrid", plain).contact->at_pressures(pressure, Quantity::stiffness)[0].state.stiffness.value;
+        return scene::contact_of("hybrid", plain)
+            .contact->at_pressures(pressure, Quantity::stiffness)[0]
+            .state.stiffness.value;
     };
     const double without = stiffness();
     plain.skewness = -1, plain.kurtosis = 4.5;
@@ -120,21 +125,29 @@ TEST_CASE("What is wrong with a bearing curve is told in one sentence") {
     wrong("skewness = \"1 um\"\nkurtosis = 4\n", "must be a plain number");
     wrong("Sk = \"2.5 um\"\n", "surface.Spk: is missing; Sk, Spk, Svk, Smr1 and Smr2 stand side by side");
     wrong("Sk = 2.5\nSpk = 1\nSvk = 1\nSmr1 = 0.1\nSmr2 = 0.9\n", "a number without a unit");
-    wrong("Sk = \"0 um\"\nSpk = \"1 um\"\nSvk = \"1 um\"\nSmr1 = 0.1\nSmr2 = 0.9\n", "must be finite and greater than 0");
-    wrong("Sk = \"2.5 um\"\nSpk = \"-1 um\"\nSvk = \"1 um\"\nSmr1 = 0.1\nSmr2 = 0.9\n", "must be finite and not negative");
-    wrong("Sk = \"2.5 um\"\nSpk = \"1 um\"\nSvk = \"1 um\"\nSmr1 = 10\nSmr2 = 90\n", "must be a share from 0 to 1; 10 % is 0.1");
-    wrong("Rk = \"2.5 um\"\nRpk = \"1 um\"\nRvk = \"1 um\"\nRmr1 = 0.9\nRmr2 = 0.1\n", "must be greater than surface.Rmr1");
+    wrong("Sk = \"0 um\"\nSpk = \"1 um\"\nSvk = \"1 um\"\nSmr1 = 0.1\nSmr2 = 0.9\n",
+          "must be finite and greater than 0");
+    wrong("Sk = \"2.5 um\"\nSpk = \"-1 um\"\nSvk = \"1 um\"\nSmr1 = 0.1\nSmr2 = 0.9\n",
+          "must be finite and not negative");
+    wrong("Sk = \"2.5 um\"\nSpk = \"1 um\"\nSvk = \"1 um\"\nSmr1 = 10\nSmr2 = 90\n",
+          "must be a share from 0 to 1; 10 % is 0.1");
+    wrong("Rk = \"2.5 um\"\nRpk = \"1 um\"\nRvk = \"1 um\"\nRmr1 = 0.9\nRmr2 = 0.1\n",
+          "must be greater than surface.Rmr1");
     wrong("Sk = \"2.5 nm\"\nSpk = \"1 nm\"\nSvk = \"1 nm\"\nSmr1 = 0.1\nSmr2 = 0.9\n", "within a factor of 2");
-    wrong("skewness = 0\nkurtosis = 3\nbearing_curve = []\n", "must not stand beside surface.skewness; give one bearing curve");
+    wrong("skewness = 0\nkurtosis = 3\nbearing_curve = []\n",
+          "must not stand beside surface.skewness; give one bearing curve");
     wrong("bearing_curve = [\"1 um\", \"2 um\"]\n", "must be a list of at least 10 lengths");
-    wrong("bearing_curve = [\"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\"]\n",
-          "different heights of a bearing curve");
+    wrong(
+        "bearing_curve = [\"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", "
+        "\"1 um\"]\n",
+        "different heights of a bearing curve");
 }
 
 /// A long trace of lognormal heights, or of Gaussian ones.
 Profile<double> trace(double a) {
     SelfAffineOptions<double> options;
-    options.hurst = 0.8, options.rms = 1, options.longest_wavelength = 1.0 / 100, options.shortest_wavelength = 1.0 / 300;
+    options.hurst = 0.8, options.rms = 1, options.longest_wavelength = 1.0 / 100,
+    options.shortest_wavelength = 1.0 / 300;
     options.seed = 3;
     Profile<double> profile = self_affine_profile(options, 4096, 1.0 / 4096);
     for (double& z : profile.heights) z = 1e-6 * (a > 0 ? std::expm1(a * z) / a : z);
@@ -176,7 +189,9 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     const std::string json = "[surface]\nfrom = \"" + std::string(folder / "measured.json") + "\"\n";
     CHECK(largest_change(stiffnesses(json), found) < 1e-12);
     // two such faces: the sum is nearer to a Gaussian one
-    const auto face = [&](const std::string& name) { return "[surface." + name + "]\n" + text.substr(text.find('\n') + 1); };
+    const auto face = [&](const std::string& name) {
+        return "[surface." + name + "]\n" + text.substr(text.find('\n') + 1);
+    };
     const scene::Scene two = read(face("upper") + face("lower"));
     CHECK(test::relative_error(two.face.shape.skewness, skewed.face.shape.skewness / std::sqrt(2.0)) < 1e-9);
     CHECK(two.face.bearing);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heat and current through a contact: k K/E of every law, the gap beside it, and what is refused.
-#include "scene/results.hpp"
 #include "scene/result_rows.hpp"
+#include "scene/results.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
-#include "support/library.hpp"
 #include "support/files.hpp"
+#include "support/library.hpp"
 
 #include <fstiff/core/error.hpp>
 
@@ -25,7 +25,8 @@ using enum scene::CurveQuantity;
 const std::string surface = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 5\n",
                   contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n";
 
-double at(const scene::Results& found, scene::CurveQuantity quantity, scene::Statistic statistic = scene::Statistic::value) {
+double at(const scene::Results& found, scene::CurveQuantity quantity,
+          scene::Statistic statistic = scene::Statistic::value) {
     const auto value = found.curves.front().value_at(1, quantity, statistic);
     REQUIRE(value);
     return *value;
@@ -36,8 +37,9 @@ std::string refusal(const std::string& text) { return test::refused_scene(text, 
 }  // namespace
 
 TEST_CASE("The spots conduct k K/E of every law, with the band of K") {
-    const std::string bodies = "[material.upper]\nname = \"steel\"\nthermal_conductivity = \"40 W/(m K)\"\n"
-                               "electrical_conductivity = \"7 MS/m\"\n[material.lower]\nname = \"aluminium\"\n";
+    const std::string bodies =
+        "[material.upper]\nname = \"steel\"\nthermal_conductivity = \"40 W/(m K)\"\n"
+        "electrical_conductivity = \"7 MS/m\"\n[material.lower]\nname = \"aluminium\"\n";
     for (const char* laws : {"", "laws = [\"hertz\"]\n", "laws = [\"persson\"]\n"}) {
         const auto found = results_of(surface + bodies + contact + laws);
         const double k = 2 * 40 * 237.0 / (40 + 237), s = 2 * 7e6 * 37.7e6 / (7e6 + 37.7e6);
@@ -52,14 +54,16 @@ TEST_CASE("The spots conduct k K/E of every law, with the band of K") {
 
 TEST_CASE("The gap, radiation and films stand beside the spots") {
     const std::string steel = "material.upper = \"steel\"\n", laws = "laws = [\"hybrid\"]\n";
-    const auto bare = results_of(steel + surface + contact + laws + "[output]\nquantities = [\"thermal_conductance\", \"separation\", \"real_area\"]\n");
+    const auto bare = results_of(steel + surface + contact + laws +
+                                 "[output]\nquantities = [\"thermal_conductance\", \"separation\", \"real_area\"]\n");
     const auto air = results_of(steel + surface + contact + laws + "[gap]\nmedium = \"air\"\n");
     CHECK(at(air, thermal_conductance) == at(bare, thermal_conductance));
     const double h = 0.0257 / at(air, thermal_conductance_gap) - at(bare, separation);
     CHECK(h > 0.25e-6);  // the jump of the temperature
     CHECK(h < 0.45e-6);
-    const auto film = results_of(steel + surface + contact + laws + "[gap]\nconductivity = \"0.8 W/(m K)\"\nemissivity = 1\n"
-                              "temperature = \"300 K\"\nthermal_film = \"1 mm^2 K/W\"\n");
+    const auto film = results_of(steel + surface + contact + laws +
+                                 "[gap]\nconductivity = \"0.8 W/(m K)\"\nemissivity = 1\n"
+                                 "temperature = \"300 K\"\nthermal_film = \"1 mm^2 K/W\"\n");
     CHECK(test::relative_error(at(film, thermal_conductance_gap), 0.8 / at(bare, separation) + 6.1240) < 1e-5);
     CHECK(test::relative_error(1 / at(film, thermal_conductance),
                                1 / at(bare, thermal_conductance) + 1e-6 / at(bare, real_area)) < 1e-12);
@@ -67,7 +71,9 @@ TEST_CASE("The gap, radiation and films stand beside the spots") {
 
 TEST_CASE("A gap is filled by name: a gas jumps at its faces, a liquid does not, a vacuum leaves radiation") {
     const std::string steel = "material.upper = \"steel\"\n", laws = "laws = [\"hybrid\"]\n";
-    const auto filled = [&](const std::string& gap) { return results_of(steel + surface + contact + laws + "[gap]\n" + gap); };
+    const auto filled = [&](const std::string& gap) {
+        return results_of(steel + surface + contact + laws + "[gap]\n" + gap);
+    };
     const double d = at(filled("medium = \"air\"\n"), separation);
     CHECK(test::relative_error(at(filled("medium = \"water\"\n"), thermal_conductance_gap), 0.598 / d) < 1e-14);
     CHECK(at(filled("medium = \"vacuum\"\n"), thermal_conductance_gap) == 0);
@@ -82,12 +88,13 @@ TEST_CASE("A gap is filled by name: a gas jumps at its faces, a liquid does not,
 }
 
 TEST_CASE("Plastic peaks conduct as Cooper, Mikic and Yovanovich say, less what their spots share") {
-    // h = 1.25 k m/sigma (p/H)^0.95 with the mean slope of a profile m = g/sqrt(pi), of spots that do not feel one another;
+    // h = 1.25 k m/sigma (p/H)^0.95 with the mean slope of a profile m = g/sqrt(pi), of spots that do not feel one
+    // another;
     // 0.72 to 0.97 of it by boundary elements of three maps, which theory and K of unloading agree with
     for (const double share : {0.003, 0.01, 0.03, 0.1}) {
         const auto found = results_of("[material]\nupper = { name = \"steel\", hardness = \"0.5 GPa\" }\n" + surface +
-                                   "[contact]\nlaws = [\"plastic\"]\npressures = [\"1 Pa\", \"" +
-                                   std::to_string(share * 0.5e9) + " Pa\"]\n[gap]\nmedium = \"air\"\n");
+                                      "[contact]\nlaws = [\"plastic\"]\npressures = [\"1 Pa\", \"" +
+                                      std::to_string(share * 0.5e9) + " Pa\"]\n[gap]\nmedium = \"air\"\n");
         const double spots = 1.25 * 53.3 * 0.1 / std::sqrt(std::numbers::pi) / 0.8e-6 * std::pow(share, 0.95);
         const double ratio = at(found, thermal_conductance) / spots;
         INFO(share << ": " << ratio);
@@ -100,11 +107,14 @@ TEST_CASE("Heat without a conductivity, and a gap that contradicts itself, are r
     const std::string plain = "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n";
     const std::string asked = "[output]\nquantities = [\"thermal_conductance\"]\n";
     CHECK(test::contains(refusal(plain + surface + contact + asked), "needs material.upper.thermal_conductivity"));
-    CHECK(test::contains(refusal(plain + surface + contact + "[gap]\nmedium = \"xenon\"\n"), "must be one of \"air\", \"helium\""));
+    CHECK(test::contains(refusal(plain + surface + contact + "[gap]\nmedium = \"xenon\"\n"),
+                         "must be one of \"air\", \"helium\""));
     CHECK(test::contains(refusal(surface + contact + "[gap]\nmedium = \"air\"\nconductivity = \"1 W/(m K)\"\n"),
                          "gap.conductivity = \"1 W/(m K)\": must not stand beside gap.medium"));
-    CHECK(test::contains(refusal(surface + contact + "[gap]\nemissivity = 2\ntemperature = \"293 K\"\n"), "gap.emissivity"));
-    CHECK(test::contains(refusal(surface + contact + "[gap]\nconductivity = 1\n"), "write it as a text such as \"40 W/(m K)\""));
+    CHECK(test::contains(refusal(surface + contact + "[gap]\nemissivity = 2\ntemperature = \"293 K\"\n"),
+                         "gap.emissivity"));
+    CHECK(test::contains(refusal(surface + contact + "[gap]\nconductivity = 1\n"),
+                         "write it as a text such as \"40 W/(m K)\""));
     CHECK(test::contains(refusal(surface + contact + "[gap]\nconductivity = \"1 S/m\"\n"), "W/(m K)"));
 }
 

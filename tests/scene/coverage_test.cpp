@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The band of K of one trace, against K of the mean spectrum of 100 traces of one process and its D.
-#include "surface/measured_surface.hpp"
 #include "scene/results.hpp"
+#include "surface/measured_surface.hpp"
 
 #include "cli/command.hpp"
 

@@ -5,10 +5,9 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/profile/level.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/level.hpp>
 #include <fstiff/topography/form.hpp>
-#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 
 #include <cmath>
@@ -233,16 +232,15 @@ TEST_CASE("A face knows the waves of a contact larger than its trace, measured n
     };
     const auto direct = unmeasured("trace.csv");
     CHECK(direct.growth > 0.1);
-    CHECK(unmeasured("trace.csv", "lambda_c = \"0.25 mm\"\n").growth == 0);  // longer waves are not asked for
+    CHECK(unmeasured("trace.csv", "lambda_c = \"0.25 mm\"\n").growth == 0);   // longer waves are not asked for
     CHECK(unmeasured("trace.csv", "rms_height = \"0.4 um\"\n").growth == 0);  // nor are they known of a given sigma
     folder.write("trace.json", document.dump());
     CHECK(same(unmeasured("trace.json").growth, direct.growth));
     CHECK(unmeasured("trace.json").at_least == direct.at_least);
     auto wrong = document;
     wrong["long_end"]["open"] = 2;
-    test::check_sentence(
-        test::refusal([&] { (void)fstiff::scene::read_measured_document(wrong.dump(), "m.json"); }),
-        {"m.json: long_end.open: must be from 0 to 1"});
+    test::check_sentence(test::refusal([&] { (void)fstiff::scene::read_measured_document(wrong.dump(), "m.json"); }),
+                         {"m.json: long_end.open: must be from 0 to 1"});
     document.erase("long_end");  // of an older fstiff
     folder.write("older.json", document.dump());
     CHECK(unmeasured("older.json").growth == 0);

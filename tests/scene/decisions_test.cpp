@@ -156,10 +156,11 @@ TEST_CASE("The band of one error in a scene has the 5 % and the 95 % of K") {
 
 TEST_CASE("The softer body alone decides whether the peaks flow, and how much") {
     const auto results = [](const std::string& yield, const std::string& lower) {
-        return test::results_of("[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n"
-                                "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + yield +
-                                "[material.lower]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + lower +
-                                "[contact]\npressures = [\"2 MPa\"]\n");
+        return test::results_of(
+            "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n"
+            "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" +
+            yield + "[material.lower]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + lower +
+            "[contact]\npressures = [\"2 MPa\"]\n");
     };
     const auto soft = results("yield_strength = \"300 MPa\"\n", "yield_strength = \"900 MPa\"\n"),
                turned = results("yield_strength = \"900 MPa\"\n", "yield_strength = \"300 MPa\"\n"),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The loss factor of a scene with friction, against the tangential law of the same contact, and what is refused.
-#include "scene/results.hpp"
 #include "scene/result_rows.hpp"
+#include "scene/results.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -26,8 +26,9 @@ using test::results_of;
 using enum scene::CurveQuantity;
 using scene::Statistic;
 
-const std::string surface = "material = { upper = \"steel\" }\n[surface]\nrms_height = \"0.8 um\"\n"
-                            "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
+const std::string surface =
+                      "material = { upper = \"steel\" }\n[surface]\nrms_height = \"0.8 um\"\n"
+                      "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
                   contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n",
                   friction = "[friction]\ncoefficient = 0.3\namplitude = \"20 nm\"\n";
 
@@ -45,8 +46,8 @@ std::string refusal(const std::string& text) { return test::refused_scene(text, 
 TEST_CASE("The loss factor of a law is that of its tangential law") {
     const auto found = results_of(surface + contact + "laws = [\"greenwood_williamson\"]\n" + friction);
     const fstiff::Roughness<double> same{.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 5e8};
-    const auto law = fstiff::ContactLaw<double>::tabulate(
-        fstiff::GreenwoodWilliamson<double>(same, found.modulus), {1e4, 1e9});
+    const auto law =
+        fstiff::ContactLaw<double>::tabulate(fstiff::GreenwoodWilliamson<double>(same, found.modulus), {1e4, 1e9});
     const fstiff::TangentialLaw<double> slips(law, 0.3, found.tangential_ratio);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& curve = found.curves.front();
@@ -95,7 +96,8 @@ TEST_CASE("Friction is shown where it is written, and refused where it lacks a n
           "s.toml:9: friction.coefficient = -0.1: must be greater than 0 and 10 at most");
     CHECK(refusal(text + "[friction]\ncoefficient = \"0.1\"\n").starts_with("s.toml:9: friction.coefficient"));
     CHECK(std::abs(at(results_of(text + "[friction]\ncoefficient = 0.1\namplitude = \"1e300 m\"\n").answer->curve, 0,
-                      loss_factor, Statistic::p95) - 4 / std::numbers::pi) < 1e-14);
+                      loss_factor, Statistic::p95) -
+                   4 / std::numbers::pi) < 1e-14);
     CHECK(refusal(text + "[friction]\ncoefficient = 0.1\namplitude = 1e-6\n")
               .starts_with("s.toml:10: friction.amplitude"));
     CHECK(refusal(text + "[friction]\nmu = 0.1\n").starts_with("s.toml:9: friction.mu: unknown key"));

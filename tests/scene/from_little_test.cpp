@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene from little: height and gradient by other names, the process, and what is taken for the rest. Truth: the same numbers
-// written out, K by the library, and surfaces drawn at random.
+// A scene from little: height and gradient by other names, the process, and what is taken for the rest. Truth: the same
+// numbers written out, K by the library, and surfaces drawn at random.
 #include "scene/priors.hpp"
 #include "scene/results.hpp"
 #include "scene/scene.hpp"
@@ -26,11 +26,12 @@ namespace from_little_test {
 
 using namespace fstiff;
 
-const std::string steel = "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nhardness = \"1.12 GPa\"\n";
+const std::string steel =
+    "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nhardness = \"1.12 GPa\"\n";
 
 std::string text_of(const std::string& surface, const std::string& laws = "\"hybrid\"") {
-    return "[surface]\n" + surface + "\n" + steel + "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\nlaws = [" +
-           laws + "]\n";
+    return "[surface]\n" + surface + "\n" + steel +
+           "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\nlaws = [" + laws + "]\n";
 }
 scene::Scene read(const std::string& surface, const std::string& laws = "\"hybrid\"") {
     return scene::read_scene(text_of(surface, laws), {.name = "s.toml"});
@@ -62,7 +63,8 @@ TEST_CASE("Every name of height and gradient is the number it stands for") {
     // Ra/Rq is 0.8, and RSm counts crossings
     const auto face = read("Ra = \"0.64 um\"\nRSm = \"40 um\"" + rest).face;
     CHECK(test::relative_error(face.parameters.rms_height.value, 0.8e-6) < 1e-15);
-    CHECK(test::relative_error(*face.rms_gradient, std::sqrt(2.0) * 2.3 * 2 * numbers::pi_v<double> * 0.8 / 40) < 1e-14);
+    CHECK(test::relative_error(*face.rms_gradient, std::sqrt(2.0) * 2.3 * 2 * numbers::pi_v<double> * 0.8 / 40) <
+          1e-14);
     CHECK(read("Ra = \"0.64 um\"\nprocess = \"turned\"").face.parameters.rms_height.value == 0.64e-6 / 0.84);
     // across a lay a profile is between the gradient and its sqrt(2)th part
     const scene::Face ground = read("Rq = \"1 um\"\nRdq = 0.1\nprocess = \"ground\"").face;
@@ -73,10 +75,11 @@ TEST_CASE("Every name of height and gradient is the number it stands for") {
 }
 
 TEST_CASE("Height alone, and height with gradient, have K with a band by every law that needs no more") {
-    for (const char* surface : {"Ra = \"0.8 um\"", "rms_height = \"1 um\"", "Rq = \"1 um\"\nRdq = 0.1",
-                                "rms_height = \"1 um\"\nrms_gradient = 0.14", "Sq = \"1 um\"\nalpha = 5",
-                                "Sq = \"1 um\"\npeak_radius = \"20 um\"", "Sq = \"1 um\"\npeak_density = \"1000 /mm^2\"",
-                                "Ra = \"0.8 um\"\nprocess = \"honed\""}) {
+    for (const char* surface :
+         {"Ra = \"0.8 um\"", "rms_height = \"1 um\"", "Rq = \"1 um\"\nRdq = 0.1",
+          "rms_height = \"1 um\"\nrms_gradient = 0.14", "Sq = \"1 um\"\nalpha = 5",
+          "Sq = \"1 um\"\npeak_radius = \"20 um\"", "Sq = \"1 um\"\npeak_density = \"1000 /mm^2\"",
+          "Ra = \"0.8 um\"\nprocess = \"honed\""}) {
         const auto found = results(surface, "\"hybrid\", \"plastic\", \"hertz\", \"persson\", \"proportional\"");
         INFO(surface);
         REQUIRE(found.curves.size() == 5);
@@ -113,7 +116,8 @@ TEST_CASE("What was assumed is said, and recorded") {
     CHECK(std::count_if(little.inputs.begin(), little.inputs.end(),
                         [](const scene::Input& one) { return one.key == "surface.rms_height"; }) == 1);
     // the numbers written out are the same scene, with nothing assumed
-    const std::string all = "rms_height = \"1 um\"\nrms_gradient = 0.2\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3";
+    const std::string all =
+        "rms_height = \"1 um\"\nrms_gradient = 0.2\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3";
     CHECK(read(all).assumptions.empty());
     CHECK(stiffnesses(all) == stiffnesses("Ra = \"0.8 um\""));
     CHECK(results(all).curves.front().band.empty());
@@ -169,7 +173,8 @@ TEST_CASE("A surface of R and D_p that no Gaussian surface has takes them for th
     }
 }
 
-/// 5 and 95 % of K over surfaces with every unknown but the shape drawn at random, ln K normal about the middle by halves.
+/// 5 and 95 % of K over surfaces with every unknown but the shape drawn at random, ln K normal about the middle by
+/// halves.
 std::pair<double, double> drawn(const scene::Scene& scene, std::size_t point) {
     std::vector<double> all;
     std::uint64_t state = 7;
@@ -266,7 +271,8 @@ TEST_CASE("Every row of the priors is in order, and holds the Gaussian surface o
     for (std::size_t i = 0; i < parts::process_priors.size(); ++i) {
         const parts::ProcessPrior& row = parts::process_priors[i];
         CHECK(row.process == static_cast<parts::Process>(i));
-        for (const parts::PriorRange& range : {row.mean_over_rms, row.slope, row.alpha, row.hurst, row.skewness, row.tail})
+        for (const parts::PriorRange& range :
+             {row.mean_over_rms, row.slope, row.alpha, row.hurst, row.skewness, row.tail})
             CHECK((range.low < range.middle && range.middle < range.high));
         CHECK(row.alpha.low > 1.5);
     }

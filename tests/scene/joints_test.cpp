@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Joints: forces, washers, K of the whole area, the approach, and bodies by name. Truth: closed forms and the same scene
-// in pressures and numbers.
+// Joints: forces, washers, K of the whole area, the approach, and bodies by name. Truth: closed forms and the same
+// scene in pressures and numbers.
 #include "support/library.hpp"
 
 #include <fstiff/asperity/named_materials.hpp>
@@ -99,13 +99,13 @@ TEST_CASE("The nominal area of a washer is that of its ring") {
 TEST_CASE("The approach is 0 at the seating pressure and grows by dp/K") {
     const test::Csv rows = test::rows_of_scene(
         surface + "[contact]\npressures = [\"0.05 MPa\", \"9.99 MPa\", \"10 MPa\", \"10.01 MPa\"]\n" +
-        "seating = \"0.05 MPa\"\n" + laws + "[output]\nquantities = [\"stiffness\", \"approach\", \"separation\"]\n" + few);
+        "seating = \"0.05 MPa\"\n" + laws + "[output]\nquantities = [\"stiffness\", \"approach\", \"separation\"]\n" +
+        few);
     for (std::size_t law = 0; law < 3; ++law) {
         const auto at = [&](std::size_t i, const char* column) { return rows.number(4 * law + i, column); };
         INFO(rows.text(4 * law, "law"));
         CHECK(at(0, "approach_m") == 0);
-        for (std::size_t i = 1; i < 4; ++i)
-            CHECK(at(i, "approach_m") == at(0, "separation_m") - at(i, "separation_m"));
+        for (std::size_t i = 1; i < 4; ++i) CHECK(at(i, "approach_m") == at(0, "separation_m") - at(i, "separation_m"));
         const double slope = (at(3, "approach_m") - at(1, "approach_m")) / 0.02e6;
         CHECK(test::relative_error(slope, 1 / at(2, "stiffness_Pa_per_m")) < 1e-5);
     }
@@ -124,10 +124,14 @@ TEST_CASE("A law that does not reach the seating pressure has no approach, and s
 
 TEST_CASE("Where boundary elements of the map answer, the approach begins at theirs") {
     const test::Folder folder;
-    folder.write("map.txt", test::map_text(64, 1e-6, {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 16e-6,
-                                                      .shortest_wavelength = 4e-6, .seed = 2}));
-    const std::string text = "material.upper = \"steel\"\n[surface]\nfrom = \"map.txt\"\n[contact]\nforce = \"0.8 N\"\n"
-                             "nominal_area = \"4000 um^2\"\n";
+    folder.write(
+        "map.txt",
+        test::map_text(
+            64, 1e-6,
+            {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 16e-6, .shortest_wavelength = 4e-6, .seed = 2}));
+    const std::string text =
+        "material.upper = \"steel\"\n[surface]\nfrom = \"map.txt\"\n[contact]\nforce = \"0.8 N\"\n"
+        "nominal_area = \"4000 um^2\"\n";
     const std::string file = folder.write("joint.toml", text);
     const auto best = test::results_of(text, file),
                elements = test::results_of(text + "laws = [\"boundary_elements\"]\n", file);
@@ -152,13 +156,15 @@ TEST_CASE("Two rough faces of two named materials under a force are one face of 
         "material.upper = \"steel\"\nmaterial.lower = \"Brass\"\n"
         "[surface.upper]\nrms_height = \"0.6 um\"\nrms_gradient = 0.06\nalpha = 5\n"
         "[surface.lower]\nrms_height = \"0.8 um\"\nrms_gradient = 0.08\nalpha = 5\n"
-        "[contact]\nforce = \"15 kN\"\nnominal_area = \"300 mm^2\"\n" + laws);
+        "[contact]\nforce = \"15 kN\"\nnominal_area = \"300 mm^2\"\n" +
+        laws);
     CHECK(test::ulps(named.modulus, modulus) <= 4);
     // one face with the added m0, m2 and m4, on bodies of another modulus: K and p scale with it
-    const auto unit = test::results_of("[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 5\n"
-                                       "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\n"
-                                       "[contact]\npressures = [\"" + scene::exact(50e6 / modulus * 1e9) + " Pa\"]\n" +
-                                       laws);
+    const auto unit = test::results_of(
+        "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 5\n"
+        "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\n"
+        "[contact]\npressures = [\"" +
+        scene::exact(50e6 / modulus * 1e9) + " Pa\"]\n" + laws);
     REQUIRE(named.curves.size() == unit.curves.size());
     CHECK(test::relative_error(unit.modulus, 1e9) < 1e-15);
     const auto k = [](const scene::Results& results, std::size_t curve, scene::CurveQuantity quantity) {
@@ -229,9 +235,7 @@ TEST_CASE("A surface in place of that of the built-in scene has its bodies, whic
                of_file = scene::read_scene(scene::builtin_scene, {.name = "built-in scene", .surface = file});
     CHECK(of_bodies(own).empty());
     CHECK(own.nominal_area == 195e-6);
-    CHECK(of_bodies(of_file) ==
-          std::vector<std::string>{
-              "the material, which is the steel of the built-in scene"});
+    CHECK(of_bodies(of_file) == std::vector<std::string>{"the material, which is the steel of the built-in scene"});
     CHECK(!of_file.nominal_area);
     CHECK_THROWS_AS(input_of(of_file, "contact.nominal_area"), std::runtime_error);
 }

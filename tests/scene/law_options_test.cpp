@@ -15,7 +15,8 @@ namespace {
 
 /// A scene with \p option among its sections of laws.
 std::string with(const std::string& option) {
-    return "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n[material.upper]\nyoungs_modulus = \"2 GPa\"\n"
+    return "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n[material.upper]\nyoungs_modulus = \"2 "
+           "GPa\"\n"
            "poisson_ratio = 0\n[contact]\npressures = [\"1 MPa\"]\nlaws = [\"hertz\"]\n" +
            option;
 }
@@ -42,7 +43,8 @@ Expected expected(const scene::LawOption& row) {
 TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses what is out of its range") {
     const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
     for (const scene::LawOption& row : scene::law_option_table()) {
-        const std::string section = "contact." + std::string(name_of(row.law)), key = section + "." + std::string(row.key);
+        const std::string section = "contact." + std::string(name_of(row.law)),
+                          key = section + "." + std::string(row.key);
         INFO(key);
         const auto [cells, good, bad] = expected(row);
         CHECK(test::contains(page, "| `" + key + "` | " + cells));
@@ -52,8 +54,8 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
                                      {.name = "s.toml"});
         };
         const scene::Scene changed = read(good);
-        std::visit(
-            [&](auto field) { CHECK_FALSE(changed.law_options.*field == scene::LawOptions{}.*field); }, row.field);
+        std::visit([&](auto field) { CHECK_FALSE(changed.law_options.*field == scene::LawOptions{}.*field); },
+                   row.field);
         CHECK(changed.inputs.end() != std::find_if(changed.inputs.begin(), changed.inputs.end(),
                                                    [&](const scene::Input& one) { return one.key == key; }));
         CHECK(test::contains(test::refusal([&, refused = bad] { (void)read(refused); }), key + " = "));

@@ -40,7 +40,8 @@ std::string refused(const std::string& text) {
 
 const std::string moments = "rms_height = \"1.1 um\"\nrms_gradient = 0.1\nalpha = 8.24\nhurst = 0.7";
 
-/// The Gaussian map of tests/data, in SI over (100 um)^2, or \p rows of it with \p waves along y of its own height, in a file.
+/// The Gaussian map of tests/data, in SI over (100 um)^2, or \p rows of it with \p waves along y of its own height, in
+/// a file.
 class MapFile {
 public:
     explicit MapFile(Eigen::Index rows = 256, double waves = 0) {
@@ -50,8 +51,8 @@ public:
         map.dy *= 1e-4;
         const double sigma = rms_height(map);
         for (Eigen::Index j = 0; j < rows; ++j)
-            map.heights.row(j) += sigma * std::sin(2 * std::numbers::pi * waves * static_cast<double>(j) /
-                                                   static_cast<double>(rows));
+            map.heights.row(j) +=
+                sigma * std::sin(2 * std::numbers::pi * waves * static_cast<double>(j) / static_cast<double>(rows));
         std::ofstream file(path());
         io::write_csv(file, map);
     }
@@ -165,11 +166,13 @@ TEST_CASE("Every law of a measured surface divides by one sigma: that of the hei
     const std::string one = "from = \"" + file.path() + "\"\nlambda_s = \"none\"\n";
     const double sigma = rms_height(parts::remove_form(file.map, MapForm::plane)),
                  second = rms_height(parts::remove_form(other.map, MapForm::plane));
-    const struct { std::string surface; double sigma; } cases[] = {
-        {"[surface]\n" + one, sigma},
-        {"[surface.upper]\n" + one + "[surface.lower]\n" + one, std::sqrt(2.0) * sigma},
-        {"[surface]\nfrom = [\"" + file.path() + "\", \"" + other.path() + "\"]\nlambda_s = \"none\"\n",
-         std::sqrt((200 * sigma * sigma + 120 * second * second) / 320)}};
+    const struct {
+        std::string surface;
+        double sigma;
+    } cases[] = {{"[surface]\n" + one, sigma},
+                 {"[surface.upper]\n" + one + "[surface.lower]\n" + one, std::sqrt(2.0) * sigma},
+                 {"[surface]\nfrom = [\"" + file.path() + "\", \"" + other.path() + "\"]\nlambda_s = \"none\"\n",
+                  std::sqrt((200 * sigma * sigma + 120 * second * second) / 320)}};
     for (const auto& of : cases) {
         CAPTURE(of.surface);
         const scene::Scene scene = scene::read_scene(of.surface + rest, {.name = "s.toml"});
@@ -191,9 +194,9 @@ TEST_CASE("persson takes the spectrum of a map with its mirror images, or of one
     const MapFile file;
     for (const Edges edges : {Edges::mirrored, Edges::periodic}) {
         CAPTURE(name_of(edges));
-        const auto results = computed(scene_of(file.surface(), "\"persson\"",
-                                               "[boundary_elements]\nedges = \"" + std::string(name_of(edges)) +
-                                                   "\"\n[uncertainty]\nsamples = 0\n"));
+        const auto results = computed(scene_of(
+            file.surface(), "\"persson\"",
+            "[boundary_elements]\nedges = \"" + std::string(name_of(edges)) + "\"\n[uncertainty]\nsamples = 0\n"));
         const PerssonContact<double> persson(map_spectrum(file.map, edges), 1e9);
         for (std::size_t i = 0; i < 2; ++i)
             CHECK(test::relative_error(results.curves[0].states[i].stiffness.value,
@@ -268,7 +271,8 @@ TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradien
     std::string soft = scene_of(file.surface(), "\"hybrid\", \"persson\", \"hertz\"");
     soft = test::replaced(soft, "2 GPa", "2 MPa");
     for (const char* pressure : {"1 MPa", "3 MPa", "8 MPa"}) {
-        const auto results = computed(test::replaced(soft, "\"1 MPa\", \"5 MPa\"", "\"" + std::string(pressure) + "\""));
+        const auto results =
+            computed(test::replaced(soft, "\"1 MPa\", \"5 MPa\"", "\"" + std::string(pressure) + "\""));
         for (const scene::Curve& curve : results.curves)
             for (const scene::Column& column : curve.columns)
                 for (const double value : column.values) CHECK(std::isfinite(value));

@@ -418,10 +418,9 @@ TEST_CASE("Numbers of a measured surface beyond all reason are refused in one se
             INFO(key << " = " << value);
             std::string said;
             const std::string sentence = test::refusal([&] {
-                said = test::joined(
-                    test::results_of("[surface]\nfrom = \"m.json\"\n" + rest + "laws = [\"hybrid\"]\n",
-                                      folder / "scene.toml")
-                        .warnings);
+                said = test::joined(test::results_of("[surface]\nfrom = \"m.json\"\n" + rest + "laws = [\"hybrid\"]\n",
+                                                     folder / "scene.toml")
+                                        .warnings);
             });
             CHECK(contains(sentence.empty() ? said : sentence,
                            sentence.empty() ? "beyond the range of double" : "must be "));

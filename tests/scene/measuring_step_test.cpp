@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// K of hybrid of measured traces at every 1st to 16th point, and after filtering with lambda_s from none to 16 steps: within 15 %,
-// though R goes a hundredfold. Traces: FSTIFF_SURFACES.
+// K of hybrid of measured traces at every 1st to 16th point, and after filtering with lambda_s from none to 16 steps:
+// within 15 %, though R goes a hundredfold. Traces: FSTIFF_SURFACES.
 #include "scene/results.hpp"
 #include "scene/scene.hpp"
 

@@ -132,7 +132,8 @@ TEST_CASE("a number that may be 0 is not taken for 0 where it was not given") {
     CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "law hertz: needs r");
     numbers.r = 0;
     CHECK(contact_of("hertz", numbers).contact);
-    CHECK(sentence_of([&] { return contact_of("jackson_green", numbers); }) == "law jackson_green: needs poisson_ratio");
+    CHECK(sentence_of([&] { return contact_of("jackson_green", numbers); }) ==
+          "law jackson_green: needs poisson_ratio");
     CHECK(sentence_of([&] { return contact_of("kogut_etsion", numbers); }) == "law kogut_etsion: needs poisson_ratio");
     numbers.poisson_ratio = 0;
     CHECK(contact_of("jackson_green", numbers).contact);

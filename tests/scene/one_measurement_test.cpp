@@ -203,8 +203,7 @@ TEST_CASE("The command and the headers pool several measurements of one surface 
         CHECK(document["concerns"] == concerns);
     };
     const auto trace = [](std::uint64_t seed) {
-        return SelfAffineOptions<double>{
-            .hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6, .seed = seed};
+        return SelfAffineOptions<double>{.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6, .seed = seed};
     };
     require_pooled({test::profile_text(4096, 0.5e-6, trace(1)), test::profile_text(3000, 0.5e-6, trace(2)),
                     test::profile_text(2048, 0.6e-6, trace(3))},  // the tables choose another lambda_s for the third

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene may say, and what is said of it: ranges of keys, values that contradict each other, values that were assumed, files
-// that are there twice.
+// What a scene may say, and what is said of it: ranges of keys, values that contradict each other, values that were
+// assumed, files that are there twice.
 #include "scene/results.hpp"
 
 #include "cli/command.hpp"
@@ -27,8 +27,7 @@ using test::contains;
 
 namespace {
 
-const std::string islands =
-    "rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\n";
+const std::string islands = "rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\n";
 const std::string moments = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n";
 
 /// A scene of \p surface, whose section [contact] ends with \p contact.

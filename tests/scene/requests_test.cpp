@@ -135,8 +135,9 @@ TEST_CASE("A density of peaks needs one source, and a curve of a contact gives i
     const auto found = scene::identify_scene(builtin, {.fit = {"sigma"}, .law = "hertz"},
                                              scene::curve_of_numbers(pressures, stiffness, {}, false, "curve"));
     CHECK(test::relative_error(found.found.fits.front().found.parameters.front().value, rougher.rms_height) < 1e-8);
-    CHECK(refused<scene::option_error>([] { (void)scene::parameters_of({.fit = {"sigma", "rms_height"}}); }) ==
-          "fit: \"rms_height\" is there twice; each may be named once");
+    CHECK(refused<scene::option_error>([] {
+              (void)scene::parameters_of({.fit = {"sigma", "rms_height"}});
+          }) == "fit: \"rms_height\" is there twice; each may be named once");
 }
 
 TEST_CASE("An export has a row of the table a line, in the units of the model") {

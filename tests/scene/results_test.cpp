@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff::scene by itself: read_scene and compute, against the numbers that the command prints.
-#include "scene/answer.hpp"
 #include "scene/results.hpp"
+#include "scene/answer.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
@@ -178,7 +178,8 @@ TEST_CASE("All curves of a scene and its answer have one p*") {
             CHECK(test::relative_error(*curve.rms_gradient, gradient) < 1e-9);
         }
         REQUIRE(results.answer);
-        CHECK(test::relative_error(results.answer->reasons[0].p_star.value(), 1e6 / (results.modulus * gradient)) < 1e-9);
+        CHECK(test::relative_error(results.answer->reasons[0].p_star.value(), 1e6 / (results.modulus * gradient)) <
+              1e-9);
     };
     const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 60e-6), sigma = 1e-6;
     // R and D_p that no Gaussian surface has: those of islands
@@ -193,7 +194,8 @@ TEST_CASE("All curves of a scene and its answer have one p*") {
     check("500 /mm^2", "5000 /mm^2", std::sqrt(2 * moments.m2), 3);
 }
 
-TEST_CASE("The answer has all points of a list and of a range up to twelve, of a longer range the ends and the decades") {
+TEST_CASE(
+    "The answer has all points of a list and of a range up to twelve, of a longer range the ends and the decades") {
     const auto points = [](std::vector<double> values, bool range = true, bool separations = false) {
         scene::Scene of;
         if (range) of.inputs.push_back({.key = "contact.pressures.count", .written = "5", .value = 5, .unit = ""});

@@ -130,8 +130,9 @@ TEST_CASE("The law fractal_consistent is fractal at a pressure higher by the fac
 
 TEST_CASE("The length of the interaction may be named or given") {
     const auto stiffness = [](const std::string& interaction) {
-        return test::rows_of_scene(test::scene_with("sand_blasted_fine", {{"pressures", seven_pressures},
-                                                               {"interaction", "interaction = " + interaction}}))
+        return test::rows_of_scene(
+                   test::scene_with("sand_blasted_fine",
+                                    {{"pressures", seven_pressures}, {"interaction", "interaction = " + interaction}}))
             .number(6, "stiffness_Pa_per_m");
     };
     const double none = stiffness("\"none\"");
@@ -153,9 +154,8 @@ TEST_CASE("The length of the interaction may be named or given") {
 }
 
 TEST_CASE("A real area above the nominal one is computed, and doubted") {
-    const auto results = test::results_of(
-        test::scene_with("sand_blasted_fine",
-                         {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}}));
+    const auto results = test::results_of(test::scene_with(
+        "sand_blasted_fine", {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}}));
     CHECK(results.doubtful);
     CHECK(results.curves[0].states[0].real_area_fraction.value > 1);
     CHECK(test::contains(test::joined(results.warnings), "real area exceeds the nominal area"));

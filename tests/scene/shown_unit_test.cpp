@@ -73,11 +73,12 @@ TEST_CASE("measure and run show a fine map in the same units") {
     const std::string map = folder.write(
         "fine.txt",
         test::run_fstiff("generate map --points 256 --spacing '5 nm' --hurst 0.8 --rms '3 nm' --shortest '40 nm' "
-                     "--longest '160 nm' --seed 4")
+                         "--longest '160 nm' --seed 4")
             .out);
     const auto measured = test::run_fstiff("measure '" + map + "' -o '" + folder / "fine.json" + "'");
     const auto table = test::run_fstiff("measure '" + map + "' --format table");
-    const auto run = test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --surface '" + folder / "fine.json" + "'");
+    const auto run =
+        test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --surface '" + folder / "fine.json" + "'");
     const auto parameters = nlohmann::json::parse(test::read(folder / "fine.json"))["surface"];
     const double sigma = parameters["rms_height"]["value"], density = parameters["peak_density"]["value"];
     CHECK(scene::unit_of_length(sigma).name == "nm");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// K of hybrid of a map at every 1st, 2nd, 4th and 8th of its points along both sides, by the map itself and by its numbers: of
-// measured maps (FSTIFF_SURFACES) and of a broad Gaussian one.
+// K of hybrid of a map at every 1st, 2nd, 4th and 8th of its points along both sides, by the map itself and by its
+// numbers: of measured maps (FSTIFF_SURFACES) and of a broad Gaussian one.
 #include "scene/results.hpp"
 #include "scene/scene.hpp"
 
@@ -25,7 +25,8 @@ std::string scene_of(const std::string& file, const std::string& keys, const std
     return "[surface]\nfrom = \"" + file + "\"\nlambda_s = \"none\"\npeaks = \"summits\"\n" + keys +
            "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
            "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\nlaws = [\"hybrid\"]\n"
-           "[contact.persson]\nspectrum = \"" + spectrum + "\"\n[uncertainty]\nsamples = 0\n";
+           "[contact.persson]\nspectrum = \"" +
+           spectrum + "\"\n[uncertainty]\nsamples = 0\n";
 }
 
 /// Largest over least K at each pressure, of \p map at every 1st to 8th point.
@@ -74,7 +75,8 @@ TEST_CASE("K of hybrid of the numbers of a measured map hardly depends on the st
     }
 }
 
-TEST_CASE("K of hybrid of a broad map hardly depends on the step by its numbers, and by the map where many contacts carry") {
+TEST_CASE(
+    "K of hybrid of a broad map hardly depends on the step by its numbers, and by the map where many contacts carry") {
     SelfAffineOptions<double> options;
     options.hurst = 0.8, options.rms = 1e-6, options.seed = 5;
     options.longest_wavelength = 1.0 / 4, options.shortest_wavelength = 1.0 / 128;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a computed number is from the truth: relative, and in units in the last place. Never Approx, which accepts five digits.
+// How far a computed number is from the truth: relative, and in units in the last place. Never Approx, which accepts
+// five digits.
 #include <fstiff/core/error.hpp>
 
 #include <cmath>

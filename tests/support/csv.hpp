@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The one reader of CSV that the tests have: what the command writes, and the reference tables of tests/data. Shares nothing with
-// the library's readers.
+// The one reader of CSV that the tests have: what the command writes, and the reference tables of tests/data. Shares
+// nothing with the library's readers.
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>

@@ -50,7 +50,7 @@ inline std::vector<HalfSpaceRatio> half_space_ratios() {
         };
         const GreenwoodWilliamson<double> one_radius(surface, modulus);
         const auto moments = parts::moments_of_gradient(surface.rms_height, surfaces.input(i, "rms_gradient"),
-                                                 surfaces.input(i, "alpha"));
+                                                        surfaces.input(i, "alpha"));
         const auto band = band_of_moments(moments, surfaces.input(i, "hurst"));
         const PerssonContact<double> persson(band, modulus);
         const auto hybrid = hybrid_of_band(band, modulus);

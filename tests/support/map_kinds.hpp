@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Maps of many kinds, each from a seed: Gaussian, skewed, kurtotic, honed, worn, stretched, turned, milled, with particles, the sum
-// of two faces, with waves as long as the map, and with a broad spectrum. They repeat themselves over the unit square
-// and have an rms gradient of 0.1. Of twice the size a map has twice the points and twice the waves a side.
+// Maps of many kinds, each from a seed: Gaussian, skewed, kurtotic, honed, worn, stretched, turned, milled, with
+// particles, the sum of two faces, with waves as long as the map, and with a broad spectrum. They repeat themselves
+// over the unit square and have an rms gradient of 0.1. Of twice the size a map has twice the points and twice the
+// waves a side.
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -24,7 +25,8 @@ namespace test {
 /// Heights in periods of the map.
 using Heights = fstiff::HeightMap<double>::Array;
 
-/// A Gaussian map of rms 1 with \p points a side: from \p rolloff to \p cut waves a side C(q) = q^(-2-2H), constant below, stretched
+/// A Gaussian map of rms 1 with \p points a side: from \p rolloff to \p cut waves a side C(q) = q^(-2-2H), constant
+/// below, stretched
 /// \p stretch times along y.
 inline Heights gaussian_map(Eigen::Index points, double rolloff, double cut, double hurst, std::uint64_t seed,
                             double stretch = 1) {
@@ -35,13 +37,13 @@ inline Heights gaussian_map(Eigen::Index points, double rolloff, double cut, dou
     options.shortest_wavelength = 1 / cut;
     options.seed = seed;
     const double root = std::sqrt(stretch), step = 1.0 / static_cast<double>(points);
-    return fstiff::self_affine_map(options, static_cast<std::size_t>(points), static_cast<std::size_t>(points), step * root,
-                                   step / root)
+    return fstiff::self_affine_map(options, static_cast<std::size_t>(points), static_cast<std::size_t>(points),
+                                   step * root, step / root)
         .heights;
 }
 
-/// Without the overtones above \p cut waves a side, by exp(-(q/cut)^8): so that the grid resolves what a function of each
-/// height by itself has made.
+/// Without the overtones above \p cut waves a side, by exp(-(q/cut)^8): so that the grid resolves what a function of
+/// each height by itself has made.
 inline Heights without_overtones(Heights z, double cut = 40) {
     fstiff::parts::LineTransform<double> line(static_cast<std::size_t>(z.rows()), fstiff::Edges::periodic);
     const auto both = [&](auto&& call) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// tests/data/roughness_reference.csv, made by tools/make_roughness_reference.py with numpy and scipy, and the surfaces of it that
-// are in tests/data.
+// tests/data/roughness_reference.csv, made by tools/make_roughness_reference.py with numpy and scipy, and the surfaces
+// of it that are in tests/data.
 #include "support/half_space_maps.hpp"
 #include "support/table.hpp"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What cannot be tested here (no Chromium, no measured surfaces, ...) shows as skipped, never as passed: the case prints a line
-// that begins with "SKIPPED:", which CTest looks for (SKIP_REGULAR_EXPRESSION in tests/CMakeLists.txt). A case that has failed
-// prints none, because CTest would call it skipped. Catch2 2 has no SKIP, so the line is ours with Catch2 3 too.
+// What cannot be tested here (no Chromium, no measured surfaces, ...) shows as skipped, never as passed: the case
+// prints a line that begins with "SKIPPED:", which CTest looks for (SKIP_REGULAR_EXPRESSION in tests/CMakeLists.txt). A
+// case that has failed prints none, because CTest would call it skipped. Catch2 2 has no SKIP, so the line is ours with
+// Catch2 3 too.
 #include "support/catch.hpp"
 
 #if __has_include(<catch2/catch_test_macros.hpp>)
@@ -35,7 +36,8 @@ using ListenerBase = Catch::TestEventListenerBase;
 
 namespace {
 
-/// Every file that includes this registers one: the first to see the end of a case prints, the others find nothing left.
+/// Every file that includes this registers one: the first to see the end of a case prints, the others find nothing
+/// left.
 struct SkipListener : test::ListenerBase {
     using test::ListenerBase::ListenerBase;
     void testCaseEnded(const Catch::TestCaseStats& stats) override {

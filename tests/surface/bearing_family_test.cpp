@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: a Gaussian surface; areas and moments summed over many values of the curve; the lognormal curve in closed form.
+// Truth: a Gaussian surface; areas and moments summed over many values of the curve; the lognormal curve in closed
+// form.
 #include <fstiff/surface/bearing_family.hpp>
 
 #include "support/accuracy.hpp"
@@ -56,9 +57,10 @@ TEST_CASE("A bearing curve has the core that it was made of") {
 }
 
 TEST_CASE("A bearing curve of skewness and kurtosis has them, and no impossible ones are taken") {
-    for (const auto& [skewness, kurtosis] : std::vector<std::pair<double, double>>{
+    for (const auto& [skewness, kurtosis] : std::vector<std::pair<double, double>>{// clang-format off
              {0, 3}, {0, 1.8}, {0, 5}, {0.5, 3.4}, {1, 4.8}, {-0.5, 3.1}, {-1, 4.5}, {-1.7, 7}, {1, 3}, {2, 8}, {-0.8, 2.4},
              {0.001, 3.02222290919315}, {-0.01, 3}, {0.1, 3.0178}, {0.05, 3.003}, {1e-4, 2.99}, {2.9, 20}}) {
+                                                                                   // clang-format on
         CAPTURE(skewness, kurtosis);
         const auto curve = parts::bearing_of_moments(skewness, kurtosis);
         const auto m = moments_of(curve);

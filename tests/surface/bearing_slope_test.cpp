@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: Gaussian heights, whose curve is a straight line; the regression written out over all heights, without a table.
+// Truth: Gaussian heights, whose curve is a straight line; the regression written out over all heights, without a
+// table.
 #include <fstiff/surface/bearing_slope.hpp>
 
 #include "support/accuracy.hpp"
@@ -36,9 +37,8 @@ double slow_slope(const std::vector<double>& heights, double center, double widt
     double w = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (int k = 0; k <= 60; ++k) {
         const double t = from + (to - from) * k / 60;
-        const auto i = static_cast<std::size_t>(
-            std::clamp<std::ptrdiff_t>(std::upper_bound(score.begin(), score.end(), t) - score.begin(), 1,
-                                       std::ssize(score) - 1));
+        const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+            std::upper_bound(score.begin(), score.end(), t) - score.begin(), 1, std::ssize(score) - 1));
         const double f = z[i - 1] + (z[i] - z[i - 1]) * (t - score[i - 1]) / (score[i] - score[i - 1]);
         const double weight = std::exp(-(t - center) * (t - center) / (2 * width * width));
         w += weight, x += weight * t, y += weight * f, xx += weight * t * t, xy += weight * t * f;
@@ -50,8 +50,7 @@ TEST_CASE("The bearing curve of Gaussian heights has their rms height as its slo
     const auto curve =
         parts::BearingSlope<double>::of_heights(heights_of([](double z) { return 3 + 2e-6 * z; }, 10007));
     for (const double center : {-9.0, -3.0, 0.0, 0.3, 3.7, 9.0})
-        for (const double width : {0.5, 1.0})
-            CHECK(test::relative_error(curve.slope(center, width), 2e-6) < 1e-8);
+        for (const double width : {0.5, 1.0}) CHECK(test::relative_error(curve.slope(center, width), 2e-6) < 1e-8);
     CHECK(std::abs(curve.height(0.5) - (3 + 1e-6)) < 1e-14);
     CHECK(curve.knots().size() < 4100);
     CHECK(std::abs(curve.highest() + curve.lowest()) < 1e-11);  // 1 - p is rounded

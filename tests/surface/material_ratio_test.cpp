@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: curves of straight lines, whose core and triangles are found with a pencil; Gaussian heights in closed form; numpy's
-// quadrature of the same definition on maps with and without missing points.
+// Truth: curves of straight lines, whose core and triangles are found with a pencil; Gaussian heights in closed form;
+// numpy's quadrature of the same definition on maps with and without missing points.
 #include <fstiff/surface/material_ratio.hpp>
 
 #include "support/accuracy.hpp"
@@ -44,8 +44,8 @@ TEST_CASE("The heights of a ramp are all core, in any order and at any offset") 
 }
 
 TEST_CASE("A curve of three straight parts has triangles of its own heights") {
-    // the flattest part, drawn on to both ends, goes from 0.1 to -0.9; the curve is at 0.1 at t = 0.09, 0.9 below its top, and
-    // at -0.9 at t = 0.81, 3.8 above its bottom
+    // the flattest part, drawn on to both ends, goes from 0.1 to -0.9; the curve is at 0.1 at t = 0.09, 0.9 below its
+    // top, and at -0.9 at t = 0.81, 3.8 above its bottom
     const auto found = of(sampled(bent, 1001));
     CHECK(test::relative_error(found.core_height, 1.0) < 1e-12);
     CHECK(test::relative_error(found.peak_share, 0.09) < 1e-12);
@@ -65,8 +65,8 @@ TEST_CASE("Gaussian heights have the core of the closed form") {
     std::vector<double> z;
     for (int i = 0; i < points; ++i) z.push_back(gsl_cdf_ugaussian_Qinv((i + 0.5) / points));
     const auto found = of(z);
-    // N heights at (i + 1/2)/N stand at i/(N-1): shares are off by 1/(2 N), and the triangles by the ends of the curve, where
-    // the sum over half a step of a tail is off by a few steps
+    // N heights at (i + 1/2)/N stand at i/(N-1): shares are off by 1/(2 N), and the triangles by the ends of the curve,
+    // where the sum over half a step of a tail is off by a few steps
     CHECK(test::relative_error(found.core_height, core) < 2 / static_cast<double>(points));
     CHECK(std::abs(found.peak_share - share) < 1 / static_cast<double>(points));
     CHECK(std::abs(found.core_and_peak_share - (1 - share)) < 1 / static_cast<double>(points));

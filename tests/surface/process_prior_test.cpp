@@ -20,8 +20,8 @@ namespace process_prior_test {
 using namespace fstiff;
 using test::relative_error;
 
-/// RSm of heights about their mean: elements between rising crossings of the mean line, none lower than a tenth of the mean height of
-/// five sampling lengths or shorter than a hundredth of one.
+/// RSm of heights about their mean: elements between rising crossings of the mean line, none lower than a tenth of the
+/// mean height of five sampling lengths or shorter than a hundredth of one.
 double mean_spacing(const Profile<double>& profile) {
     const Eigen::Map<const Eigen::ArrayXd> z(profile.heights.data(), static_cast<Eigen::Index>(profile.heights.size()));
     const Eigen::Index count = z.size(), length = count / 5;
@@ -63,8 +63,8 @@ TEST_CASE("The gradient of a height alone is that of the process, less certain b
     CHECK(relative_error(at(1e-4).low / at(1e-4).middle, 0.335 / std::pow(10, 0.25)) < 1e-14);
     // the sources lie within: mean slopes of profiles of 0.1 to 10 um, times sqrt(pi)
     for (const double height : {0.2, 1.0, 5.0})
-        for (const double slope : {0.152 * std::pow(height, 0.4), 0.124 * std::pow(height, 0.743), 0.076 * std::pow(height, 0.52),
-                                   0.125 * std::pow(height, 0.402)}) {
+        for (const double slope : {0.152 * std::pow(height, 0.4), 0.124 * std::pow(height, 0.743),
+                                   0.076 * std::pow(height, 0.52), 0.125 * std::pow(height, 0.402)}) {
             const double gradient = std::sqrt(numbers::pi_v<double>) * slope;
             CHECK(gradient > at(height * 1e-6).low);
             CHECK(gradient < at(height * 1e-6).high);
@@ -77,14 +77,19 @@ TEST_CASE("The gradient of a height alone is that of the process, less certain b
 TEST_CASE("The slope that the mean spacing gives holds that of Gaussian profiles") {
     for (const auto& [longest, shortest] : {std::pair(50e-6, 25e-6), std::pair(100e-6, 10e-6), std::pair(200e-6, 5e-6)})
         for (const double hurst : {0.3, 0.8}) {
-            const Profile<double> profile = self_affine_profile<double>(
-                {.hurst = hurst, .rms = 1e-6, .longest_wavelength = longest, .shortest_wavelength = shortest, .seed = 5}, 16000,
-                0.25e-6);
-            const Eigen::Map<const Eigen::ArrayXd> z(profile.heights.data(), static_cast<Eigen::Index>(profile.heights.size()));
+            const Profile<double> profile = self_affine_profile<double>({.hurst = hurst,
+                                                                         .rms = 1e-6,
+                                                                         .longest_wavelength = longest,
+                                                                         .shortest_wavelength = shortest,
+                                                                         .seed = 5},
+                                                                        16000, 0.25e-6);
+            const Eigen::Map<const Eigen::ArrayXd> z(profile.heights.data(),
+                                                     static_cast<Eigen::Index>(profile.heights.size()));
             const Eigen::Index inner = z.size() - 1;
             const double slope = std::sqrt((z.tail(inner) - z.head(inner)).square().mean()) / profile.spacing;
             const parts::PriorRange range = parts::slope_of_spacing(1e-6, mean_spacing(profile));
-            INFO(longest << " " << shortest << " " << hurst << ": " << slope << " of " << range.low << " to " << range.high);
+            INFO(longest << " " << shortest << " " << hurst << ": " << slope << " of " << range.low << " to "
+                         << range.high);
             CHECK(slope > range.low);
             CHECK(slope < range.high);
         }
@@ -93,11 +98,11 @@ TEST_CASE("The slope that the mean spacing gives holds that of Gaussian profiles
 TEST_CASE("The gradient that islands give is that of Gaussian maps") {
     for (const auto& [hurst, longest, shortest] : {std::array{0.8, 32e-6, 8e-6}, std::array{0.38, 16e-6, 8e-6}}) {
         const HeightMap<double> map = self_affine_map<double>(
-            {.hurst = hurst, .rms = 1e-6, .longest_wavelength = longest, .shortest_wavelength = shortest, .seed = 2}, 256, 256, 1e-6,
-            1e-6);
+            {.hurst = hurst, .rms = 1e-6, .longest_wavelength = longest, .shortest_wavelength = shortest, .seed = 2},
+            256, 256, 1e-6, 1e-6);
         const Surface<double> surface = measure(map);
-        const parts::PriorRange range = parts::gradient_of_islands(surface.rms_height.value, surface.peak_radius.value,
-                                                                   surface.peak_density.value);
+        const parts::PriorRange range =
+            parts::gradient_of_islands(surface.rms_height.value, surface.peak_radius.value, surface.peak_density.value);
         INFO(hurst << ": " << surface.rms_gradient.value << " of " << range.low << " to " << range.high);
         CHECK(relative_error(range.middle, surface.rms_gradient.value) < 0.15);
         CHECK(surface.rms_gradient.value > range.low);

@@ -72,7 +72,8 @@ TEST_CASE("Where a thread cannot start, those that did compute everything, and o
     for (const unsigned most : {0U, 1U, 3U}) {
         unsigned started = 0;
         const ThreadStart few = [&](const std::function<void()>& call) {
-            if (started == most) throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+            if (started == most)
+                throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
             ++started;
             return std::thread(call);
         };

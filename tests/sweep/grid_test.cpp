@@ -116,7 +116,8 @@ TEST_CASE("What is wrong with a grid is told with line, key and value") {
                   "grid.toml:2: surface.rms_height.to = \"1 um\": must be greater than surface.rms_height.from");
     check_refused(surface("{ from = \"2 um\", to = \"3 um\" }"), "surface.rms_height.count: is missing");
     check_refused(surface("{ from = \"2 um\", to = \"3 MPa\", count = 3 }"), "must be a quantity of the same kind");
-    check_refused(surface("{ from = \"2 um\", to = \"3 um\", count = 1 }"), "must be a whole number from 2 to 9007199254740992");
+    check_refused(surface("{ from = \"2 um\", to = \"3 um\", count = 1 }"),
+                  "must be a whole number from 2 to 9007199254740992");
     check_refused(surface("{ from = \"-2 um\", to = \"3 um\", count = 3, spacing = \"log\" }"),
                   "must be greater than 0");
     check_refused(surface("[\"2 um\", 3]"), "surface.rms_height[1] = 3: must be of the same kind as the first");

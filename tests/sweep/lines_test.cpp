@@ -17,8 +17,8 @@ namespace scene = fstiff::scene;
 
 namespace {
 
-/// Numbers that are put into a scene that was read before, numbers and texts for which it is read anew, a draw, and a D that
-/// no scene may have.
+/// Numbers that are put into a scene that was read before, numbers and texts for which it is read anew, a draw, and a D
+/// that no scene may have.
 const std::string text =
     "[surface]\nrms_height = [\"0.5 um\", \"1 um\"]\npeak_radius = { lognormal = [\"40 um\", 0.2] }\n"
     "peak_density = \"500 /mm^2\"\nfractal_dimension = { values = [1.3, 1.995, 1.62] }\n"

@@ -13,7 +13,8 @@ using namespace fstiff::sweep;
 namespace {
 
 const std::string good =
-    "{\"index\":7,\"surface.from\":\"a \\\"b\\\\ \\u001b.csv\",\"law\":\"hertz\",\"theta\":1.5,\"r\":null,\"pressure_Pa\":"
+    "{\"index\":7,\"surface.from\":\"a \\\"b\\\\ "
+    "\\u001b.csv\",\"law\":\"hertz\",\"theta\":1.5,\"r\":null,\"pressure_Pa\":"
     "1e+06,\"stiffness_Pa_per_m\":-2.5e-07}";
 
 std::string line(int index, const std::string& law, const std::string& rest = "\"stiffness_Pa_per_m\":1}") {
@@ -46,10 +47,11 @@ TEST_CASE("A line of results is one whole object, and no part of it or anything 
         CHECK_FALSE(index_of_line(good.substr(0, length)));
     }
     CHECK_FALSE(index_of_line(good + "}"));
-    for (const char* bad : {"{\"index\":1,}", "{\"index\":1,\"a\":}", "{\"index\":1,\"a\":nul}", "{\"index\":1,\"a\":1e}",
-                            "{\"index\":1,\"a\":inf}", "{\"index\":1 \"a\":1}", "{\"index\":1,\"a\":\"\\u12\"}",
-                            "{\"index\":1,\"a\":\"\\x\"}", "{\"index\":1,\"a\":\"\n\"}", "{\"index\":-1}",
-                            "{\"index\":1.5}", "{\"a\":1,\"index\":1}"}) {
+    for (const char* bad :
+         {"{\"index\":1,}", "{\"index\":1,\"a\":}", "{\"index\":1,\"a\":nul}", "{\"index\":1,\"a\":1e}",
+          "{\"index\":1,\"a\":inf}", "{\"index\":1 \"a\":1}", "{\"index\":1,\"a\":\"\\u12\"}",
+          "{\"index\":1,\"a\":\"\\x\"}", "{\"index\":1,\"a\":\"\n\"}", "{\"index\":-1}", "{\"index\":1.5}",
+          "{\"a\":1,\"index\":1}"}) {
         INFO(bad);
         CHECK_FALSE(index_of_line(bad));
     }
@@ -60,8 +62,9 @@ TEST_CASE("Rows are read in their order, and the first that is damaged is named"
     CHECK(read_back(line(0, "hertz") + line(0, "hertz", missed) + line(0, "hertz") + line(1, "hertz")) ==
           "0.0=K 0.1 0.2=K 1.0=K ");
     CHECK(read_back("{\"index\":0,\"error\":\"no\"}\n" + line(1, "hertz")) == "1.0=K ");
-    const std::string damaged = " is no whole line of results, or not in its order; move the file and its .sweep away and "
-                                "run the sweep again";
+    const std::string damaged =
+        " is no whole line of results, or not in its order; move the file and its .sweep away and "
+        "run the sweep again";
     const std::string two = line(0, "hertz") + line(1, "hertz");
     CHECK(read_back(two + "XXXXXXXX" + line(2, "hertz").substr(8)) == ":3:" + damaged);
     CHECK(read_back(two + line(2, "hertz").substr(0, 30)) == ":3:" + damaged);

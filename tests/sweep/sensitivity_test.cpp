@@ -10,8 +10,8 @@ namespace sensitivity_test {
 using namespace fstiff::sweep;
 
 TEST_CASE("Sobol' indices and rank correlations of a product of powers are those of the closed form") {
-    // K = x^a y^b z^c of lognormal inputs: ln K is normal, S_x = (exp(a^2 s^2) - 1)/(exp(sum) - 1), and the correlation of
-    // ranks is 6/pi arcsin(rho/2) with rho = a s/sqrt(sum)
+    // K = x^a y^b z^c of lognormal inputs: ln K is normal, S_x = (exp(a^2 s^2) - 1)/(exp(sum) - 1), and the correlation
+    // of ranks is 6/pi arcsin(rho/2) with rho = a s/sqrt(sum)
     const double power[]{1.5, -1, 0.3}, spread[]{0.2, 0.25, 0.1};
     constexpr std::uint64_t n = 40000;
     std::vector<std::vector<double>> inputs(3);

@@ -64,8 +64,8 @@ TEST_CASE("Cosines have the summits and curvatures of the closed form") {
     const double bend_y = 2 * height * (1 - std::cos(pi2 / 16)) / dy / dy;
     CHECK(test::relative_error(s.summit_curvature, (bend_x + bend_y) / 2) <= 1e-13);
     CHECK(std::abs(s.summit_height + s.mean_height - height) <= 1e-14 * height);
-    // Along x: mean sin^2 over 120 steps of whole periods is 1/2; mean cos^2 over 129 rows of 8 periods and one crest is
-    // (64 + 1)/129. Second differences: inner points, 119 of 120 of the periods, a crest left out.
+    // Along x: mean sin^2 over 120 steps of whole periods is 1/2; mean cos^2 over 129 rows of 8 periods and one crest
+    // is (64 + 1)/129. Second differences: inner points, 119 of 120 of the periods, a crest left out.
     const double slope_x = 2 * height * std::sin(pi2 / 40) / dx;
     CHECK(test::relative_error(s.m2_x, slope_x * slope_x / 2 * 65 / 129) <= 1e-13);
     CHECK(test::relative_error(s.m4_x, bend_x * bend_x * 59 / 119 * 65 / 129) <= 1e-13);
@@ -78,8 +78,8 @@ TEST_CASE("Cosines have the summits and curvatures of the closed form") {
 }
 
 TEST_CASE("A paraboloid has the moments of the closed form, m4 and Nayak's alpha with them") {
-    // z = (p x^2 + q y^2)/2 at x/dx = -3 to 3, y/dy = -4 to 4: second differences are p and q everywhere, first ones p dx and
-    // q dy times half-odd numbers, whose mean squares are 35/12 and 21/4; i^2 has the variances 12 and 308/9
+    // z = (p x^2 + q y^2)/2 at x/dx = -3 to 3, y/dy = -4 to 4: second differences are p and q everywhere, first ones p
+    // dx and q dy times half-odd numbers, whose mean squares are 35/12 and 21/4; i^2 has the variances 12 and 308/9
     constexpr double p = 3e4, q = 7e4, dx = 1e-6, dy = 2e-6;
     HeightMap<double> map{HeightMap<double>::Array(9, 7), dx, dy};
     for (Eigen::Index j = 0; j < 9; ++j)
@@ -230,7 +230,8 @@ TEST_CASE("Maps that have no statistics are refused") {
 
 TEST_CASE("Sines have the mean square curvature of the second difference, exactly") {
     // a wave of phase k i + l j has second differences -4 sin^2(k/2) of it along x. Over whole periods of triples their
-    // squares are half of that, and waves of other k do not mix: one period of the triples is two points less than the map.
+    // squares are half of that, and waves of other k do not mix: one period of the triples is two points less than the
+    // map.
     struct Wave {
         double amplitude;
         int periods_x, periods_y;

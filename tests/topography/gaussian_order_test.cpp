@@ -35,11 +35,13 @@ TEST_CASE("A monotone function of a map leaves its Gaussian order, and becomes i
     HeightMap<double> bent = map;
     bent.heights = (map.heights * (1 / order.rms_height)).exp();
     const auto of_bent = parts::gaussian_order(bent);
-    const double apart = (of_bent.map.heights / of_bent.rms_height - order.map.heights / order.rms_height).abs().maxCoeff();
+    const double apart =
+        (of_bent.map.heights / of_bent.rms_height - order.map.heights / order.rms_height).abs().maxCoeff();
     CHECK(apart < 1e-13);
     for (const double score : {-3.0, -0.4, 0.0, 1.0, 3.5})
-        CHECK(test::relative_error(of_bent.curve.height(score), std::exp(order.curve.height(score) / order.rms_height)) <
-              3e-3);  // straight between knots: 1/512 in the middle, more in the tails
+        CHECK(
+            test::relative_error(of_bent.curve.height(score), std::exp(order.curve.height(score) / order.rms_height)) <
+            3e-3);  // straight between knots: 1/512 in the middle, more in the tails
     map.heights.setConstant(2);
     CHECK_THROWS_AS(parts::gaussian_order(map), domain_error);
 }

@@ -43,7 +43,8 @@ std::vector<T> from_the_highest(const HeightMap<T>& map) {
     return heights;
 }
 
-constexpr std::array kinds{HeightKind::gaussian, HeightKind::counts, HeightKind::outlier, HeightKind::offset, HeightKind::tiny};
+constexpr std::array kinds{HeightKind::gaussian, HeightKind::counts, HeightKind::outlier, HeightKind::offset,
+                           HeightKind::tiny};
 
 }  // namespace
 

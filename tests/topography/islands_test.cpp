@@ -255,7 +255,8 @@ TEST_CASE("Paraboloids are found with their number, area, height and radius") {
 
 TEST_CASE("On Gaussian maps the density at its maximum is 0.0385 m2/m0 within 15 percent") {
     // (2 pi)^(-3/2) e^(-1/2) m2/m0: the Euler characteristic of what stands above one sigma. Waves over a factor of 4
-    // and less: in wider bands (1.06 to 1.25 at a factor of 8, 1.1 to 1.7 at 16) islands have lakes, and are more than that.
+    // and less: in wider bands (1.06 to 1.25 at a factor of 8, 1.1 to 1.7 at 16) islands have lakes, and are more than
+    // that.
     const double hurst = GENERATE(0.3, 0.8);
     const double longest = GENERATE(16.0, 32.0);
     double ratio = 0, bearing = 0;
@@ -276,8 +277,8 @@ TEST_CASE("On Gaussian maps the density at its maximum is 0.0385 m2/m0 within 15
 }
 
 TEST_CASE("Islands less lakes are the Euler characteristic of a Gaussian field") {
-    // Adler 1981: E chi = A rho2 + (half the perimeter) rho1 + rho0 at the level u sigma. A lake is an island of the map
-    // upside down that does not touch the edge, with the other connectivity.
+    // Adler 1981: E chi = A rho2 + (half the perimeter) rho1 + rho0 at the level u sigma. A lake is an island of the
+    // map upside down that does not touch the edge, with the other connectivity.
     constexpr std::size_t n = 512;
     constexpr int seeds = 4;
     for (const double u : {0.5, 1.0, 1.5}) {

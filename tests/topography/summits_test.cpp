@@ -20,7 +20,8 @@ TEST_CASE("the summits of a map add up to its statistics") {
     for (Eigen::Index j = 0; j < 60; ++j)
         for (Eigen::Index i = 0; i < 80; ++i) {
             const auto x = static_cast<double>(i), y = static_cast<double>(j);
-            map.heights(j, i) = 5e-6 + 1e-7 * (std::sin(0.5 * x + 0.3) * std::cos(0.55 * y) + 0.3 * std::sin(0.37 * x + 0.2 * y));
+            map.heights(j, i) =
+                5e-6 + 1e-7 * (std::sin(0.5 * x + 0.3) * std::cos(0.55 * y) + 0.3 * std::sin(0.37 * x + 0.2 * y));
         }
     map.heights(20, 30) = std::nan("");
     const auto statistics = parts::areal_statistics(map);

@@ -125,7 +125,7 @@ struct FractalLaw : parts::ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalLaw(T fractal_dimension)
         : parts::ElasticLaw<T>(T(4) / 3, 2 * parts::fractal_stiffness_factor(fractal_dimension), T(0),
-                                  parts::log_stiffness_factor_slope(fractal_dimension)) {}
+                               parts::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
@@ -134,9 +134,9 @@ struct FractalConsistentLaw : parts::ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalConsistentLaw(T fractal_dimension)
         : parts::ElasticLaw<T>(4 * parts::fractal_stiffness_factor(fractal_dimension) / 3,
-                                  2 * parts::fractal_stiffness_factor(fractal_dimension),
-                                  parts::log_stiffness_factor_slope(fractal_dimension),
-                                  parts::log_stiffness_factor_slope(fractal_dimension)) {}
+                               2 * parts::fractal_stiffness_factor(fractal_dimension),
+                               parts::log_stiffness_factor_slope(fractal_dimension),
+                               parts::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 }  // namespace fstiff::inline v0_1

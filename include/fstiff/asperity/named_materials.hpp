@@ -30,6 +30,7 @@
 namespace fstiff::inline v0_1::parts {
 
 /// A row of the table.
+// clang-format off
 struct NamedMaterial {
     std::string_view name;             ///< as scenes write it, in small letters but for PMMA, blanks as "_"
     Material<double> elastic;          ///< E [Pa] and nu
@@ -59,6 +60,7 @@ inline constexpr std::array<NamedMaterial, 12> named_materials{
      {"fused_silica", {73.1e9, 0.17}, 2200, 5968, 3764, 1.38, 0, "[K]; [C]; [C]"},
      {"PMMA", {3.3e9, 0.37}, 1190, 2680, 1100, 0.19, 0,
       "Roehm, data sheet 211-1 of Plexiglas GS (2007); [C] Lucite; as E"}}};
+// clang-format on
 
 /// The row of \p name; nullptr where there is none. Case does not matter, and blanks and hyphens are as "_"; aluminum
 /// is aluminium.

@@ -137,8 +137,8 @@ enum class HardnessLaw {
 }  // namespace parts
 
 template <>
-inline constexpr auto names<parts::HardnessLaw> = name_list<parts::HardnessLaw>({{parts::HardnessLaw::cosine, "cosine"},
-                                                                   {parts::HardnessLaw::exponent, "2005"}});
+inline constexpr auto names<parts::HardnessLaw> =
+    name_list<parts::HardnessLaw>({{parts::HardnessLaw::cosine, "cosine"}, {parts::HardnessLaw::exponent, "2005"}});
 
 /// One asperity by Jackson and Green: elastic, then elastic-plastic, with a hardness that falls as the contact grows.
 template <Real T = double>

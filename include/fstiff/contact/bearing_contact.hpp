@@ -52,7 +52,9 @@ public:
                 continue;
             }
             while (knots_.size() < k + 4) knots_.push_back({T(0), rise(T(knots_.size()))});
-            const auto two = [&](std::size_t below, std::size_t above) { return knots_[below].rise + knots_[above].rise; };
+            const auto two = [&](std::size_t below, std::size_t above) {
+                return knots_[below].rise + knots_[above].rise;
+            };
             d += (802 * two(k, k + 1) - 93 * two(k - 1, k + 2) + 11 * two(k - 2, k + 3)) / 1440;
         }
     }
@@ -60,7 +62,8 @@ public:
     [[nodiscard]] T operator()(T pressure) const {
         const T place = std::clamp((last_ - std::log(pressure)) / width, T(0), T(knots_.size() - 1));
         const std::size_t i = (std::min)(static_cast<std::size_t>(place), knots_.size() - 2);
-        const T t = place - T(i), rise = knots_[i + 1].d - knots_[i].d, left = knots_[i].rise, right = knots_[i + 1].rise;
+        const T t = place - T(i), rise = knots_[i + 1].d - knots_[i].d, left = knots_[i].rise,
+                right = knots_[i + 1].rise;
         return knots_[i].d + t * (left + t * (3 * rise - 2 * left - right + t * (left + right - 2 * rise)));
     }
 
@@ -92,8 +95,8 @@ public:
         set_curve(std::move(curve), parts::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height);
     }
 
-    /// The contact of another surface with the same Gaussian one, whose curve \p curve ends as high, for a tenth of the time.
-    /// Of a contact that was not scaled. \throws domain_error unless this one has a bearing curve.
+    /// The contact of another surface with the same Gaussian one, whose curve \p curve ends as high, for a tenth of the
+    /// time. Of a contact that was not scaled. \throws domain_error unless this one has a bearing curve.
     [[nodiscard]] BearingContact with_curve(BearingSlope<T> curve) const {
         require(has_bearing_curve(), "bearing curve", has_bearing_curve(), "there");
         BearingContact other = *this;
@@ -127,7 +130,8 @@ public:
     [[nodiscard]] detail::PerssonStiffness<T> stiffness_and_slope(T pressure) const {
         if (is_plain()) return gaussian_.stiffness_and_slope(pressure);
         const T rho = local_scale(pressure), apart = T(1) / 64;
-        const T change = std::log(local_scale(pressure * (1 + apart)) / local_scale(pressure * (1 - apart))) / (2 * apart);
+        const T change =
+            std::log(local_scale(pressure * (1 + apart)) / local_scale(pressure * (1 - apart))) / (2 * apart);
         const detail::PerssonStiffness<T> at = gaussian_.stiffness_and_slope(pressure / rho);
         return {at.stiffness, at.slope * (1 - change) / rho};
     }
@@ -177,7 +181,8 @@ public:
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         if (is_plain()) return gaussian_.separation(pressure);
         const T full = full_pressure(), rho = last_scale_;
-        if (pressure >= full) return {rho * gaussian_.separation(pressure / rho).value, error_of_separation * rms_height_, 0};
+        if (pressure >= full)
+            return {rho * gaussian_.separation(pressure / rho).value, error_of_separation * rms_height_, 0};
         T d = rho * gaussian_.separation(full / rho).value;
         const T from = std::log(pressure), to = std::log(full);
         const auto whole = static_cast<int>((to - from) * 4);  // panels at the same places for every pressure
@@ -216,7 +221,9 @@ private:
     static constexpr T scale_tolerance = (std::max)(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
     static constexpr T error_of_separation = T(1e-5);
 
-    [[nodiscard]] bool is_plain() const { return !bearing_ && factor_ == T(1) && rms_height_ == gaussian_.rms_height(); }
+    [[nodiscard]] bool is_plain() const {
+        return !bearing_ && factor_ == T(1) && rms_height_ == gaussian_.rms_height();
+    }
 
     struct Bearing {
         BearingSlope<T> curve;
@@ -279,7 +286,8 @@ public:
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
         const T high = std::log(bearing_.full_pressure());
-        return this->searched_log_pressure(eta, high - 60, high, high - T(1.5) - 2 * eta, "within the reach of the laws");
+        return this->searched_log_pressure(eta, high - 60, high, high - T(1.5) - 2 * eta,
+                                           "within the reach of the laws");
     }
 
     [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }

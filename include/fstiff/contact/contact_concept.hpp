@@ -12,8 +12,8 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// A contact in the scalar T with states at a pressure [Pa] and at a separation [m], thrown out of or with a status: what
-/// curves, bands and means over shifts ask for.
+/// A contact in the scalar T with states at a pressure [Pa] and at a separation [m], thrown out of or with a status:
+/// what curves, bands and means over shifts ask for.
 template <class C, class T>
 concept HasStates = requires(const C& contact, T x, Quantity wanted) {
     { contact.at_pressure(x, wanted) } -> std::same_as<ContactState<T>>;

@@ -137,8 +137,8 @@ private:
 /// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as ContactIntegrator.
 template <Real T>
 [[nodiscard]] parts::ContactIntegrals<T> contact_integrals(const PeakDistribution<T>& peaks, T eta,
-                                                    Quantity wanted = Quantity::all,
-                                                    const parts::IntegralOptions<T>& options = {}) {
+                                                           Quantity wanted = Quantity::all,
+                                                           const parts::IntegralOptions<T>& options = {}) {
     const parts::ContactIntegrals<T> j = parts::ContactIntegrator<T>(peaks, wanted, options)(eta);
     const T scale = math::gaussian((std::max)(eta, T(0)));
     return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};

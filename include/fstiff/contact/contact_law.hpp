@@ -35,8 +35,8 @@ namespace detail {
 inline void require_same_size(Eigen::Index a, Eigen::Index b) {
     if (a != b)
         throw domain_error(parts::Refusal{.parameter = "batch",
-                                   .reason = "the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
-                                             " elements: must have the same number"});
+                                          .reason = "the arrays have " + std::to_string(a) + " and " +
+                                                    std::to_string(b) + " elements: must have the same number"});
 }
 
 /// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
@@ -198,8 +198,7 @@ public:
     /// an elastic contact stores. \throws as at_separation, of a law with OutsideRange::clamp or exact too.
     [[nodiscard]] T energy(T separation) const {
         require_filled();
-        if (math::is_nan(separation) ||
-            (outside() != OutsideRange::extrapolate && !tables_.has_separation(separation)))
+        if (math::is_nan(separation) || (outside() != OutsideRange::extrapolate && !tables_.has_separation(separation)))
             refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
         return tables_.energy(separation);
     }
@@ -262,9 +261,7 @@ public:
     [[nodiscard]] bool stiffness_is_slope() const { return tables_.stiffness_over_slope == T(1); }
     /// The range [Pa] and [m]; of an empty law 0 and NaN.
     [[nodiscard]] std::array<T, 2> pressures() const { return {tables_.min_pressure, tables_.max_pressure}; }
-    [[nodiscard]] std::array<T, 2> separations() const {
-        return {tables_.closest(), tables_.furthest()};
-    }
+    [[nodiscard]] std::array<T, 2> separations() const { return {tables_.closest(), tables_.furthest()}; }
     [[nodiscard]] OutsideRange outside() const { return tables_.outside; }
     [[nodiscard]] bool empty() const { return tables_.empty(); }
     /// Exact integrals that were evaluated to tabulate the law.
@@ -352,8 +349,8 @@ private:
     }
     void require_filled() const {
         if (empty())
-            throw domain_error(parts::Refusal{.parameter = "contact law",
-                                       .reason = "is empty; must be tabulated or read from text to be evaluated"});
+            throw domain_error(parts::Refusal{
+                .parameter = "contact law", .reason = "is empty; must be tabulated or read from text to be evaluated"});
     }
     /// Value and bounds with the digits that tell them apart.
     [[noreturn]] static void refuse(std::string_view name, T value, T low, T high, const char* unit) {

@@ -26,7 +26,7 @@ struct GradientPiece {
     /// 1/q at G.
     S inverse_q(S gradient) const {
         const S risen = rate * (gradient - from) * (gradient + from);
-        if (power == 1) return 1 / (low + risen);  // a shell
+        if (power == 1) return 1 / (low + risen);   // a shell
         return power == 0 ? std::exp(-low - risen)  // H = 1: q = exp(low + rate (...))
                           : std::pow(low + risen, -power);
     }

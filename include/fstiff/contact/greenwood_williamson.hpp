@@ -25,7 +25,7 @@ struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>
     GreenwoodWilliamson(const Roughness<T>& surface, std::type_identity_t<T> effective_modulus,
                         parts::Heights heights = parts::Heights::gaussian, const RoughContactOptions<T>& options = {})
         : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>>(surface, parts::SingleRadius<T>{heights}, HertzLaw<T>{},
-                                                        effective_modulus, options) {}
+                                                               effective_modulus, options) {}
 };
 
 }  // namespace fstiff::inline v0_1

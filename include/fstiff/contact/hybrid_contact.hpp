@@ -160,7 +160,8 @@ private:
     [[nodiscard]] std::vector<T> separations_of_knots() const {
         const T width = width_of_panel();
         std::vector<T> at{T(0)};
-        for (int i = 0; T(i) * width < e_folds; ++i) at.push_back(at.back() + panel(log_end() - T(i + 1) * width, width));
+        for (int i = 0; T(i) * width < e_folds; ++i)
+            at.push_back(at.back() + panel(log_end() - T(i + 1) * width, width));
         return at;
     }
     std::shared_ptr<Knots> knots_ = std::make_shared<Knots>();  ///< copies share it

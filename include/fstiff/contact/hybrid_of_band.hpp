@@ -18,10 +18,10 @@
 ///             (tests/contact/hybrid_of_band_test.cpp). Broader bands and bearing curves: docs/validation.md
 
 #include <fstiff/asperity/laws.hpp>
+#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
@@ -99,7 +99,7 @@ private:
 
     RoughContact<T, HertzLaw<T>> hills_, summits_;
     T closing_;  ///< E g/sqrt(2) [Pa]
-    T most_;     ///< [Pa]; beyond, K of the hills stays: it is 0.002 of Persson's and less there, whose fifth power counts
+    T most_;  ///< [Pa]; beyond, K of the hills stays: it is 0.002 of Persson's and less there, whose fifth power counts
 };
 
 }  // namespace detail
@@ -107,8 +107,8 @@ private:
 /// \p gamma is that of PerssonContact. \throws domain_error as PerssonContact and BandHills.
 template <Real T>
 [[nodiscard]] HybridContact<T, detail::BandHills<T>> hybrid_of_band(const BandSpectrum<T>& band,
-                                                            std::type_identity_t<T> effective_modulus,
-                                                            std::type_identity_t<T> gamma = T(0.45)) {
+                                                                    std::type_identity_t<T> effective_modulus,
+                                                                    std::type_identity_t<T> gamma = T(0.45)) {
     return {detail::BandHills<T>(band, effective_modulus), PerssonContact<T>(band, effective_modulus, gamma)};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The law `hybrid` of a map from its heights: its elliptic summits at light loads, Persson's theory at the local slope of
-/// the bearing curve at heavy ones, and the hand-over between them. It is a fstiff::Contact, so that it has a table.
+/// The law `hybrid` of a map from its heights: its elliptic summits at light loads, Persson's theory at the local slope
+/// of the bearing curve at heavy ones, and the hand-over between them. It is a fstiff::Contact, so that it has a table.
 ///
 /// Reference   contact/hybrid_contact.hpp, contact/hand_over.hpp, contact/bearing_contact.hpp
 /// Units       SI
@@ -20,8 +20,8 @@
 
 namespace fstiff::inline v0_1 {
 
-/// The contact of \p map under the effective modulus \p effective_modulus [Pa]; \p edges says how the map goes on beyond its
-/// edges. \throws domain_error for missing points, a map without summits, or a modulus that is not positive.
+/// The contact of \p map under the effective modulus \p effective_modulus [Pa]; \p edges says how the map goes on
+/// beyond its edges. \throws domain_error for missing points, a map without summits, or a modulus that is not positive.
 template <Real T>
 [[nodiscard]] auto hybrid_of_map(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                                  Edges edges = Edges::mirrored) {

@@ -109,7 +109,8 @@ private:
         const Node high = node(std::exp(a.log_p + T(0.72) * (b.log_p - a.log_p)), false);
         nodes_.push_back(low);
         nodes_.push_back(high);
-        if ((std::max)(misfit(a, b, low), misfit(a, b, high)) <= (has_own_stiffness() ? tolerance_of_own : tolerance)) return;
+        if ((std::max)(misfit(a, b, low), misfit(a, b, high)) <= (has_own_stiffness() ? tolerance_of_own : tolerance))
+            return;
         refine(a, low);
         refine(low, high);
         refine(high, b);
@@ -142,7 +143,8 @@ private:
                 separation -= fall, p = next_p, k = next_k;
             }
         }
-        pieces.push_back({separation, nodes_.back().pressure, nodes_.back().stiffness / ratio_, 0, nodes_.back().stiffness, 0});
+        pieces.push_back(
+            {separation, nodes_.back().pressure, nodes_.back().stiffness / ratio_, 0, nodes_.back().stiffness, 0});
         return pieces;
     }
 
@@ -172,7 +174,8 @@ private:
             const T half = (a.separation - b.separation) / 2, s = 2 * chord(a, b) - (slope[i] + slope[i + 1]) / 2;
             const T p = a.pressure + half * (slope[i] + s) / 2, v = (std::log(p) - a.log_p) / (b.log_p - a.log_p);
             const T k = std::exp(a.log_k + v * (b.log_k - a.log_k));
-            pieces.push_back({a.separation, a.pressure, slope[i], (s - slope[i]) / half, a.stiffness, (k - a.stiffness) / half});
+            pieces.push_back(
+                {a.separation, a.pressure, slope[i], (s - slope[i]) / half, a.stiffness, (k - a.stiffness) / half});
             pieces.push_back({a.separation - half, p, s, (slope[i + 1] - s) / half, k, (b.stiffness - k) / half});
         }
         const Node& last = nodes_.back();

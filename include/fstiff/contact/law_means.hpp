@@ -25,8 +25,7 @@ class PeakFunction {
 public:
     virtual TensorLanes<T> operator()(const TensorLanes<T>& excess, T t) const = 0;
     /// The excess of the first kink over its multiple.
-    [[nodiscard]] T critical(T t) const requires(count > 0)
-    { return critical_of(t); }
+    [[nodiscard]] T critical(T t) const requires(count > 0) { return critical_of(t); }
     [[nodiscard]] const std::array<T, count>& kinks() const { return kinks_; }
 
 protected:
@@ -100,13 +99,16 @@ LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wa
     const T sigma = scales.rms_height, density = scales.peak_density, modulus = scales.effective_modulus;
     // in units of sigma, so that no intermediate result is tiny
     const auto load = [&law, sigma](const TensorLanes<T>& omega, T r) -> TensorLanes<T> {
-        return of_lanes(omega, [&](const auto& w) -> decltype(law.load(w, r)) { return law.load(w, r); }) / (sigma * sigma);
+        return of_lanes(omega, [&](const auto& w) -> decltype(law.load(w, r)) { return law.load(w, r); }) /
+               (sigma * sigma);
     };
     const auto stiffness = [&law, sigma](const TensorLanes<T>& omega, T r) -> TensorLanes<T> {
-        return of_lanes(omega, [&](const auto& w) -> decltype(law.stiffness(w, r)) { return law.stiffness(w, r); }) / sigma;
+        return of_lanes(omega, [&](const auto& w) -> decltype(law.stiffness(w, r)) { return law.stiffness(w, r); }) /
+               sigma;
     };
     const auto area = [&law, sigma](const TensorLanes<T>& omega, T r) -> TensorLanes<T> {
-        return of_lanes(omega, [&](const auto& w) -> decltype(law.area(w, r)) { return law.area(w, r); }) / (sigma * sigma);
+        return of_lanes(omega, [&](const auto& w) -> decltype(law.area(w, r)) { return law.area(w, r); }) /
+               (sigma * sigma);
     };
     LawSums<T> out;
     if (parts::has(wanted, Quantity::pressure)) out.load = mean(load) * (modulus * density * sigma * sigma);

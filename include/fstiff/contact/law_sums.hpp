@@ -27,18 +27,24 @@ namespace fstiff::inline v0_1::detail {
 
 // A function of an approach, or of an array of eight, and of a radius.
 template <class Law, class T>
-concept HasLoad = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) { law.load(omega, radius); } ||
-    requires(const Law& law, T omega, T radius) { law.load(omega, radius); };
+concept HasLoad = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) {
+    law.load(omega, radius);
+}
+|| requires(const Law& law, T omega, T radius) { law.load(omega, radius); };
 template <class Law, class T>
-concept HasStiffness = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) { law.stiffness(omega, radius); } ||
-    requires(const Law& law, T omega, T radius) { law.stiffness(omega, radius); };
+concept HasStiffness = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) {
+    law.stiffness(omega, radius);
+}
+|| requires(const Law& law, T omega, T radius) { law.stiffness(omega, radius); };
 template <class Law, class T>
-concept HasArea = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) { law.area(omega, radius); } ||
-    requires(const Law& law, T omega, T radius) { law.area(omega, radius); };
+concept HasArea = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius) {
+    law.area(omega, radius);
+}
+|| requires(const Law& law, T omega, T radius) { law.area(omega, radius); };
 
 /// A law that any contact takes: given its powers, or as three functions.
 template <class Law, class T>
-concept ContactableLaw = parts::PowerLaw<Law, T> || (HasLoad<Law, T> && HasStiffness<Law, T> && HasArea<Law, T>);
+concept ContactableLaw = parts::PowerLaw<Law, T> ||(HasLoad<Law, T>&& HasStiffness<Law, T>&& HasArea<Law, T>);
 
 /// The sums over the peaks per nominal area, each times exp(log_scale); what is not asked for is 0.
 template <Real T>
@@ -97,16 +103,11 @@ std::array<PowerTerm<T>, 5> power_terms(const Law& law, const PeakScales<T>& sca
 template <Real T>
 Estimate<T>& member_of(LawSums<T>& sums, Quantity quantity) {
     switch (quantity) {
-        case Quantity::contact_density:
-            return sums.contacts;
-        case Quantity::pressure:
-            return sums.load;
-        case Quantity::stiffness:
-            return sums.stiffness;
-        case Quantity::real_area_fraction:
-            return sums.area;
-        default:
-            return sums.loading;
+        case Quantity::contact_density: return sums.contacts;
+        case Quantity::pressure: return sums.load;
+        case Quantity::stiffness: return sums.stiffness;
+        case Quantity::real_area_fraction: return sums.area;
+        default: return sums.loading;
     }
 }
 

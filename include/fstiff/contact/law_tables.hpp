@@ -69,8 +69,8 @@ public:
     }
 
     [[nodiscard]] State at_separation(T d) const noexcept {
-        const Parabola<T>& at = piece(by_separation_, separation_cell(d),
-                                      [d](const Parabola<T>& one) { return one.separation >= d; });
+        const Parabola<T>& at =
+            piece(by_separation_, separation_cell(d), [d](const Parabola<T>& one) { return one.separation >= d; });
         const T x = at.separation - d, slope = at.slope + at.bend * x;
         return state(at, x, at.pressure + x * (at.slope + slope) / 2, slope);
     }
@@ -82,8 +82,8 @@ public:
     }
     /// Integral of p from \p d to furthest() [J/m^2].
     [[nodiscard]] T energy(T d) const noexcept {
-        const Parabola<T>& at = piece(by_separation_, separation_cell(d),
-                                      [d](const Parabola<T>& one) { return one.separation >= d; });
+        const Parabola<T>& at =
+            piece(by_separation_, separation_cell(d), [d](const Parabola<T>& one) { return one.separation >= d; });
         return energy_[static_cast<std::size_t>(&at - pieces_.data())] + work(at, at.separation - d);
     }
     /// dK/dp over the last tenth of the pressures, never less than 0: how the law goes on [1/m].
@@ -134,7 +134,7 @@ private:
     }
 
     std::vector<Parabola<T>> pieces_;
-    math::Bits<T> low_ = 0, count_ = 0;  ///< of the pressures; count_ 0 of an empty table
+    math::Bits<T> low_ = 0, count_ = 0;               ///< of the pressures; count_ 0 of an empty table
     int shift_ = std::numeric_limits<T>::digits - 2;  ///< bits of a cell
     T furthest_{}, length_{}, cells_per_length_{};
     std::vector<Index> by_pressure_, by_separation_;
@@ -180,8 +180,8 @@ struct LawTables {
     math::UniformPieces<T>
         own_stiffness;  ///< K by separation, of the same pieces; empty where it is a constant times -dp/dd
     math::BinaryPieces<T> stiffness, separation;  ///< by pressure
-    std::vector<T> energies;                ///< of by_separation
-    KinkedTables<T> kinked;                 ///< in place of all these
+    std::vector<T> energies;                      ///< of by_separation
+    KinkedTables<T> kinked;                       ///< in place of all these
 
     [[nodiscard]] bool empty() const { return by_separation.rows.empty() && kinked.empty(); }
     /// The least and the greatest separation [m]; NaN of an empty law.

@@ -172,7 +172,7 @@ private:
             std::array<T, math::Row::terms> tangent;
             (found.minus_dp_dd * Nodes::all(-width / 2)).store(tangent.data());
             at_ends_ = (std::max)({at_ends_, std::abs(math::Row::derivative(c, T(-1)) / tangent.front() - 1),
-                                 std::abs(math::Row::derivative(c, T(1)) / tangent.back() - 1)});
+                                   std::abs(math::Row::derivative(c, T(1)) / tangent.back() - 1)});
         }
     }
 
@@ -268,10 +268,10 @@ private:
     const T rms_ = contact_.rms_height(), bulk_ = contact_.bulk_compliance();
     T middle_{};                                     ///< of the pressures
     const T close_enough_ = std::sqrt(epsilon) / 4;  ///< of Newton's method: the next step would be about step^2
-    math::ChebyshevSections<T> log_pressure_;              ///< log(p/middle) against eta
-    math::ChebyshevSections<T> slope_;                     ///< its derivative
-    math::ChebyshevSections<T> eta_of_;                    ///< its inverse
-    math::ChebyshevSections<T> log_stiffness_;             ///< log(K/unit) against eta, where K has a table of its own
+    math::ChebyshevSections<T> log_pressure_;        ///< log(p/middle) against eta
+    math::ChebyshevSections<T> slope_;               ///< its derivative
+    math::ChebyshevSections<T> eta_of_;              ///< its inverse
+    math::ChebyshevSections<T> log_stiffness_;       ///< log(K/unit) against eta, where K has a table of its own
     T stiffness_unit_{};
     std::size_t sections_{}, points_{};  ///< of each
     T closest_{}, furthest_{};           ///< eta at the ends of the range
@@ -292,8 +292,8 @@ template <parts::ReadableReal T, class Contact>
     T ratio = 0;
     if constexpr (parts::ProportionalContact<Contact, T>) ratio = contact.stiffness_over_slope();
     const auto at = [&contact](T pressure, bool with_separation) {
-        const ContactState<T> state =
-            contact.at_pressure(pressure, with_separation ? Quantity::stiffness | Quantity::separation : Quantity::stiffness);
+        const ContactState<T> state = contact.at_pressure(
+            pressure, with_separation ? Quantity::stiffness | Quantity::separation : Quantity::stiffness);
         return LawPoint<T>{state.separation.value, state.stiffness.value};
     };
     return KinkedTabulator<T>(at, ratio, contact.rms_height()).tabulate(min_pressure, max_pressure);

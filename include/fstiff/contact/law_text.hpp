@@ -45,8 +45,8 @@ template <parts::ReadableReal T>
 [[nodiscard]] std::string law_text(const LawTables<T>& law) {
     const bool kinked = !law.kinked.empty();
     std::string text = law_text_head<T>(kinked ? 5 : law.has_own_stiffness() ? 4 : 3) + '\n';
-    text += std::to_string(kinked ? law.kinked.pieces().size() : law.by_separation.rows.size()) + ' ' + std::to_string(static_cast<int>(law.outside)) + ' ' +
-            std::to_string(law.evaluations) + '\n';
+    text += std::to_string(kinked ? law.kinked.pieces().size() : law.by_separation.rows.size()) + ' ' +
+            std::to_string(static_cast<int>(law.outside)) + ' ' + std::to_string(law.evaluations) + '\n';
     const auto add = [&text](const T* numbers, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i)
             text += parts::hexadecimal_text(numbers[i]) + (i + 1 < count ? ' ' : '\n');
@@ -94,8 +94,9 @@ public:
 
 private:
     [[nodiscard]] static domain_error wrong(const char* what) {
-        return domain_error(parts::Refusal{.parameter = "contact law text",
-                                    .reason = std::string(what) + ": must be what to_text wrote for this scalar type"});
+        return domain_error(
+            parts::Refusal{.parameter = "contact law text",
+                           .reason = std::string(what) + ": must be what to_text wrote for this scalar type"});
     }
     void skip() {
         while (at_ != end_ && (*at_ == ' ' || *at_ == '\n' || *at_ == '\r')) ++at_;

@@ -17,8 +17,8 @@
 ///             Hess, 2015, ch. 2), and K = 2 E a makes H and E drop out
 /// Units       dimensionless
 /// Valid       x >= 0, 0 <= m < 2; beyond full slip P = 0. Like bodies, Coulomb friction
-/// Accuracy    1e-13; with m between 0.6 p and p the loss factor of three laws is within 3 % of that of the law itself, x
-///             from 0.01 to 1, 0.1 to 100 MPa (tests/contact/microslip_test.cpp)
+/// Accuracy    1e-13; with m between 0.6 p and p the loss factor of three laws is within 3 % of that of the law itself,
+///             x from 0.01 to 1, 0.1 to 100 MPa (tests/contact/microslip_test.cpp)
 
 #include <fstiff/core/concepts.hpp>
 

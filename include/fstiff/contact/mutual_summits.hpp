@@ -109,10 +109,10 @@ private:
         Values x, y, z, load_factor, area_factor;
         PointForces<T> forces;
         QuickPush quick;
-        Values omega;             ///< approach; of an open one less than 0
-        T delta;                  ///< separation
-        std::vector<char> shut;   ///< too close to a higher one
-        Values unit;              ///< (I + r g r) unit = r, r = sqrt(k): warm start
+        Values omega;            ///< approach; of an open one less than 0
+        T delta;                 ///< separation
+        std::vector<char> shut;  ///< too close to a higher one
+        Values unit;             ///< (I + r g r) unit = r, r = sqrt(k): warm start
         bool definite = true;
 
         [[nodiscard]] Values carried(const Values& of) const {
@@ -121,7 +121,9 @@ private:
                 if (shut[static_cast<std::size_t>(i)] != 0) values[i] = 0;
             return values;
         }
-        [[nodiscard]] Values loads() const { return carried(load_factor * (omega.max)(T(0)) * (omega.max)(T(0)).sqrt()); }
+        [[nodiscard]] Values loads() const {
+            return carried(load_factor * (omega.max)(T(0)) * (omega.max)(T(0)).sqrt());
+        }
         [[nodiscard]] Values slopes() const { return T(1.5) * load_factor * (omega.max)(T(0)).sqrt(); }
     };
 
@@ -138,8 +140,10 @@ private:
             load[i] = hertz_[k].load_factor;
             area[i] = hertz_[k].area_factor;
         }
+        // clang-format off
         return {x, y, z, load, area, PointForces<T>(x, y, of_.width, of_.height, edges_), {}, z - delta, delta,
                 std::vector<char>(static_cast<std::size_t>(count), 0), Values::Zero(count)};
+        // clang-format on
     }
 
     /// Makes the quick push hold all with a stiffness \p r^2.
@@ -185,7 +189,8 @@ private:
         for (Eigen::Index i = 0; i < k.size(); ++i) {
             bool close = false;
             at.forces.visit_close(i, [&](Eigen::Index j, T g) {
-                close = close || (j < i && at.shut[static_cast<std::size_t>(j)] == 0 && g * g * k[i] * k[j] >= threshold);
+                close =
+                    close || (j < i && at.shut[static_cast<std::size_t>(j)] == 0 && g * g * k[i] * k[j] >= threshold);
             });
             char& shut = at.shut[static_cast<std::size_t>(i)];
             shut = close || (shut != 0 && !reopen) ? 1 : 0;
@@ -263,7 +268,8 @@ private:
         return settled(delta, pressure, pressure * of_.area / modulus_);
     }
     [[nodiscard]] Solution held(T separation) const {
-        return settled(separation, alone_.at_separation(separation, Quantity::pressure).pressure.value, held_separation);
+        return settled(separation, alone_.at_separation(separation, Quantity::pressure).pressure.value,
+                       held_separation);
     }
 
     /// Where Newton's method fails, the higher of less close pairs carries too: 0.64, 1, 1.6 contact radii.
@@ -309,8 +315,8 @@ private:
                 "at most 5000 that push each other down (hybrid and boundary_elements go on)");
         if (!(s.stiffness > 0 && s.crowding.real_area_fraction <= max_area))
             refuse("pressure", pressure,
-                           "so small that the summits are not too crowded to be told apart (hybrid and boundary_elements "
-                           "go on)");
+                   "so small that the summits are not too crowded to be told apart (hybrid and boundary_elements "
+                   "go on)");
         return s;
     }
 

@@ -199,8 +199,7 @@ public:
     }
 
 private:
-    PerssonContact(std::vector<detail::GradientPiece<S>> pieces, T rms_height, T effective_modulus, T gamma,
-                   T closing)
+    PerssonContact(std::vector<detail::GradientPiece<S>> pieces, T rms_height, T effective_modulus, T gamma, T closing)
         : modulus_(effective_modulus),
           gamma_(gamma),
           rms_height_(rms_height),

@@ -154,8 +154,8 @@ class PlasticContact : private detail::SlopeContact<PlasticContact<T, Elastic, C
 
 public:
     /// \throws domain_error unless hardness [Pa], modulus [Pa] and gradient are finite and positive.
-    PlasticContact(Elastic elastic, Cut cut, std::type_identity_t<T> hardness, std::type_identity_t<T> effective_modulus,
-                   std::type_identity_t<T> rms_gradient)
+    PlasticContact(Elastic elastic, Cut cut, std::type_identity_t<T> hardness,
+                   std::type_identity_t<T> effective_modulus, std::type_identity_t<T> rms_gradient)
         : elastic_(std::move(elastic)), cut_(std::move(cut)), hardness_(hardness) {
         require_positive("hardness", hardness);
         require_positive("effective_modulus", effective_modulus);
@@ -253,7 +253,8 @@ private:
         const auto [share, change] = cut_.share_above(d);
         if (!(share > 0)) return {-std::numeric_limits<T>::max_exponent, T(1), d, T(0), q / K};
         const T cut = std::log(share * hardness_), apart = loading_exponent * (log_q - cut);
-        const T of_elastic = 1 / (1 + std::exp(apart)), per_height = of_elastic * K / q - (1 - of_elastic) * change / share;
+        const T of_elastic = 1 / (1 + std::exp(apart)),
+                per_height = of_elastic * K / q - (1 - of_elastic) * change / share;
         const T log_p = (std::min)(log_q, cut) - std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
         return {log_p, per_height * q / K, d, per_height * std::exp(log_p), q / K};
     }

@@ -192,8 +192,7 @@ private:
             }
             case InteractionReading::as_printed:
                 return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, wanted);
-            case InteractionReading::none:
-                break;
+            case InteractionReading::none: break;
         }
         ContactState<T> state = at_eta({eta, 0}, wanted);
         state.separation = {separation, 0, 0};
@@ -209,7 +208,7 @@ private:
                            (std::max)(options_.integrals.relative_tolerance, parts::rough_tolerance<T>));
         Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
         const auto search = parts::eta_of(std::log(pressure / pressure_unit_), max_eta(),
-                                           [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
+                                          [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
         if (!search.found) return {{}, parts::unreachable_pressure(pressure, search)};
         if (options_.interaction.reading == InteractionReading::as_printed)
             return printed(search.eta.value, {pressure, 0, 0}, wanted);

@@ -196,7 +196,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     const CurvatureScale scale = contact.options().curvature;
     const LogDerivatives<T> j = log_derivatives<Law>(peaks, eta);
     const detail::PeakScales<T> scales{surface.rms_height, surface.peak_density, contact.effective_modulus(),
-                               rms_curvature(surface, peaks, scale)};
+                                       rms_curvature(surface, peaks, scale)};
     constexpr HalfPowers load = Law::load_powers, stiffness = Law::stiffness_powers;
     Exponents<T> out;
     const T unit = scales.of(scales.effective_modulus * static_cast<T>(contact.law().stiffness_factor()), stiffness);

@@ -66,8 +66,8 @@ public:
                 if (std::abs(share) < 8 * std::numeric_limits<T>::epsilon()) continue;  // H is that of a node
                 Node& node = node_at(of_alpha.first + static_cast<int>(a), of_hurst.first + static_cast<int>(h));
                 for (std::size_t i = 0; i < 4; ++i)
-                    log_value += share * of_pressure.weight[i] *
-                                 value_at(node, static_cast<std::size_t>(of_pressure.first) + i);
+                    log_value +=
+                        share * of_pressure.weight[i] * value_at(node, static_cast<std::size_t>(of_pressure.first) + i);
             }
         if (!std::isfinite(log_value)) return std::nullopt;
         return std::exp(log_value) * closing / std::sqrt(moments.m0);

@@ -33,8 +33,8 @@ struct SlipState {
         std::array<T, std::size_t{Directions}> drag{};  ///< u [m]
     };
 
-    T separation{};  ///< d [m], where the drag is 0
-    int count = 0;   ///< of nodes
+    T separation{};                                   ///< d [m], where the drag is 0
+    int count = 0;                                    ///< of nodes
     std::array<Node, std::size_t{capacity}> nodes{};  ///< from the closest on; beyond the last the drag is constant
 };
 
@@ -136,8 +136,8 @@ private:
         ByInputs widening = cone_ * tried.level_by;
         widening[0] -= cone_;
         point.drag = most_drag * along;
-        point.drag_by = most_drag / length * (tried.drag_by - along * (along.transpose() * tried.drag_by)) +
-                        along * widening;
+        point.drag_by =
+            most_drag / length * (tried.drag_by - along * (along.transpose() * tried.drag_by)) + along * widening;
     }
     /// Points between \p a and \p b: where the trial leaves or enters the cone, and others where it slips and turns.
     void between(const Point& a, const Point& b) {

@@ -82,8 +82,9 @@ public:
             return std::pair(root * root - target,
                              -2 * j.stiffness / (3 * (std::max)(root, (std::numeric_limits<T>::min)())));
         };
-        const auto found = math::newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
-                                            4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
+        const auto found =
+            math::newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
+                                   4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
         require(found.converged(), "pressure", pressure, "within the range of numbers for the scales of this map");
         ContactState<T> at = state(found.root, found.error, wanted);
         at.pressure = {pressure, 0, static_cast<int>(at.pressure.evaluations)};
@@ -128,7 +129,7 @@ private:
         const T relative = rounding + error * j.stiffness / j.load;
         const auto given = [&](Quantity quantity, T value) {
             return parts::has(wanted, quantity) ? Estimate<T>{value, relative * value, static_cast<int>(height_.size())}
-                                         : Estimate<T>{};
+                                                : Estimate<T>{};
         };
         ContactState<T> at;
         at.eta = d / rms_height_;

@@ -98,7 +98,8 @@ public:
     }
 
     /// State and derivatives after a straight path from \p before to \p separation and by \p slip. \p after, which may
-    /// be \p before itself, is what the contact then remembers; before any slip that is the separation alone. \throws domain_error for a number that is not finite.
+    /// be \p before itself, is what the contact then remembers; before any slip that is the separation alone. \throws
+    /// domain_error for a number that is not finite.
     template <int Directions>
     Response<Directions> step(const SlipState<T, Directions>& before, T separation,
                               const std::type_identity_t<Vector<Directions>>& slip,

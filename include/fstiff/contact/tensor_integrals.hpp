@@ -134,8 +134,8 @@ public:
         }
         T hidden = 0;
         if constexpr (!square)  // where the map begins; its double exponential falls faster than geometrically
-            hidden = 4 * outermost[0] *
-                     (std::min)(T(1), outermost[0] / (outermost[1] + (std::numeric_limits<T>::min)()));
+            hidden =
+                4 * outermost[0] * (std::min)(T(1), outermost[0] / (outermost[1] + (std::numeric_limits<T>::min)()));
         else if (p_.k * t_.x[0][0] > 1)  // by the layer of width 1/k at t = 0: no row falls into it
             hidden = outermost[0];
         out.value = sums.sum();

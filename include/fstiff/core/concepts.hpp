@@ -13,7 +13,7 @@ namespace fstiff::inline v0_1 {
 
 /// A floating-point scalar: float, double or long double.
 template <class T>
-concept Real = std::same_as<std::remove_cv_t<T>, float> || std::same_as<std::remove_cv_t<T>, double> ||
-               std::same_as<std::remove_cv_t<T>, long double>;
+concept Real = std::same_as < std::remove_cv_t<T>,
+float > || std::same_as<std::remove_cv_t<T>, double> || std::same_as<std::remove_cv_t<T>, long double>;
 
 }  // namespace fstiff::inline v0_1

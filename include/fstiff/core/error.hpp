@@ -190,11 +190,11 @@ auto located(const Place& place, const Call& call) {
 /// Out of line and rarely called: one copy of each in a program, however many checks it has.
 /// \throws domain_error "<parameter> = <value>: must be <allowed>".
 [[noreturn]] FSTIFF_COLD_OUT_OF_LINE inline void refuse(std::string_view parameter, std::string_view value,
-                                                          std::string_view allowed) {
+                                                        std::string_view allowed) {
     throw domain_error({.parameter = parameter, .value = value, .allowed = allowed});
 }
 [[noreturn]] FSTIFF_COLD_OUT_OF_LINE inline void refuse(std::string_view parameter, double value, int digits,
-                                                          std::string_view allowed) {
+                                                        std::string_view allowed) {
     refuse(parameter, rounded_text(value, digits), allowed);
 }
 /// A template, so that only programs that compute in long double hold its digits.

@@ -63,7 +63,8 @@ std::string text_by_to_chars(T value, Format... format) {
             return text.substr(0, static_cast<std::size_t>(end - text.data()));
 }
 
-/// As printf with \p precision digits and \p conversion, such as g; what stands for the decimal point in the locale is replaced by a point.
+/// As printf with \p precision digits and \p conversion, such as g; what stands for the decimal point in the locale is
+/// replaced by a point.
 template <Real T>
 std::string text_by_printf(T value, char conversion, int precision) {
     constexpr bool is_long = std::is_same_v<T, long double>;

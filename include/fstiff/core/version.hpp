@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The version of fstiff, which every header brings. CMakeLists.txt, the command and the package files read it from here;
-/// fstiff.h repeats the number for C.
+/// The version of fstiff, which every header brings. CMakeLists.txt, the command and the package files read it from
+/// here; fstiff.h repeats the number for C.
 
 #define FSTIFF_VERSION_MAJOR 0
 #define FSTIFF_VERSION_MINOR 1

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contacts and their tabulated law in double, with all else that the library fstiff::double has compiled once. A file that
-/// includes this, and is linked with fstiff::double, compiles in a quarter to an eighth of the time (docs/linking-cpp.md).
+/// Contacts and their tabulated law in double, with all else that the library fstiff::double has compiled once. A file
+/// that includes this, and is linked with fstiff::double, compiles in a quarter to an eighth of the time
+/// (docs/linking-cpp.md).
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
@@ -27,6 +28,6 @@ FSTIFF_DOUBLE class PerssonContact<double>;
 FSTIFF_DOUBLE class SummitContact<double>;
 FSTIFF_DOUBLE class ContactLaw<double>;
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const RoughContact<double, HertzLaw<double>>&,
-                                                                      const LawRange<double>&);
+                                                              const LawRange<double>&);
 
 }  // namespace fstiff::inline v0_1

@@ -12,12 +12,11 @@
 
 namespace fstiff::inline v0_1 {
 
-FSTIFF_DOUBLE double detail::visit_nodes(const detail::PeakProblem<double>&, double,
-                                                 detail::PeakAccumulator<double>&);
+FSTIFF_DOUBLE double detail::visit_nodes(const detail::PeakProblem<double>&, double, detail::PeakAccumulator<double>&);
 FSTIFF_DOUBLE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
-                                                        const parts::IntegralOptions<double>&);
+                                                const parts::IntegralOptions<double>&);
 FSTIFF_DOUBLE Estimate<double> parts::tensor_integral(double, double, const PeakDistribution<double>&, double,
-                                                       const parts::TensorOptions<double>&);
+                                                      const parts::TensorOptions<double>&);
 FSTIFF_DOUBLE Estimate<double> parts::paper_integral(double, double, const PeakDistribution<double>&, double);
 
 }  // namespace fstiff::inline v0_1

@@ -50,7 +50,8 @@ public:
             std::vector<std::vector<T>> slopes;
             for (std::size_t k = 0; k < this->wanted().size(); ++k) slopes.push_back(slopes_by(u, k));
             for (std::size_t i = 0; i < stiffness.size(); ++i)
-                this->put(i, stiffness[i], [&](std::size_t k) { return slopes[k][i]; }, residuals, jacobian);
+                this->put(
+                    i, stiffness[i], [&](std::size_t k) { return slopes[k][i]; }, residuals, jacobian);
         } catch (const domain_error&) {
             return false;  // beyond the reach of the model
         }

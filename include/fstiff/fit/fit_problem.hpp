@@ -26,7 +26,7 @@ struct ContactParameters {
     T fractal_dimension{};  ///< D; not used by HertzLaw
     T effective_modulus{};  ///< E [Pa]
     T r{};
-    T theta{};   ///< [rad]
+    T theta{};         ///< [rad]
     T offset{};        ///< p_0 [Pa]: what is added to the measured pressures
     T rms_gradient{};  ///< g of the surface; as alpha and hardness not used by peaks of an asperity law
     T alpha{};         ///< Nayak's
@@ -38,11 +38,17 @@ struct ContactParameters {
 private:
     template <class Self>
     static auto& at(Self& self, Parameter parameter) noexcept {
-        constexpr std::array members{
-            &ContactParameters::rms_height,        &ContactParameters::peak_radius, &ContactParameters::peak_density,
-            &ContactParameters::fractal_dimension, &ContactParameters::r,           &ContactParameters::theta,
-            &ContactParameters::effective_modulus, &ContactParameters::offset,      &ContactParameters::rms_gradient,
-            &ContactParameters::alpha,             &ContactParameters::hardness};  // in the order of Parameter
+        constexpr std::array members{&ContactParameters::rms_height,
+                                     &ContactParameters::peak_radius,
+                                     &ContactParameters::peak_density,
+                                     &ContactParameters::fractal_dimension,
+                                     &ContactParameters::r,
+                                     &ContactParameters::theta,
+                                     &ContactParameters::effective_modulus,
+                                     &ContactParameters::offset,
+                                     &ContactParameters::rms_gradient,
+                                     &ContactParameters::alpha,
+                                     &ContactParameters::hardness};  // in the order of Parameter
         static_assert(members.size() == parts::parameter_table.size());
         return self.*members[parts::index_of(parameter)];
     }

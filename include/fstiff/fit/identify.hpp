@@ -49,7 +49,7 @@ struct IdentifiedParameter {
 template <Real T = double>
 struct Identification {
     math::FitStatus status{};
-    std::vector<parts::IdentifiedParameter<T>> parameters;                ///< in the order asked for
+    std::vector<parts::IdentifiedParameter<T>> parameters;         ///< in the order asked for
     ContactParameters<T> start{};                                  ///< where the search began
     ContactParameters<T> all{};                                    ///< fitted and fixed
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular or at_bound

@@ -4,27 +4,28 @@
 /// The truth of one map: its contact with a flat, solved by boundary elements on the map itself.
 ///
 ///     g = u[p] - h + d >= 0,   p >= 0,   p g = 0 at every point,   mean p = the nominal pressure
-///     u[p] of an elastic half space that repeats the map, or mirrors it at its edges (halfspace/surface_compliance.hpp)
+///     u[p] of an elastic half space that repeats the map, or mirrors it at its edges
+///     (halfspace/surface_compliance.hpp)
 ///
-/// is a quadratic programme, solved by an active set method. The contact on a grid half as fine, itself begun on a coarser
-/// one down to 8 points, is the first set. Conjugate gradients level the gap on the set; points whose pressure became less
-/// than 0 leave it, points that lie within the other face join it, until none does. The stiffness needs no difference of two
-/// solutions: the points in contact are held together and moved by one unit,
+/// is a quadratic programme, solved by an active set method. The contact on a grid half as fine, itself begun on a
+/// coarser one down to 8 points, is the first set. Conjugate gradients level the gap on the set; points whose pressure
+/// became less than 0 leave it, points that lie within the other face join it, until none does. The stiffness needs no
+/// difference of two solutions: the points in contact are held together and moved by one unit,
 ///
 ///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1
 ///
 /// which is -dp/dd where the set of contacts changes smoothly, and what a wave sees that moves the faces by less than a
-/// nanometre. With a hardness H the pressure is cut there (p <= H; g < 0 is plastic flow where p = H), and the stiffness is that
-/// of unloading.
+/// nanometre. With a hardness H the pressure is cut there (p <= H; g < 0 is plastic flow where p = H), and the
+/// stiffness is that of unloading.
 ///
-/// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206; sets:
-///             Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist et al., J. Mech. Phys.
-///             Solids 55 (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
+/// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206;
+///             sets: Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist et al., J. Mech.
+///             Phys. Solids 55 (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
-/// Accuracy    of the equations on the grid: tolerance, 1e-8 by default. Of the surface: a contact needs several points, and
-///             solving on a coarser grid too tells the rest (halfspace/truth.hpp). Against the wave of Westergaard and another code:
-///             tests/halfspace/boundary_elements_test.cpp
+/// Accuracy    of the equations on the grid: tolerance, 1e-8 by default. Of the surface: a contact needs several
+///             points, and solving on a coarser grid too tells the rest (halfspace/truth.hpp). Against the wave of
+///             Westergaard and another code: tests/halfspace/boundary_elements_test.cpp
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/progress.hpp>
@@ -76,15 +77,16 @@ class BoundaryElements {
     using Field = parts::GridField<T>;
 
 public:
-    /// Of the surface \p map against a smooth flat. \throws domain_error for missing points and what HeightMap::validate says.
+    /// Of the surface \p map against a smooth flat. \throws domain_error for missing points and what
+    /// HeightMap::validate says.
     BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                      const parts::BoundaryElementOptions<T>& options = {});
 
     /// The contact under \p pressure [Pa], whatever was solved before. \throws domain_error unless 0 < pressure, < H.
     [[nodiscard]] parts::BoundaryElementState<T> at_pressure(T pressure);
 
-    /// The last one on the grid half as fine, from which it began. \throws domain_error before at_pressure() and where there
-    /// is no such grid: of less than 16 points along the shorter side, and of heights that all cancel on it.
+    /// The last one on the grid half as fine, from which it began. \throws domain_error before at_pressure() and where
+    /// there is no such grid: of less than 16 points along the shorter side, and of heights that all cancel on it.
     [[nodiscard]] parts::BoundaryElementState<T> on_coarser_grid();
 
     /// Pressures of the last solution [Pa], mirrored rows and columns left out.
@@ -104,7 +106,8 @@ private:
     Found solve_sets(T nominal, T tolerance);
     /// Points leave and join the set: whether none did.
     [[nodiscard]] bool is_set_kept(parts::SetGradients<T>& gradients, T nominal);
-    /// The same with p <= H, by projected gradients with the step of Barzilai and Borwein: most points in contact are bound then.
+    /// The same with p <= H, by projected gradients with the step of Barzilai and Borwein: most points in contact are
+    /// bound then.
     Found solve_cut(T nominal, T tolerance);
     [[nodiscard]] parts::BoundaryElementState<T> state(T pressure, const Found& found) const;
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
@@ -118,7 +121,7 @@ private:
                               static_cast<std::size_t>(options_.max_iterations));
     }
 
-    static constexpr T held_tolerance = T(1e-5);  ///< scatter of u on the contact over its value: K to 1e-9
+    static constexpr T held_tolerance = T(1e-5);    ///< scatter of u on the contact over its value: K to 1e-9
     static constexpr T coarse_tolerance = T(1e-4);  ///< of a solution that is a start alone
     static constexpr T enough = T(0.3);  ///< what is left of the first change of the pressures when a set is tried
     static constexpr Eigen::Index least_side = 16;  ///< of a grid that has a coarser one

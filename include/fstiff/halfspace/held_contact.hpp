@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The stiffness of a set of points that are held together on an elastic half space, and of the highest points of a map.
+/// The stiffness of a set of points that are held together on an elastic half space, and of the highest points of a
+/// map.
 ///
 ///     u[t] = 1/K on the set, t = 0 elsewhere, mean t = 1
 ///
-/// It is a linear problem, solved by conjugate gradients: no contact is searched for. 1/K is the mean of t u[t], which is
-/// least there, so that its error is a square. The highest points of area p/H are what
+/// It is a linear problem, solved by conjugate gradients: no contact is searched for. 1/K is the mean of t u[t], which
+/// is least there, so that its error is a square. The highest points of area p/H are what
 /// a rigid flat leaves of peaks that flow at the hardness H; their K is that of unloading.
 ///
 /// Reference   halfspace/boundary_elements.hpp; Stanley, Kato, J. Tribol. 119 (1997) 481
@@ -101,8 +102,8 @@ private:
         gap_ -= level_;
     }
 
-    /// The pressures that would close the gaps were all points in the set, of mean 0 on it: the operator is 1/|q|, so that
-    /// |q| leaves few different eigenvalues.
+    /// The pressures that would close the gaps were all points in the set, of mean 0 on it: the operator is 1/|q|, so
+    /// that |q| leaves few different eigenvalues.
     [[nodiscard]] Values preconditioned() {
         const T scale = gap_.abs().maxCoeff();
         Values pull = Values::Zero(gap_.size());
@@ -190,8 +191,8 @@ public:
     [[nodiscard]] T stiffness(T share) const {
         require(share > 0 && share < 1, "share of the area", share, "greater than 0 and less than 1");
         const T points = share * static_cast<T>(order_.size());
-        const auto count = static_cast<std::size_t>(
-            std::clamp(std::round(points), T(1), static_cast<T>(order_.size() - 1)));
+        const auto count =
+            static_cast<std::size_t>(std::clamp(std::round(points), T(1), static_cast<T>(order_.size() - 1)));
         GridField<T> on = GridField<T>::Zero(rows_, static_cast<Eigen::Index>(order_.size()) / rows_);
         for (std::size_t i = 0; i < count; ++i) on.data()[order_[i]] = 1;
         detail::SurfaceCompliance<T> compliance = compliance_;

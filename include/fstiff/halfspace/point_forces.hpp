@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How forces on points of an elastic half space that goes on beyond its edges lower these points: all by all in O(n log n).
+/// How forces on points of an elastic half space that goes on beyond its edges lower these points: all by all in O(n
+/// log n).
 ///
 ///     u_i = sum_j g(x_i, x_j) F_j/E       g = sum over the images of j of 1/(pi r), less its mean; no 1/r of i on itself
 ///     1/r = erfc(a r)/r + erf(a r)/r      the first summed over the images within r_c = 4.2/a, the second on a grid:
 ///                                         2/q erfc(q/(2a)), forces spread and read through a window of 10 points
 ///
 /// The images are those of a repeating or a mirrored cell, as those of halfspace/surface_compliance.hpp, whose mean
-/// deflection is 0 too: u counts from the mean plane of the deflected surface. The window is an exponential of a semicircle,
-/// of which the transform is divided out.
+/// deflection is 0 too: u counts from the mean plane of the deflected surface. The window is an exponential of a
+/// semicircle, of which the transform is divided out.
 ///
-/// Reference   Ewald, Ann. Phys. 369 (1921) 253, here for 1/r over a plane; Hockney, Eastwood, Computer Simulation Using Particles
-///             (1988), ch. 8; the window: Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479.
+/// Reference   Ewald, Ann. Phys. 369 (1921) 253, here for 1/r over a plane; Hockney, Eastwood, Computer Simulation
+///             Using Particles (1988), ch. 8; the window: Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479.
 /// Units       x, y, u [m], F/E [m^2]
 /// Valid       points within the cell; two points not at the same place
 /// Time        3 ms for 5000 points, after 25 ms for the pairs; a quick split 0.5 ms
@@ -40,9 +41,9 @@ namespace fstiff::inline v0_1::parts {
 
 /// Where the sum over images ends and the grid takes over: 2e-9 of the largest deflection.
 struct FineSplit {
-    static constexpr int window = 10;       ///< points of the grid along one side
-    static constexpr double reach = 4.2;    ///< a r_c
-    static constexpr double waves = 7.4;    ///< over a: up to this wave number the window is resolved twice
+    static constexpr int window = 10;     ///< points of the grid along one side
+    static constexpr double reach = 4.2;  ///< a r_c
+    static constexpr double waves = 7.4;  ///< over a: up to this wave number the window is resolved twice
 };
 /// The same for what is iterated, in a fifth of the time: 2e-4 of the largest deflection.
 struct QuickSplit {
@@ -58,7 +59,8 @@ class PointForces {
 
 public:
     /// Points at \p x, \p y from a corner of a cell of \p width by \p height [m].
-    /// \throws domain_error for numbers of x and y that differ, a cell that is not finite and positive, points outside of it.
+    /// \throws domain_error for numbers of x and y that differ, a cell that is not finite and positive, points outside
+    /// of it.
     PointForces(Values x, Values y, T width, T height, Edges edges)
         : PointForces(std::move(x), std::move(y), Cell{width, height, edges}) {}
 
@@ -83,7 +85,8 @@ public:
         return grid_.minCoeff() - T(1e-5) * grid_.abs().maxCoeff() - mean_ * force.sum();
     }
 
-    /// Calls \p use(other, value) for the images of other points within r_c of \p point; value is erfc(a r)/(pi r) [1/m].
+    /// Calls \p use(other, value) for the images of other points within r_c of \p point; value is erfc(a r)/(pi r)
+    /// [1/m].
     template <class Use>
     void visit_close(Eigen::Index point, const Use& use) const {
         const auto i = static_cast<std::size_t>(point);
@@ -96,9 +99,9 @@ public:
 
 private:
     static constexpr int window = Split::window;
-    static constexpr int neighbours = 60;     ///< within r_c, of points that are spread evenly
+    static constexpr int neighbours = 60;  ///< within r_c, of points that are spread evenly
     static constexpr Eigen::Index margin = (window + 1) / 2;
-    static constexpr T end_over_a = T(9);     ///< where erfc(q/(2a)) is 2e-10
+    static constexpr T end_over_a = T(9);  ///< where erfc(q/(2a)) is 2e-10
     static constexpr T shape = T(2.3) * window;
 
     struct Cell {
@@ -117,15 +120,14 @@ private:
 
     PointForces(Values x, Values y, const Cell& cell)
         : range_(range_of(x, y, cell)),
-          compliance_(cells(cell.height), cells(cell.width), cell.width / T(cells(cell.width)),
-                      cell.height / T(cells(cell.height)), cell.edges,
-                      [a = T(Split::reach) / range_](T q) {
-                          return q > end_over_a * a ? T(0) : std::erfc(q / (2 * a));
-                      },
-                      [](T phase) {
-                          const T one = transform_of_window(T(0)) / transform_of_window(phase);
-                          return one * one;
-                      }) {
+          compliance_(
+              cells(cell.height), cells(cell.width), cell.width / T(cells(cell.width)),
+              cell.height / T(cells(cell.height)), cell.edges,
+              [a = T(Split::reach) / range_](T q) { return q > end_over_a * a ? T(0) : std::erfc(q / (2 * a)); },
+              [](T phase) {
+                  const T one = transform_of_window(T(0)) / transform_of_window(phase);
+                  return one * one;
+              }) {
         grid_.resize(cells(cell.height), cells(cell.width));
         margined_.resize(grid_.rows(), grid_.cols() + 2 * margin);
         const T a = T(Split::reach) / range_, pi = numbers::pi_v<T>;
@@ -149,8 +151,8 @@ private:
     /// Cells of the grid along \p side: up to the wave number Split::waves a the window is resolved twice.
     [[nodiscard]] Eigen::Index cells(T side) const {
         const T step = numbers::pi_v<T> * range_ / T(2 * Split::reach * Split::waves);
-        return static_cast<Eigen::Index>(math::fast_fft_size((std::max)(std::size_t{2 * window},
-                                                                  static_cast<std::size_t>(std::ceil(side / step)))));
+        return static_cast<Eigen::Index>(
+            math::fast_fft_size((std::max)(std::size_t{2 * window}, static_cast<std::size_t>(std::ceil(side / step)))));
     }
 
     [[nodiscard]] static T window_at(T offset) {
@@ -186,7 +188,8 @@ private:
         const T half = T(window) / 2 + 64 * std::numeric_limits<T>::epsilon() * T(grid_.rows() + grid_.cols());
         const auto first_of = [half](T at) { return static_cast<Eigen::Index>(std::ceil(at - half)); };
         for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const T right = x[i] / cell.width * T(grid_.cols()) - T(0.5), down = y[i] / cell.height * T(grid_.rows()) - T(0.5);
+            const T right = x[i] / cell.width * T(grid_.cols()) - T(0.5),
+                    down = y[i] / cell.height * T(grid_.rows()) - T(0.5);
             Window one;
             one.first = first_of(right) + margin;
             for (int k = 0; k < window; ++k) {
@@ -209,7 +212,8 @@ private:
             const Window& one = windows_[i];
             const Eigen::Array<T, 1, window> share = per_cell_ * force[static_cast<Eigen::Index>(i)] * one.along_x;
             for (int k = 0; k < window; ++k)
-                margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first) += one.along_y[k] * share;
+                margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first) +=
+                    one.along_y[k] * share;
         }
         grid_ = margined_.middleCols(margin, grid_.cols());
         for (const auto& [outside, inside] : beyond_) grid_.col(inside) += margined_.col(outside);
@@ -223,7 +227,8 @@ private:
             const Window& one = windows_[i];
             Eigen::Array<T, 1, window> sum = Eigen::Array<T, 1, window>::Zero();
             for (int k = 0; k < window; ++k)
-                sum += one.along_y[k] * margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first);
+                sum += one.along_y[k] *
+                       margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first);
             u[static_cast<Eigen::Index>(i)] += (sum * one.along_x).sum();
         }
     }
@@ -262,7 +267,7 @@ private:
     GridField<T> grid_, margined_;  ///< the latter with columns beyond the edges, for windows across them
     std::vector<std::pair<Eigen::Index, Eigen::Index>> beyond_;  ///< each such column and where it belongs
     std::vector<Window> windows_;
-    std::vector<std::size_t> start_;         ///< of the pairs of each point
+    std::vector<std::size_t> start_;  ///< of the pairs of each point
     std::vector<Eigen::Index> near_point_;
     std::vector<T> near_value_;
 };

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How a pressure on a grid deflects an elastic half space that goes on beyond the grid: by repeating it, or mirrored at its edges.
+/// How a pressure on a grid deflects an elastic half space that goes on beyond the grid: by repeating it, or mirrored
+/// at its edges.
 ///
 ///     u_k = 2/(E |q_k|) p_k      for every wave but the mean, which moves the whole body: u_0 = 0
 ///
-/// The kernel is even in x and in y, so that products of cosines and sines are its eigenfunctions: a real transform along x and
-/// one along y, of N numbers into N, replace complex ones (topography/line_transform.hpp).
+/// The kernel is even in x and in y, so that products of cosines and sines are its eigenfunctions: a real transform
+/// along x and one along y, of N numbers into N, replace complex ones (topography/line_transform.hpp).
 ///
 /// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481 (repeating half space by transforms).
 /// Units       lengths [m], pressure in units of E: u [m] = deflect(p/E)
-/// Valid       2 points a side at least; sides that are products of 2, 3 and 5 are fast, others take a transform of 2N or more
+/// Valid       2 points a side at least; sides that are products of 2, 3 and 5 are fast, others take a transform of 2N
+///             or more
 /// Accuracy    1e-14 relative to the largest deflection in double (tests/halfspace/surface_compliance_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -74,13 +76,14 @@ private:
 template <Real T = double>
 class SurfaceCompliance {
 public:
-    /// For \p rows by \p columns cells of the size \p dy by \p dx [m]. \throws domain_error for less than 2 a side and sizes
-    /// that are not finite and positive.
+    /// For \p rows by \p columns cells of the size \p dy by \p dx [m]. \throws domain_error for less than 2 a side and
+    /// sizes that are not finite and positive.
     SurfaceCompliance(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges)
-        : SurfaceCompliance(rows, columns, dx, dy, edges, [](T) { return T(1); }, [](T) { return T(1); }) {}
+        : SurfaceCompliance(
+              rows, columns, dx, dy, edges, [](T) { return T(1); }, [](T) { return T(1); }) {}
 
-    /// With each wave taken \p radial(|q|) \p along(q_x dx) \p along(q_y dy) times: a part of the half space, seen through a
-    /// window of points.
+    /// With each wave taken \p radial(|q|) \p along(q_x dx) \p along(q_y dy) times: a part of the half space, seen
+    /// through a window of points.
     template <class Radial, class Along>
     SurfaceCompliance(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges, const Radial& radial,
                       const Along& along)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What boundary elements say of a map, with the error of the grid: solved on a grid of the size asked for and on one half as
-/// fine, of which the difference is the error.
+/// What boundary elements say of a map, with the error of the grid: solved on a grid of the size asked for and on one
+/// half as fine, of which the difference is the error.
 ///
 ///     const auto points = fstiff::truth(map, 100e9, pressures, {.points = 256, .edges = fstiff::Edges::mirrored});
 ///     points[0].state.stiffness, points[0].stiffness_error       K [Pa/m] and what the coarser grid says otherwise
@@ -10,8 +10,8 @@
 /// Reference   halfspace/boundary_elements.hpp
 /// Units       SI
 /// Valid       maps without missing points whose form is removed, of 16 points a side at least
-/// Accuracy    stiffness_error is the change from a grid half as fine: of 30 solutions of three maps at 256 points a side the error
-///             of 27 against 512 is less (tests/halfspace/truth_test.cpp)
+/// Accuracy    stiffness_error is the change from a grid half as fine: of 30 solutions of three maps at 256 points a
+///             side the error of 27 against 512 is less (tests/halfspace/truth_test.cpp)
 
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/topography/coarsen.hpp>

@@ -133,7 +133,7 @@ public:
     void forward(std::span<const T> data, std::vector<std::complex<T>>& spectrum) {
         if (data.size() > size_)
             parts::refuse("data of a transform", std::to_string(data.size()) + " numbers",
-                           "at most " + std::to_string(size_));
+                          "at most " + std::to_string(size_));
         const T* source = data.data();
         if (data.size() < size_) {
             padded_.assign(size_, T(0));

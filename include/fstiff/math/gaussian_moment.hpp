@@ -165,8 +165,7 @@ template <Real T>
 [[nodiscard]] T gaussian_moment(T a, T x) {
     require(!std::isnan(x), "x", x, "a number");
     x = std::clamp(x, -(std::numeric_limits<T>::max)(), (std::numeric_limits<T>::max)());
-    return with_power(
-        a, [x]<int TwiceA>() { return scaled_moment<TwiceA>(x) * (x > 0 ? gaussian(x) : T(1)); });
+    return with_power(a, [x]<int TwiceA>() { return scaled_moment<TwiceA>(x) * (x > 0 ? gaussian(x) : T(1)); });
 }
 
 }  // namespace fstiff::inline v0_1::math

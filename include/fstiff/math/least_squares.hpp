@@ -121,8 +121,9 @@ template <Real T, class Evaluate>
         throw domain_error(parts::Refusal{.parameter = "parameters to fit", .reason = "none; must be at least 1"});
     if (residuals < count)
         throw domain_error(parts::Refusal{.parameter = "data",
-                                   .reason = std::to_string(residuals) + " points; must be at least as many as the " +
-                                             std::to_string(count) + " parameters to fit"});
+                                          .reason = std::to_string(residuals) +
+                                                    " points; must be at least as many as the " +
+                                                    std::to_string(count) + " parameters to fit"});
     Fit fit;
     fit.parameters = start;
     fit.residuals.resize(residuals);
@@ -133,8 +134,9 @@ template <Real T, class Evaluate>
         return evaluate(x, f, j) && f.allFinite() && j.allFinite() && std::isfinite(f.squaredNorm());
     };
     if (!usable(start, fit.residuals, jacobian))
-        throw domain_error(parts::Refusal{.parameter = "the starting values",
-                                   .reason = "the model has no value there for the data; must be closer to them"});
+        throw domain_error(
+            parts::Refusal{.parameter = "the starting values",
+                           .reason = "the model has no value there for the data; must be closer to them"});
     fit.sum_of_squares = fit.residuals.squaredNorm();
 
     T damping = T(1e-3);

@@ -34,6 +34,7 @@ template <Real T>
 
 /// The rational functions of AS 241: about the median, in the tails, and beyond p = 1e-11.
 struct NormalTable {
+    // clang-format off
     static constexpr std::array<double, 8> middle_above{
         3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3, 1.3731693765509461125e4,
         4.5921953931549871457e4, 6.7265770927008700853e4, 3.3430575583588128105e4, 2.5090809287301226727e3};
@@ -56,6 +57,7 @@ struct NormalTable {
         1, 5.99832206555887937690e-1, 1.36929880922735805310e-1, 1.48753612908506148525e-2,
         7.86869131145613259100e-4, 1.84631831751005468180e-5, 1.42151175831644588870e-7,
         2.04426310338993978564e-15};
+    // clang-format on
 
     static double ratio(const std::array<double, 8>& above, const std::array<double, 8>& below, double x) {
         double p = above[7], q = below[7];

@@ -222,7 +222,8 @@ struct UniformPieces {
     /// Integral from \p x to the end; \p sums are integrals().
     [[nodiscard]] T integral_to_end(T x, const std::vector<T>& sums) const noexcept {
         const T position = (x - begin) * pieces_per_length;
-        const auto piece = static_cast<std::size_t>((std::min)(static_cast<Eigen::Index>(position), std::ssize(rows) - 1));
+        const auto piece =
+            static_cast<std::size_t>((std::min)(static_cast<Eigen::Index>(position), std::ssize(rows) - 1));
         const T s = 2 * (position - T(piece)) - 1;
         return sums[piece + 1] + Row::integral_to_end(rows[piece].c, s) / (2 * pieces_per_length);
     }

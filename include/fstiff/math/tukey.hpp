@@ -59,9 +59,11 @@ template <Real T>
 /// The same of eight numbers, none of them NaN, by Batcher's sorting network.
 template <Real T>
 [[nodiscard]] T median_of_eight(std::array<T, 8> values) {
+    // clang-format off
     constexpr std::array<std::array<std::size_t, 2>, 19> pairs{{{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6},
                                                                {5, 7}, {1, 2}, {5, 6}, {0, 4}, {1, 5}, {2, 6}, {3, 7},
                                                                {2, 4}, {3, 5}, {1, 2}, {3, 4}, {5, 6}}};
+    // clang-format on
     for (const auto& [low, high] : pairs) {
         const T a = values[low], b = values[high];
         values[low] = (std::min)(a, b);

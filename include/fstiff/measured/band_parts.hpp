@@ -7,8 +7,8 @@
 ///     low = K exp(-hypot(e_low, s_low, u_low)),  high = K exp(hypot(e_high, s_high, u_high)),  u^2 = sum of u_i^2
 ///
 /// e_low and e_high are the ends of the band over the errors, as ln(end/K); s_low and s_high the least and the greatest
-/// ln(K of a neighbour/K), 0 where no neighbour lies on that side; u_i the same of the surfaces that have one unknown at its
-/// 5 and at its 95 %. To the first order u is the width over surfaces drawn at random with all unknowns at once.
+/// ln(K of a neighbour/K), 0 where no neighbour lies on that side; u_i the same of the surfaces that have one unknown
+/// at its 5 and at its 95 %. To the first order u is the width over surfaces drawn at random with all unknowns at once.
 ///
 /// Reference   the sum by squares is that of independent errors (JCGM 100:2008, 5.1.2), in logarithms; unknowns:
 ///             surface/process_prior.hpp
@@ -44,11 +44,11 @@ struct BandPart {
 /// The parts of a band, as ln(K/value): low ones at most 0, high ones at least 0.
 template <Real T = double>
 struct BandParts {
-    T errors_low{}, errors_high{};  ///< of the errors of the measurement
-    T scale_low{}, scale_high{};    ///< of the neighbours with another lambda_s
-    T window_low{}, window_high{};  ///< of the choice of the window of D: a share of the errors
-    T prior_low{}, prior_high{};    ///< of what is not known, but for the shape
-    T shape_low{}, shape_high{};    ///< of the shape of the heights: skewness and kurtosis
+    T errors_low{}, errors_high{};                        ///< of the errors of the measurement
+    T scale_low{}, scale_high{};                          ///< of the neighbours with another lambda_s
+    T window_low{}, window_high{};                        ///< of the choice of the window of D: a share of the errors
+    T prior_low{}, prior_high{};                          ///< of what is not known, but for the shape
+    T shape_low{}, shape_high{};                          ///< of the shape of the heights: skewness and kurtosis
     std::array<BandPart<T>, unknown_count> of_unknown{};  ///< what these two are made of, in the order of Unknown
 };
 

@@ -55,11 +55,11 @@ struct CutOffs {
     std::optional<T> lambda_s{}, lambda_c{};  ///< [m]
     CutOffFilter filter = CutOffFilter::gaussian;
     LambdaSReason why_s = LambdaSReason::given;
-    T index{};                                ///< of the tables, whether it was taken or not [m]; 0: not asked for
+    T index{};  ///< of the tables, whether it was taken or not [m]; 0: not asked for
     IndexSource index_source = IndexSource::step;
     CutOffReason why_c = CutOffReason::given;
-    T mean_deviation{};                       ///< Ra behind the lambda_c of the tables [m]; 0: none
-    T step{}, length{}, tip_radius{};         ///< coarser step, shorter side, and the tip that was given [m]
+    T mean_deviation{};                ///< Ra behind the lambda_c of the tables [m]; 0: none
+    T step{}, length{}, tip_radius{};  ///< coarser step, shorter side, and the tip that was given [m]
     std::optional<RobustOutcome> robust{};
 
     [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
@@ -72,7 +72,7 @@ enum class CutOffRefusal { below_steps, above_length, not_below_lambda_c };
 template <Real T = double>
 struct RefusedCutOff {
     CutOffRefusal why{};
-    bool long_waves{};  ///< lambda_c, else lambda_s
+    bool long_waves{};   ///< lambda_c, else lambda_s
     T given{}, limit{};  ///< the cut-off, and the bound that it misses [m]
 };
 

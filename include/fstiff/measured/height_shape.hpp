@@ -11,15 +11,16 @@
 ///                                       from a Gaussian's than two of its standard errors
 ///
 /// Heights that are Gaussian have some D by chance, which falls as 1/n: on the Gaussian maps of
-/// tests/support/map_kinds.hpp n D^2 of traces is 0.1 to 2.6, on others 0.15 to 6 of one row with 8 to 16 waves, 0.7 to 19 of four, 2 to 83 of sixteen.
+/// tests/support/map_kinds.hpp n D^2 of traces is 0.1 to 2.6, on others 0.15 to 6 of one row with 8 to 16 waves, 0.7 to
+/// 19 of four, 2 to 83 of sixteen.
 ///
 ///     ShapeOfHeights<double> shape;
 ///     shape.add(profile);
 ///     HeightShape<double> counted = counted_shape(height_statistics(profile), shape.share());
 ///     BearingSlope<double> curve = bearing_of_moments(counted.skewness, counted.kurtosis);
 ///
-/// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); the share: this project, chosen on seeds 1 and 2 of these
-///             maps and shown on 3 to 5 (docs/validation.md).
+/// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); the share: this project, chosen on seeds 1 and 2 of
+///             these maps and shown on 3 to 5 (docs/validation.md).
 /// Units       heights [m]; all else dimensionless, kurtosis 3 of a Gaussian
 /// Valid       form removed before, 16 points at least; missing points are left out
 /// Accuracy    1e-12 of the formulae (tests/measured/height_shape_test.cpp)
@@ -66,7 +67,8 @@ template <Real T>
     return counted_shape(measured.skewness.value, measured.kurtosis.value, share);
 }
 
-/// That of the sum of two faces with the mean square heights \p m0_a and \p m0_b and independent heights: cumulants add.
+/// That of the sum of two faces with the mean square heights \p m0_a and \p m0_b and independent heights: cumulants
+/// add.
 template <Real T>
 [[nodiscard]] HeightShape<T> sum_of_shapes(const HeightShape<T>& a, T m0_a, const HeightShape<T>& b, T m0_b) {
     const T of_a = m0_a / (m0_a + m0_b), of_b = m0_b / (m0_a + m0_b);

@@ -7,11 +7,11 @@
 ///     m0 = sigma^2,  m2 = <slope^2>,  m4 = <curvature^2>                            along a line, by neighbours
 ///     alpha = m0 m4/m2^2                     rms gradient g = sqrt(2 m2)           of an isotropic surface
 ///
-/// Of a map the moments are means of those along x and y, and g^2 their sum. The errors are those of a jackknife that leaves
-/// out one of 16 blocks of a profile, or tiles of a map, at a time.
+/// Of a map the moments are means of those along x and y, and g^2 their sum. The errors are those of a jackknife that
+/// leaves out one of 16 blocks of a profile, or tiles of a map, at a time.
 ///
-/// Reference   ISO 25178-2 (Ssk, Sku, Sdq), ISO 21920-2 (Rsk, Rku); Nayak, J. Lubr. Technol. 93 (1971) 398; Efron, The Jackknife
-///             (SIAM, 1982).
+/// Reference   ISO 25178-2 (Ssk, Sku, Sdq), ISO 21920-2 (Rsk, Rku); Nayak, J. Lubr. Technol. 93 (1971) 398; Efron, The
+///             Jackknife (SIAM, 1982).
 /// Units       heights [m], m2, g, skewness and kurtosis dimensionless, m4 [1/m^2]
 /// Valid       form removed before; 64 points with triples of neighbours at least
 /// Accuracy    1e-12 of plain sums (tests/measured/height_statistics_test.cpp)

@@ -4,8 +4,8 @@
 /// Sums over the parts of a surface, what they estimate, and how that varies over resamples of the parts.
 ///
 /// A resample draws blocks of neighbouring parts, as many as make the whole. The standard deviation over the resamples,
-/// times sqrt(n/(n-1)) t_(n-1)(0.95)/1.645 for n blocks (Student), is the error of an estimate: the scatter of a few blocks is badly
-/// known, and a band of 5 % to 95 % is made of it.
+/// times sqrt(n/(n-1)) t_(n-1)(0.95)/1.645 for n blocks (Student), is the error of an estimate: the scatter of a few
+/// blocks is badly known, and a band of 5 % to 95 % is made of it.
 ///
 /// Reference   Kunsch, Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4
 /// Units       heights in any unit, lengths in samples

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the waves that are about as long as a measured piece have of its mean square height, and what that leaves unknown.
+/// What the waves that are about as long as a measured piece have of its mean square height, and what that leaves
+/// unknown.
 ///
 ///     w_k      mean square height of cos(pi k x/L), of a map cos(pi kx x/Lx) cos(pi ky y/Ly), |k| < 16
 ///     share    sum w_k / sigma^2
@@ -11,21 +12,21 @@
 ///              the first at most
 ///     error    (ln of v over the 5 % point of chi^2 with v degrees of freedom)/(2 1.645), v = 2/V, of ln sigma
 ///
-/// The waves of a piece of a Gaussian surface have random amplitudes, each of one degree of freedom, and w_k is their square.
-/// Cosines of half periods fit a piece that ends anywhere, as they do the principal components of a random walk. Where few of
-/// them make most of the height, sigma of one piece is a matter of luck, and no resample of its parts shows that.
-/// e is divided by 1 - e because the same waves make sigma; v is taken for 2 where it is less. The few w_k scatter themselves: a
-/// piece that misses its longest waves by chance looks as if it had many of one strength. What shorter waves have does not
-/// scatter, and the power law (of a piece without its tilt) goes by that. Of a map, which has many more waves, the geometric mean
-/// of the two stands for the second: a spectrum that turns flat is then not taken for a steep one.
-/// chi^2 has a long tail: the surface may be much rougher than the piece, and not as much smoother. The error is that of the long
-/// side, so that a band of 5 % to 95 % reaches as far.
+/// The waves of a piece of a Gaussian surface have random amplitudes, each of one degree of freedom, and w_k is their
+/// square. Cosines of half periods fit a piece that ends anywhere, as they do the principal components of a random
+/// walk. Where few of them make most of the height, sigma of one piece is a matter of luck, and no resample of its
+/// parts shows that. e is divided by 1 - e because the same waves make sigma; v is taken for 2 where it is less. The
+/// few w_k scatter themselves: a piece that misses its longest waves by chance looks as if it had many of one strength.
+/// What shorter waves have does not scatter, and the power law (of a piece without its tilt) goes by that. Of a map,
+/// which has many more waves, the geometric mean of the two stands for the second: a spectrum that turns flat is then
+/// not taken for a steep one. chi^2 has a long tail: the surface may be much rougher than the piece, and not as much
+/// smoother. The error is that of the long side, so that a band of 5 % to 95 % reaches as far.
 ///
 /// Reference   Wilson, Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684 (chi^2)
 /// Units       heights in any unit
 /// Valid       pieces of 16 parts a side or more; one row for a profile
-/// Accuracy    the quantile 1 % of ln sigma from v = 4 on, 9 % at 2; waves of 15 half periods are low by 4 % for the width of
-///             64 parts (tests/measured/long_waves_test.cpp)
+/// Accuracy    the quantile 1 % of ln sigma from v = 4 on, 9 % at 2; waves of 15 half periods are low by 4 % for the
+///             width of 64 parts (tests/measured/long_waves_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/statistics.hpp>
@@ -43,7 +44,8 @@ template <Real T = double>
 struct LongWaveShare {
     T share{};  ///< of the mean square height that waves of fewer than 16 half periods have
     T error{};  ///< of ln sigma that comes from them, one standard deviation
-    Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic> squares{};  ///< w_k over sigma^2, by rows of ky; one row for a profile
+    Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>
+        squares{};  ///< w_k over sigma^2, by rows of ky; one row for a profile
 };
 
 inline constexpr int long_half_periods = 16;
@@ -75,7 +77,8 @@ T variance_of_power_law(T share, bool map) {
     return variance;
 }
 
-/// Of the mean heights of equal \p parts of a piece, from its mean, 0 where nothing was measured; \p mean_square height.
+/// Of the mean heights of equal \p parts of a piece, from its mean, 0 where nothing was measured; \p mean_square
+/// height.
 template <Real T>
 LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>& parts, T mean_square) {
     using Waves = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>;

@@ -7,10 +7,10 @@
 ///     surface.rms_height.value, surface.rms_height.error       [m]
 ///     surface.cut_offs.lambda_s, surface.concerns, surface.neighbours
 ///
-/// In this order: clean() (by default nothing), prepare() (form, lambda_s, lambda_c where it is given), surface_parameters(),
-/// height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface measured with a shorter and a longer
-/// lambda_s (measured/cut_offs), without errors: what they change in K widens the band (measured/stiffness_band). The
-/// command, C and Python measure by this function.
+/// In this order: clean() (by default nothing), prepare() (form, lambda_s, lambda_c where it is given),
+/// surface_parameters(), height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface
+/// measured with a shorter and a longer lambda_s (measured/cut_offs), without errors: what they change in K widens the
+/// band (measured/stiffness_band). The command, C and Python measure by this function.
 ///
 /// Reference   measured/cut_offs.hpp, measured/prepare.hpp, measured/surface_parameters.hpp
 /// Units       SI
@@ -31,7 +31,7 @@ namespace fstiff::inline v0_1 {
 /// A measured surface: its parameters with their standard errors, and what they rest on.
 template <Real T = double>
 struct Surface : parts::SurfaceParameters<T> {
-    Measurement<T> rms_gradient{};                ///< [1]; error 0: too few points for one
+    Measurement<T> rms_gradient{};                 ///< [1]; error 0: too few points for one
     std::optional<HeightStatistics<T>> heights{};  ///< none: too few points
     T shape_share{};  ///< 0 to 1: how much of skewness and of kurtosis - 3 counts in a hybrid contact (counted_shape)
     parts::CutOffs<T> cut_offs{};
@@ -42,9 +42,9 @@ struct Surface : parts::SurfaceParameters<T> {
     /// lambda_s.
     T widest_band = std::numeric_limits<T>::infinity();
     std::shared_ptr<const parts::PreparedProfile<T>> profile{};  ///< what was measured; null for a map
-    std::shared_ptr<const parts::PreparedMap<T>> map{};   ///< null for a profile, and for a neighbour without keep_maps
-    std::vector<Surface> neighbours{};                    ///< with a shorter and a longer lambda_s, without errors
-    std::vector<Surface> parts{};                         ///< that were pooled (measured/pooled_surface); empty for one
+    std::shared_ptr<const parts::PreparedMap<T>> map{};  ///< null for a profile, and for a neighbour without keep_maps
+    std::vector<Surface> neighbours{};                   ///< with a shorter and a longer lambda_s, without errors
+    std::vector<Surface> parts{};                        ///< that were pooled (measured/pooled_surface); empty for one
 };
 
 /// Measures \p profile, which is taken for a section of an isotropic surface.
@@ -121,9 +121,9 @@ template <Real T, class Heights>
 /// cannot be measured is left out: its cut-off is too long for the surface, or leaves too few peaks.
 template <Real T, class MeasureOne>
 [[nodiscard]] std::vector<Surface<T>> measured_neighbours(const CutOffs<T>& cut_offs, MeasureOptions<T> options, T step,
-                                                    const MeasureOne& measure_one) {
+                                                          const MeasureOne& measure_one) {
     options.neighbours = false;
-    options.resamples = 2;  // their errors are not asked for
+    options.resamples = 2;    // their errors are not asked for
     options.texture = false;  // nor is their lay, which is that of the surface
     options.dimension = options.dimension && options.neighbour_dimensions;
     options.progress = {};
@@ -154,7 +154,7 @@ template <Real T>
     if (options.neighbours)
         surface.neighbours =
             measured_neighbours(surface.cut_offs, options, flat.spacing,
-                          [&](const MeasureOptions<T>& other) { return measure_profile(profile, other); });
+                                [&](const MeasureOptions<T>& other) { return measure_profile(profile, other); });
     return surface;
 }
 
@@ -167,7 +167,7 @@ template <Real T>
     if (options.neighbours)
         neighbours =
             measured_neighbours(choose_cut_offs(steps, options), options, (std::max)(steps.dx, steps.dy),
-                          [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
+                                [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
     const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
     const int degree = int(options.map_form), terms = degree * (degree + 3) / 2;
     SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),

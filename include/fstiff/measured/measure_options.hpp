@@ -30,7 +30,8 @@ struct NoCutOff {};
 /// No cut-off: all waves are kept.
 inline constexpr parts::NoCutOff no_cut_off{};
 
-/// A cut-off that is asked for: by default that of the tables (lambda_c: for Ra alone), else a length [m] or no_cut_off.
+/// A cut-off that is asked for: by default that of the tables (lambda_c: for Ra alone), else a length [m] or
+/// no_cut_off.
 template <Real T = double>
 class CutOff {
 public:
@@ -75,32 +76,32 @@ template <Real T = double>
 struct Cleaning {
     std::optional<Crop<T>> crop{};
     parts::PointMask mask{};  ///< of the cropped surface; empty: every point is used
-    T spikes{};        ///< points so many robust standard deviations away become missing, 3 to 1000; 0: none
-    bool fill{};       ///< whether missing points are filled
+    T spikes{};               ///< points so many robust standard deviations away become missing, 3 to 1000; 0: none
+    bool fill{};              ///< whether missing points are filled
 };
 
 /// How a surface is cleaned, prepared and measured.
 template <Real T = double>
 struct MeasureOptions {
-    CutOff<T> lambda_s{};                           ///< of the short waves
-    CutOff<T> lambda_c{};                           ///< of the long waves; by default none, and the tables' for Ra
-    CutOffFilter filter = CutOffFilter::gaussian;   ///< of lambda_c
-    T tip_radius{}, resolution{};                   ///< of the instrument [m]; 0: not known
-    Form form = Form::line;                         ///< removed from a profile
-    std::optional<T> form_cut_off{};                ///< of a Gaussian filter that removes the long waves with it [m]
-    MapForm map_form = MapForm::plane;              ///< removed from a map
-    T height_step{};                                ///< in which heights were printed or counted [m]; 0: not known
+    CutOff<T> lambda_s{};                          ///< of the short waves
+    CutOff<T> lambda_c{};                          ///< of the long waves; by default none, and the tables' for Ra
+    CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
+    T tip_radius{}, resolution{};                  ///< of the instrument [m]; 0: not known
+    Form form = Form::line;                        ///< removed from a profile
+    std::optional<T> form_cut_off{};               ///< of a Gaussian filter that removes the long waves with it [m]
+    MapForm map_form = MapForm::plane;             ///< removed from a map
+    T height_step{};                               ///< in which heights were printed or counted [m]; 0: not known
     Cleaning<T> cleaning{};
-    parts::PeakSource peaks = parts::PeakSource::islands;         ///< of a map
-    std::optional<LagWindow<T>> window{};           ///< of the lags that give D; none: found by itself
-    std::size_t resamples = 400;                    ///< for the standard errors
-    std::uint64_t seed = 2014;                      ///< of the resamples
-    bool texture = true;                            ///< whether Str of a map is found, by which a lay is told
-    bool dimension = true;                          ///< whether D and G are
-    bool neighbours = true;                         ///< whether the surface is measured with other lambda_s too
-    bool neighbour_dimensions = true;               ///< whether D and G of these are found
-    bool keep_maps = true;                          ///< whether the neighbours keep their filtered maps
-    ProgressHook progress{};                        ///< of the resamples
+    parts::PeakSource peaks = parts::PeakSource::islands;  ///< of a map
+    std::optional<LagWindow<T>> window{};                  ///< of the lags that give D; none: found by itself
+    std::size_t resamples = 400;                           ///< for the standard errors
+    std::uint64_t seed = 2014;                             ///< of the resamples
+    bool texture = true;                                   ///< whether Str of a map is found, by which a lay is told
+    bool dimension = true;                                 ///< whether D and G are
+    bool neighbours = true;                                ///< whether the surface is measured with other lambda_s too
+    bool neighbour_dimensions = true;                      ///< whether D and G of these are found
+    bool keep_maps = true;                                 ///< whether the neighbours keep their filtered maps
+    ProgressHook progress{};                               ///< of the resamples
 };
 
 }  // namespace fstiff::inline v0_1

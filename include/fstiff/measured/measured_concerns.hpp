@@ -150,7 +150,8 @@ template <Real T>
 
 }  // namespace parts
 
-/// Of curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
+/// Of curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and
+/// parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const parts::SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> found;

@@ -5,16 +5,18 @@
 ///
 ///     const auto surface = fstiff::measure(std::vector{first, second, third});     profiles, or maps, of one surface
 ///
-///     spectra are averaged, each weighted by its share w of the length or area: m0, m2, m4, S and the triples are means
+///     spectra are averaged, each weighted by its share w of the length or area: m0, m2, m4, S and the triples are
+///     means
 ///     D and r, theta    of the measurements that know them
 ///     R_p               the highest
 ///     error^2           the greater of   sum of w^2 error^2                                     errors of the measurements
 ///                       and              k^2 sum of w^2/(1 - sum of w^2) sum of w (x - mean)^2    their scatter
 ///     k                 t_(n-1)(0.95)/1.645 by Student, because the scatter of a few is badly known: 3.84 of two, 1.30 of five
 ///
-/// The average of n surfaces is their sum (surface/two_faces.hpp) with each of the heights sqrt(w) times as great. sigma, R and
-/// D_p scatter by their logarithms. Correlations of the errors are means. Where the tables choose different cut-offs
-/// for the measurements, the longest counts for all, and all are measured again; none where one measurement has none.
+/// The average of n surfaces is their sum (surface/two_faces.hpp) with each of the heights sqrt(w) times as great.
+/// sigma, R and D_p scatter by their logarithms. Correlations of the errors are means. Where the tables choose
+/// different cut-offs for the measurements, the longest counts for all, and all are measured again; none where one
+/// measurement has none.
 ///
 /// Reference   Student, Biometrika 6 (1908) 1 (math/statistics.hpp); surface/two_faces.hpp.
 /// Units       SI
@@ -43,11 +45,12 @@ enum class Unlikeness { none, kind, lambda_s, lambda_c, step };
 }  // namespace parts
 
 template <>
-inline constexpr auto names<parts::Unlikeness> = name_list<parts::Unlikeness>({{parts::Unlikeness::none, "nothing"},
-                                                                 {parts::Unlikeness::kind, "kind"},
-                                                                 {parts::Unlikeness::lambda_s, "lambda_s"},
-                                                                 {parts::Unlikeness::lambda_c, "lambda_c"},
-                                                                 {parts::Unlikeness::step, "step"}});
+inline constexpr auto names<parts::Unlikeness> =
+    name_list<parts::Unlikeness>({{parts::Unlikeness::none, "nothing"},
+                                  {parts::Unlikeness::kind, "kind"},
+                                  {parts::Unlikeness::lambda_s, "lambda_s"},
+                                  {parts::Unlikeness::lambda_c, "lambda_c"},
+                                  {parts::Unlikeness::step, "step"}});
 
 namespace parts {
 
@@ -58,15 +61,14 @@ template <Real T>
 /// Distance of neighbouring heights of a measured surface, the shorter one of a map [m].
 template <Real T>
 [[nodiscard]] T step_of(const Surface<T>& surface) {
-    return surface.profile ? surface.profile->profile.spacing
-                           : (std::min)(surface.map->map.dx, surface.map->map.dy);
+    return surface.profile ? surface.profile->profile.spacing : (std::min)(surface.map->map.dx, surface.map->map.dy);
 }
 
 /// The cut-off \p of that all of \p surfaces share where \p asked leaves it to the tables and these differ: the
 /// longest, or none where one has none. Else \p asked.
 template <Real T, class Measured>
 [[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Measured>& surfaces,
-                                       std::optional<T> CutOffs<T>::* of);
+                                       std::optional<T> CutOffs<T>::*of);
 
 }  // namespace parts
 
@@ -159,10 +161,10 @@ template <Real T>
 /// The values of \p surface, with the moments of its heights where these are known.
 template <Real T>
 [[nodiscard]] RoughFace<T> rough_face(const Surface<T>& surface) {
-    return rough_face<T>(
-        surface, surface.heights ? surface.heights->moments
-                                 : moments_of_peaks(surface.rms_height.value, surface.peak_radius.value,
-                                                    surface.peak_density.value));
+    return rough_face<T>(surface, surface.heights
+                                      ? surface.heights->moments
+                                      : moments_of_peaks(surface.rms_height.value, surface.peak_radius.value,
+                                                         surface.peak_density.value));
 }
 
 /// The average of those of \p parts that \p knows picks.
@@ -205,8 +207,8 @@ void pool_error(Surface<T>& whole, const std::vector<Surface<T>>& parts, const P
         const Measurement<T>* one = part.find(row.parameter);
         if (!one) continue;
         const T relative = one->error / one->value;
-        known.push_back({log ? Measurement<T>{std::log(one->value), std::sqrt(std::log1p(relative * relative))} : *one,
-                         part.size});
+        known.push_back(
+            {log ? Measurement<T>{std::log(one->value), std::sqrt(std::log1p(relative * relative))} : *one, part.size});
     }
     if (known.empty()) return;
     const T error = pooled_error(known);
@@ -294,8 +296,8 @@ template <Real T, class Heights>
     const CutOff<T> lambda_s = shared_cut_off(options.lambda_s, parts, &CutOffs<T>::lambda_s);
     const CutOff<T> lambda_c =
         options.form_cut_off ? options.lambda_c : shared_cut_off(options.lambda_c, parts, &CutOffs<T>::lambda_c);
-    const bool again = lambda_s.automatic() != options.lambda_s.automatic() ||
-                       lambda_c.automatic() != options.lambda_c.automatic();
+    const bool again =
+        lambda_s.automatic() != options.lambda_s.automatic() || lambda_c.automatic() != options.lambda_c.automatic();
     options.lambda_s = lambda_s, options.lambda_c = lambda_c;
     if (again) parts = each();
     return pooled(std::move(parts));
@@ -310,15 +312,14 @@ Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one) {
     const auto longer_step = [](const Surface<T>& of) {
         return of.map ? (std::max)(of.map->map.dx, of.map->map.dy) : step_of(of);
     };
-    return lengths_differ(step_of(one), step_of(first)) ||
-                   lengths_differ(longer_step(one), longer_step(first))
+    return lengths_differ(step_of(one), step_of(first)) || lengths_differ(longer_step(one), longer_step(first))
                ? Unlikeness::step
                : Unlikeness::none;
 }
 
 template <Real T, class Measured>
 CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Measured>& surfaces,
-                         std::optional<T> CutOffs<T>::* of) {
+                         std::optional<T> CutOffs<T>::*of) {
     if (!asked.automatic() || surfaces.empty()) return asked;
     const auto [low, high] = std::minmax_element(surfaces.begin(), surfaces.end(), [&](const auto& a, const auto& b) {
         return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);

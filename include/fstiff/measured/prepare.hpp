@@ -6,8 +6,8 @@
 ///     clean()      crop, mask, spikes, holes
 ///     prepare()    form, with its own cut-off where that is asked for; lambda_s; lambda_c where it is given
 ///
-/// with_drawing_cut_off() adds the lambda_c of the tables for Ra, Rq and the other parameters that a drawing names. It is chosen
-/// after the filter of lambda_s, from the Ra of what that leaves (profile/roughness_cut_off).
+/// with_drawing_cut_off() adds the lambda_c of the tables for Ra, Rq and the other parameters that a drawing names. It
+/// is chosen after the filter of lambda_s, from the Ra of what that leaves (profile/roughness_cut_off).
 ///
 /// Reference   ISO 21920-2:2021 and ISO 25178-2:2012 (the order of the operators F, S, L); ISO 16610-21, -31, -61 and
 ///             -71 (the filters)
@@ -16,9 +16,9 @@
 /// Accuracy    that of the steps (tests/measured/prepare_test.cpp)
 
 #include <fstiff/measured/cut_offs.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/level.hpp>
 #include <fstiff/profile/repair.hpp>
-#include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
@@ -92,8 +92,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] PreparedMap<T> prepare(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
 
-/// \p prepared without the waves above \p lambda_c, by default that of the tables, for the parameters of ISO 21920; as it is
-/// where one was given, or none was asked for. \throws domain_error as roughness_cut_off() and the filter.
+/// \p prepared without the waves above \p lambda_c, by default that of the tables, for the parameters of ISO 21920; as
+/// it is where one was given, or none was asked for. \throws domain_error as roughness_cut_off() and the filter.
 template <Real T>
 [[nodiscard]] PreparedProfile<T> with_drawing_cut_off(PreparedProfile<T> prepared, const CutOff<T>& lambda_c = {});
 /// The form alone removed, once for several cut-offs: it is `unfiltered`, which the maps of with_cut_offs() share.
@@ -258,8 +258,8 @@ CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& how) {
     }
     report.columns = size(map.columns()), report.rows = size(map.rows());
     if (how.mask.size() > 0) {
-        require(how.mask.rows() == map.rows() && how.mask.cols() == map.columns(), "marks of the mask",
-                how.mask.size(), "in rows and columns as those of the cropped map");
+        require(how.mask.rows() == map.rows() && how.mask.cols() == map.columns(), "marks of the mask", how.mask.size(),
+                "in rows and columns as those of the cropped map");
         report.masked = apply_mask(map.heights.data(), how.mask);
     }
     parts::repair(map, how, report);

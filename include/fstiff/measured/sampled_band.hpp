@@ -61,8 +61,7 @@ template <Real T, class Compute>
         const auto values = compute(draw());
         if (i == 0) found.resize(values.size());
         if (values.size() != found.size())
-            refuse("values of a drawn surface", values.size(),
-                           std::to_string(found.size()) + ", as of the first");
+            refuse("values of a drawn surface", values.size(), std::to_string(found.size()) + ", as of the first");
         for (std::size_t k = 0; k < found.size(); ++k)
             if (std::isfinite(values[k])) found[k].push_back(values[k]);
     }

@@ -5,10 +5,11 @@
 ///
 ///     S_x(n dx) = mean of (z(j, i+n) - z(j, i))^2 over all rows j and all i that exist           and S_y likewise
 ///
-/// One mean structure function of second differences per direction is fitted, not one a row. Its errors are the larger of what
-/// the model of fit_fractal() expects, of rows that know something of their own where they stand half a lag apart, and of a
-/// moving-block bootstrap of the rows, in blocks of four times the longest lag used, or of a quarter of the rows where that is
-/// less. At lags of 32 samples and more one of n/16 rows is used: their neighbours see the same waves.
+/// One mean structure function of second differences per direction is fitted, not one a row. Its errors are the larger
+/// of what the model of fit_fractal() expects, of rows that know something of their own where they stand half a lag
+/// apart, and of a moving-block bootstrap of the rows, in blocks of four times the longest lag used, or of a quarter of
+/// the rows where that is less. At lags of 32 samples and more one of n/16 rows is used: their neighbours see the same
+/// waves.
 ///
 /// Rule of the warning. The map is called anisotropic when
 ///  - D along x and y, both fitted over the lags of both windows, differ by more than three standard errors of their
@@ -93,7 +94,8 @@ template <Real T>
     return fit_directions(levelled.of_structure(), how);
 }
 
-/// Sums of squared differences, or second differences, and their numbers, of every section (rows) at every lag (columns).
+/// Sums of squared differences, or second differences, and their numbers, of every section (rows) at every lag
+/// (columns).
 template <Real F>
 struct SectionSums {
     std::vector<std::size_t> step;
@@ -105,7 +107,7 @@ constexpr Eigen::Index rows_apart(Eigen::Index n) { return std::max<Eigen::Index
 
 template <Real T>
 SectionSums<math::Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, bool second,
-                                         math::Accumulator<T> unit) {
+                                               math::Accumulator<T> unit) {
     using F = math::Accumulator<T>;
     using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const bool x = direction == Direction::x;

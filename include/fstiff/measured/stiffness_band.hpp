@@ -4,7 +4,8 @@
 /// The band of K(p) over the errors of a measured surface: between which stiffnesses 90 of 100 such surfaces lie.
 ///
 ///     const auto surface = fstiff::parts::surface_parameters(profile);
-///     const auto band = fstiff::stiffness_band(surface, pressures, [](double D) { return fstiff::FractalLaw<double>(D); },
+///     const auto band = fstiff::stiffness_band(surface, pressures, [](double D) { return
+///     fstiff::FractalLaw<double>(D); },
 ///                                              112.6e9, {.samples = 400, .seed = 1});
 ///     band[0].low, band[0].median, band[0].high       K [Pa/m] at pressures[0]: 5, 50 and 95 %
 ///
@@ -62,10 +63,10 @@ template <Real T, class Pressures, class ContactOf>
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>
 [[nodiscard]] std::vector<parts::SampledBand<T>> stiffness_band(const parts::SurfaceParameters<T>& surface,
-                                                         const Pressures& pressures,
-                                                         const LawOf& law_of, std::type_identity_t<T> effective_modulus,
-                                                         const parts::BandOptions& options = {},
-                                                         const RoughContactOptions<T>& contact = {}) {
+                                                                const Pressures& pressures, const LawOf& law_of,
+                                                                std::type_identity_t<T> effective_modulus,
+                                                                const parts::BandOptions& options = {},
+                                                                const RoughContactOptions<T>& contact = {}) {
     const auto place = [](Parameter which) { return static_cast<std::size_t>(which); };
     if (!surface.r || !surface.theta)
         throw domain_error("r and theta of the surface are not known: must be known for the density of its peaks");

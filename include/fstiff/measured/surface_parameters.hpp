@@ -17,11 +17,12 @@
 /// those of the spacing, and a step of h loses 1 % where the shortest wave has 16 samples. Of neighbours of equal
 /// height none is a peak: heights that were rounded coarsely lose peaks.
 ///
-/// Errors: standard deviations over resamples, times sqrt(n/(n-1)) and Student's factor for n blocks (measured/height_sums): moving blocks of a profile, each five
-/// times as long as the heights stay correlated (an eighth of the profile at most), tiles of a map. The parts of a
-/// surface that is not longer than its longest waves do not show how much they vary: the errors of sigma and r, which goes as
-/// 1/sigma, are those of measured/long_waves where these are the greater. That of R_p is a lower bound: no resample is higher than the surface. D and G of
-/// the two directions are averaged by weight, and the error of D is half their difference at least.
+/// Errors: standard deviations over resamples, times sqrt(n/(n-1)) and Student's factor for n blocks
+/// (measured/height_sums): moving blocks of a profile, each five times as long as the heights stay correlated (an
+/// eighth of the profile at most), tiles of a map. The parts of a surface that is not longer than its longest waves do
+/// not show how much they vary: the errors of sigma and r, which goes as 1/sigma, are those of measured/long_waves
+/// where these are the greater. That of R_p is a lower bound: no resample is higher than the surface. D and G of the
+/// two directions are averaged by weight, and the error of D is half their difference at least.
 ///
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Kunsch,
 ///             Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), sections 2 to 4.
@@ -31,8 +32,8 @@
 ///             theta) is left out, with the reason.
 /// Accuracy    1e-12 of plain sums. Errors over the scatter of 60 surfaces, itself known to 9 %: 0.7 to 1.4; D_p of
 ///             islands to 1.9, R of islands to 1.7 on maps shorter than twice their longest wave; sigma and r of
-///             surfaces shorter than their longest wave 1 to 3, for the long side of chi^2 (measured/long_waves); R_p 0.5 to 0.7
-///             (tests/measured/surface_parameters_test.cpp)
+///             surfaces shorter than their longest wave 1 to 3, for the long side of chi^2 (measured/long_waves); R_p
+///             0.5 to 0.7 (tests/measured/surface_parameters_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -57,8 +58,8 @@ enum class PeakSource {
 }  // namespace parts
 
 template <>
-inline constexpr auto names<parts::PeakSource> = name_list<parts::PeakSource>({{parts::PeakSource::islands, "islands"},
-                                                                 {parts::PeakSource::summits, "summits"}});
+inline constexpr auto names<parts::PeakSource> =
+    name_list<parts::PeakSource>({{parts::PeakSource::islands, "islands"}, {parts::PeakSource::summits, "summits"}});
 
 namespace parts {
 
@@ -68,10 +69,10 @@ struct SurfaceParameterOptions {
     PeakSource peaks = PeakSource::islands;  ///< of a map
     IslandOptions<T> islands{};
     FractalFitOptions<T> fit{};
-    bool texture = true;      ///< of a map: find Str, which costs two transforms of it
-    bool dimension = true;    ///< find D and G
-    T form_share{};           ///< rms height of the form that was removed over that of the rest
-    int form_terms{};         ///< of the form beside its mean
+    bool texture = true;    ///< of a map: find Str, which costs two transforms of it
+    bool dimension = true;  ///< find D and G
+    T form_share{};         ///< rms height of the form that was removed over that of the rest
+    int form_terms{};       ///< of the form beside its mean
     std::size_t tiles = 4;  ///< of a map, a side
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
@@ -158,7 +159,7 @@ void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit
         std::hypot(share * fit.x->window_dimension_error, (1 - share) * fit.y->window_dimension_error);
     result.log_fractal_roughness_error =
         (std::max)(std::hypot(share * fit.x->log_roughness_error, (1 - share) * fit.y->log_roughness_error),
-                 std::abs(gx - gy) / 2);
+                   std::abs(gx - gy) / 2);
     const T g = std::exp(log_g);
     result.fractal_roughness = {g, g * result.log_fractal_roughness_error};
     result.curved = fit.x->curved || fit.y->curved;
@@ -246,9 +247,8 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
     result.why_no_dimension =
-        options.dimension
-            ? fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
-            : "D was not asked for";
+        options.dimension ? fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
+                          : "D was not asked for";
     if (result.profile_fit) store_fit(result, *result.profile_fit);
     store_long_end(result, waves, static_cast<T>(size) * profile.spacing / numbers::sqrt2_v<T>, options);
     return result;
@@ -258,7 +258,7 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
 /// of its summits, too.
 template <Real T, class Height>
 [[nodiscard]] detail::HeightSums<math::Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
-                                                       const Height& height, bool summits) {
+                                                                     const Height& height, bool summits) {
     using S = math::Accumulator<T>;
     using Index = Eigen::Index;
     detail::HeightSums<S> tile;
@@ -299,8 +299,8 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     detail::HeightSums<S> all;
     for (Index t = 0; t < tiles * tiles; ++t) {
         const Index row = t / tiles, column = t % tiles;
-        const MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles,
-                                     column * map.columns() / tiles, (column + 1) * map.columns() / tiles};
+        const MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles, column * map.columns() / tiles,
+                             (column + 1) * map.columns() / tiles};
         const detail::HeightSums<S> tile = sums_of_block(map, block, height, summits);
         all.add(tile);
         if (tile.points > S(0)) sums.push_back(tile);

@@ -127,8 +127,7 @@ template <Real T>
     for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const T both = std::sqrt(variance(i) * variance(j)), shared = square[i][j] - mean[i] * mean[j];
-            if (both > T(0))
-                out.correlation[i][j] = out.correlation[j][i] = std::clamp(shared / both, T(-1), T(1));
+            if (both > T(0)) out.correlation[i][j] = out.correlation[j][i] = std::clamp(shared / both, T(-1), T(1));
         }
     return out;
 }

@@ -74,16 +74,16 @@ struct SurfaceParameters {
     std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
     /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
     ParameterCorrelation<T> correlation = uncorrelated<T>();
-    LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
-    T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
-    LongEnd<T> long_end{};        ///< which waves a larger contact has beyond these
-    bool anisotropic{};           ///< of a map
-    detail::Repetition<T> repetition{};   ///< of a profile
-    T texture_aspect_ratio{1};    ///< Str of a map
-    bool curved{};                ///< no clean power law in the window
-    std::size_t peaks_counted{};  ///< behind R and D_p
-    std::size_t blocks{};         ///< independent parts that the errors come from
-    T block_length{};             ///< of a profile [m]
+    LagWindow<T> window;    ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
+    T long_wave_share{};    ///< of the mean square height in waves longer than an eighth of the surface
+    LongEnd<T> long_end{};  ///< which waves a larger contact has beyond these
+    bool anisotropic{};     ///< of a map
+    detail::Repetition<T> repetition{};  ///< of a profile
+    T texture_aspect_ratio{1};           ///< Str of a map
+    bool curved{};                       ///< no clean power law in the window
+    std::size_t peaks_counted{};         ///< behind R and D_p
+    std::size_t blocks{};                ///< independent parts that the errors come from
+    T block_length{};                    ///< of a profile [m]
     std::uint64_t seed{};
     std::optional<FractalFit<T>> profile_fit;  ///< behind D and G of a profile; none where why_no_dimension tells why
     std::optional<DirectionalFit<T>> map_fit;  ///< behind those of a map; without x and y where neither can be fitted
@@ -125,20 +125,13 @@ template <class Self>
 auto SurfaceParameters<T>::find_in(Self& self, Parameter which) -> decltype(&self.rms_height) {
     const auto known = [](auto& one) { return one ? &*one : nullptr; };
     switch (which) {
-        case Parameter::rms_height:
-            return &self.rms_height;
-        case Parameter::peak_radius:
-            return &self.peak_radius;
-        case Parameter::peak_density:
-            return &self.peak_density;
-        case Parameter::fractal_dimension:
-            return known(self.fractal_dimension);
-        case Parameter::r:
-            return known(self.r);
-        case Parameter::theta:
-            return known(self.theta);
-        default:
-            return nullptr;
+        case Parameter::rms_height: return &self.rms_height;
+        case Parameter::peak_radius: return &self.peak_radius;
+        case Parameter::peak_density: return &self.peak_density;
+        case Parameter::fractal_dimension: return known(self.fractal_dimension);
+        case Parameter::r: return known(self.r);
+        case Parameter::theta: return known(self.theta);
+        default: return nullptr;
     }
 }
 

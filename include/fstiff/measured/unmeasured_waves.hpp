@@ -7,23 +7,25 @@
 ///     E w_k    A max(k, k_r)^-b, b = 2H + 1 of a profile, 2H + 2 of a map       roll-off at k_r
 ///     P        posterior probability of k_r <= 1 over H and ln k_r, all A; open = min(1, P/prior)
 ///     growth   ln of sigma of a contact of side L0 over sigma as measured, 0 for L0 <= L
-///              open (H ln(L0/L) + (sqrt 2 - 1) 1.645 s (1 - L/L0)), s: error of ln sigma by the long waves of the piece
+///              open (H ln(L0/L) + (sqrt 2 - 1) 1.645 s (1 - L/L0)), s: error of ln sigma by the long waves of the
+///              piece
 ///     L        root of the area of a map; 1/sqrt 2 of the length of a profile: a square has the waves of its diagonal
 ///
-/// A self-affine surface has no sigma of its own: it grows as L^H until the spectrum turns flat. Where the piece shows the
-/// roll-off, nothing is added; where it does not, the law of its spectrum goes on to the size of the contact, whose own long waves
-/// scatter as those of the piece do: sqrt 2 s in all, of which the band of sigma holds s. The prior of ln k_r
-/// is flat, and gives what is longer than the piece one octave beside four. H is that of the structure function within 0.1 (0.3
-/// where it is curved) or its error; where there is none the long waves alone give H, and sigma is at least the growth greater.
-/// The removal of the form takes real waves with the tilt of the instrument: at most what the next shorter waves have. K of light
-/// loads changes by that share of sigma at most: 0.1 to 0.8 of it by boundary elements of five maps four waves wide.
+/// A self-affine surface has no sigma of its own: it grows as L^H until the spectrum turns flat. Where the piece shows
+/// the roll-off, nothing is added; where it does not, the law of its spectrum goes on to the size of the contact, whose
+/// own long waves scatter as those of the piece do: sqrt 2 s in all, of which the band of sigma holds s. The prior of
+/// ln k_r is flat, and gives what is longer than the piece one octave beside four. H is that of the structure function
+/// within 0.1 (0.3 where it is curved) or its error; where there is none the long waves alone give H, and sigma is at
+/// least the growth greater. The removal of the form takes real waves with the tilt of the instrument: at most what the
+/// next shorter waves have. K of light loads changes by that share of sigma at most: 0.1 to 0.8 of it by boundary
+/// elements of five maps four waves wide.
 ///
-/// Reference   Sayles, Thomas, Nature 271 (1978) 431 (sigma grows with the length); Jacobs, Junge, Pastewka, Surf. Topogr. 5
-///             (2017) 013001 (b and H); Whittle's likelihood; the prior and its limits are this project's.
+/// Reference   Sayles, Thomas, Nature 271 (1978) 431 (sigma grows with the length); Jacobs, Junge, Pastewka, Surf.
+///             Topogr. 5 (2017) 013001 (b and H); Whittle's likelihood; the prior and its limits are this project's.
 /// Units       lengths [m]; growth, H and shares dimensionless
 /// Valid       side >= 0; Gaussian heights, one law with one roll-off
-/// Accuracy    sigma of a whole 4 or 8 times as long is in the band of its piece: 81 to 95 % of them without a roll-off in the
-///             piece, 95 to 100 % with one, H 0.3 to 0.9 (tests/measured/unmeasured_waves_test.cpp)
+/// Accuracy    sigma of a whole 4 or 8 times as long is in the band of its piece: 81 to 95 % of them without a roll-off
+///             in the piece, 95 to 100 % with one, H 0.3 to 0.9 (tests/measured/unmeasured_waves_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/statistics.hpp>
@@ -64,7 +66,8 @@ template <Real T>
     return {growth, growth > T(0.01) && !end.law};
 }
 
-/// The mean of two ends, \p a and \p b, of surfaces that have \p share and 1 - share of the mean square height or of the size.
+/// The mean of two ends, \p a and \p b, of surfaces that have \p share and 1 - share of the mean square height or of
+/// the size.
 template <Real T>
 [[nodiscard]] LongEnd<T> mean_of_ends(const LongEnd<T>& a, const LongEnd<T>& b, T share) {
     const auto mean = [share](T x, T y) { return share * x + (1 - share) * y; };
@@ -73,8 +76,12 @@ template <Real T>
         const LongEnd<T>& known = a.side > T(0) ? a : b;
         return {known.side, known.hurst, open, known.error, known.law, form_share};
     }
-    return {std::exp(mean(std::log(a.side), std::log(b.side))), mean(a.hurst, b.hurst), open,
-            mean(a.error, b.error), a.law && b.law, form_share};
+    return {std::exp(mean(std::log(a.side), std::log(b.side))),
+            mean(a.hurst, b.hurst),
+            open,
+            mean(a.error, b.error),
+            a.law && b.law,
+            form_share};
 }
 
 }  // namespace fstiff::inline v0_1::parts
@@ -107,8 +114,7 @@ template <Real T, class Squares>
                 const T log = -b * (std::max)(logs[w], edge);
                 sum += heights[w] * std::exp(-log), of_logs += log;
             }
-            const T likelihood =
-                -(static_cast<T>(logs.size()) * std::log(sum) + of_logs + away * away) / 2;
+            const T likelihood = -(static_cast<T>(logs.size()) * std::log(sum) + of_logs + away * away) / 2;
             if (likelihood > best) {
                 const T less = std::exp(best - likelihood);
                 all *= less, open *= less, hurst *= less, best = likelihood;
@@ -123,8 +129,8 @@ template <Real T, class Squares>
     return end;
 }
 
-/// The greatest rms height over sigma of \p terms of a form that were waves of the surface: each has twice what the waves of fewer
-/// than four half periods have on average.
+/// The greatest rms height over sigma of \p terms of a form that were waves of the surface: each has twice what the
+/// waves of fewer than four half periods have on average.
 template <Real T, class Squares>
 [[nodiscard]] T greatest_form_share(const Squares& squares, int terms) {
     T sum = 0, waves = 0;

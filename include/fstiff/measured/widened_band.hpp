@@ -37,7 +37,8 @@ struct WidenedBand {
 };
 
 /// \p band of \p stiffness widened by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows,
-/// those of D, are curves of K over many points, of which \p point counts, each times \p factor; \p of_unknowns are over K.
+/// those of D, are curves of K over many points, of which \p point counts, each times \p factor; \p of_unknowns are
+/// over K.
 template <Real T>
 [[nodiscard]] WidenedBand<T> widened(T stiffness, const SampledBand<T>& band,
                                      const std::vector<std::vector<T>>& of_neighbours,
@@ -72,16 +73,17 @@ template <Real T>
 /// \throws domain_error as sampled_band().
 template <Real T, class Pressures, class ContactOf>
 [[nodiscard]] std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
-                                                         const ContactOf& contact_of,
-                                                         const parts::BandOptions& options = {});
+                                                                const ContactOf& contact_of,
+                                                                const parts::BandOptions& options = {});
 /// The same for RoughContact with the asperity law that \p law_of makes of D, and the modulus \p effective_modulus
 /// [Pa].
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>
 [[nodiscard]] std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
-                                                         const LawOf& law_of, std::type_identity_t<T> effective_modulus,
-                                                         const parts::BandOptions& options = {},
-                                                         const RoughContactOptions<T>& contact = {});
+                                                                const LawOf& law_of,
+                                                                std::type_identity_t<T> effective_modulus,
+                                                                const parts::BandOptions& options = {},
+                                                                const RoughContactOptions<T>& contact = {});
 
 namespace parts {
 
@@ -113,7 +115,7 @@ template <Real T>
 
 template <Real T, class Pressures, class ContactOf>
 std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
-                                           const ContactOf& contact_of, const parts::BandOptions& options) {
+                                                  const ContactOf& contact_of, const parts::BandOptions& options) {
     const auto at = [&](const std::array<T, parts::surface_parameter_count>& of) {
         return parts::stiffnesses_at(of, pressures, contact_of);
     };

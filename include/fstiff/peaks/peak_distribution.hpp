@@ -114,16 +114,11 @@ public:
         const T s = std::sin(theta_);
         const T half = std::sqrt(numbers::pi_v<T> / 2);
         switch (n) {
-            case 1:
-                return half * s / theta_;
-            case 2:
-                return 1 + std::sin(2 * theta_) / (2 * theta_);
-            case 3:
-                return 3 * half * (s - s * s * s / 3) / theta_;
-            case 4:
-                return 3 + 2 * std::sin(2 * theta_) / theta_ + std::sin(4 * theta_) / (4 * theta_);
-            default:
-                parts::refuse("moment order", n, "1, 2, 3 or 4");
+            case 1: return half * s / theta_;
+            case 2: return 1 + std::sin(2 * theta_) / (2 * theta_);
+            case 3: return 3 * half * (s - s * s * s / 3) / theta_;
+            case 4: return 3 + 2 * std::sin(2 * theta_) / theta_ + std::sin(4 * theta_) / (4 * theta_);
+            default: parts::refuse("moment order", n, "1, 2, 3 or 4");
         }
     }
 

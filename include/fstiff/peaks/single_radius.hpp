@@ -28,7 +28,7 @@ enum class Heights { gaussian, exponential };
 
 template <>
 inline constexpr auto names<parts::Heights> = name_list<parts::Heights>({{parts::Heights::gaussian, "gaussian"},
-                                                           {parts::Heights::exponential, "exponential"}});
+                                                                         {parts::Heights::exponential, "exponential"}});
 
 namespace parts {
 

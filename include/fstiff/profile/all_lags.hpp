@@ -46,7 +46,8 @@ public:
 private:
     static constexpr F wanted = F(0.8e-10);  // the rest of 1e-10 is for the rounding of the sums themselves
     static constexpr F epsilon = (std::max)(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
-    static constexpr F fft_error = 8 * epsilon;  // of a correlation, over its value at lag 0: six times the measured one
+    static constexpr F fft_error =
+        8 * epsilon;  // of a correlation, over its value at lag 0: six times the measured one
 
     /// Sum of \p term over the points that exist, in short runs so that rounding does not add up.
     template <class Term>
@@ -94,7 +95,8 @@ private:
     static void transform_norms(math::RealFft<F>& fft, std::vector<std::complex<F>>& spectrum) {
         std::vector<F> even(fft.size());
         for (std::size_t k = 0; k < spectrum.size(); ++k)
-            even[k] = even[(fft.size() - k) % fft.size()] = std::norm(spectrum[k]) * (F(1) / static_cast<F>(fft.size()));
+            even[k] = even[(fft.size() - k) % fft.size()] =
+                std::norm(spectrum[k]) * (F(1) / static_cast<F>(fft.size()));
         fft.forward(even, spectrum);
     }
 

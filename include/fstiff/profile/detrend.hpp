@@ -93,8 +93,7 @@ template <Real T>
         for (std::size_t k = 0; k < terms; ++k) {
             const S c =
                 mean_over_points([&](std::size_t i) { return p(position(i))[k] * (value[i] + carry[i]); }) / norm[k];
-            for (std::size_t i = 0; i < value.size(); ++i)
-                subtract_product(value[i], carry[i], c, p(position(i))[k]);
+            for (std::size_t i = 0; i < value.size(); ++i) subtract_product(value[i], carry[i], c, p(position(i))[k]);
         }
     }
     for (std::size_t i = 0; i < value.size(); ++i) result.heights[i] = static_cast<T>(value[i] + carry[i]);

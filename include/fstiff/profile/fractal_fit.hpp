@@ -19,9 +19,9 @@
 #include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/level.hpp>
-#include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
+#include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/profile/window_spread.hpp>
 
@@ -266,7 +266,7 @@ StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
 /// D of the ordinary straight line over \p range, and its error. Returns the slope.
 template <Real T>
 math::Accumulator<T> set_ordinary_line(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>& log,
-                                 const IndexRange& range) {
+                                       const IndexRange& range) {
     using F = math::Accumulator<T>;
     const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
     const F slope = regression_slope(x, y, 0, x.size() - 1);
@@ -299,14 +299,13 @@ void set_fitted(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T>
         result.fitted.step.push_back(log.step[at]);
         result.fitted.pairs.push_back(log.pairs[at]);
         result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
-        result.fitted.value.push_back(
-            static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
+        result.fitted.value.push_back(static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
     }
 }
 
 template <Real T>
 FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
-                                   T tip_length) {
+                           T tip_length) {
     using F = math::Accumulator<T>;  // the fit of a float profile is done in double
     FractalFit<T> result;
     result.structure_function = measured.structure_function;

@@ -45,7 +45,7 @@ Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
     if (!(cutoff >= static_cast<T>(least) * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) &&
           cutoff <= profile.length()))
         refuse("cut-off", cutoff,
-                       "at least " + std::to_string(least) + " spacings and at most the length of the profile");
+               "at least " + std::to_string(least) + " spacings and at most the length of the profile");
     const T scale = height_scale(profile);
     const T mean = mean_height(profile);
     const std::size_t size = profile.size();

@@ -136,7 +136,7 @@ struct LogStructure {
 /// Lags at which nothing differs (S2 = 0) have no logarithm, and are left out with those that are not reliable.
 template <Real T>
 LogStructure<math::Accumulator<T>> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
-                                           const ReliableLags<T>& reliable) {
+                                                 const ReliableLags<T>& reliable) {
     using F = math::Accumulator<T>;
     LogStructure<F> log;
     log.points = points;
@@ -256,7 +256,7 @@ ChosenRange<math::Accumulator<T>> given_range(const LogStructure<math::Accumulat
 /// The window that is found. \throws domain_error when there is none.
 template <Real T>
 ChosenRange<math::Accumulator<T>> automatic_range(const LogStructure<math::Accumulator<T>>& log, T spacing,
-                                            const ReliableLags<T>& reliable) {
+                                                  const ReliableLags<T>& reliable) {
     using F = math::Accumulator<T>;
     for (const auto& [tolerance, behind_plateau] :
          {std::pair{F(0.2), false}, {F(0.2), true}, {F(0.3), false}, {F(0.45), false}, {F(0.3), true}, {F(0.45), true}})

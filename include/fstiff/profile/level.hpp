@@ -44,7 +44,7 @@ template <Real T>
         .profile = detail::detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
     if (form != Form::none)
         math::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
-                                              flat.profile.heights.data(), profile.size(), resolution);
+                                            flat.profile.heights.data(), profile.size(), resolution);
     if (lambda_s) {
         flat.unfiltered = cutoff ? gaussian_roughness(flat.profile, *cutoff) : flat.profile;
         flat.profile = gaussian_low_pass(flat.profile, *lambda_s);

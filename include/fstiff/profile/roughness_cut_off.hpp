@@ -21,10 +21,10 @@ namespace fstiff::inline v0_1::parts {
 
 /// Why lambda_c is what it is.
 enum class CutOffReason {
-    roughness,  ///< Ra belongs to it
-    length,     ///< Ra belongs to a longer one, which the length does not hold
-    step,       ///< Ra belongs to a shorter one, which the step or lambda_s does not allow
-    too_short,  ///< none: five of the shortest do not fit the length
+    roughness,   ///< Ra belongs to it
+    length,      ///< Ra belongs to a longer one, which the length does not hold
+    step,        ///< Ra belongs to a shorter one, which the step or lambda_s does not allow
+    too_short,   ///< none: five of the shortest do not fit the length
     too_coarse,  ///< none: what fits the length is too short for the step or lambda_s
     given,       ///< asked for, or none was asked for; no outcome of roughness_cut_off()
     form_alone   ///< none: the form alone bounds the long waves; no outcome of roughness_cut_off()

@@ -73,7 +73,7 @@ struct LogFit {
     T reference{};       ///< ln n of the middle of the window
     T level{}, slope{};  ///< ln S2 there, without a and b, and p
     parts::Vector<T> level_row, slope_row;
-    parts::Vector<T> fitted;  ///< what the whole sum above gives at the lags of range, to be compared with ln S2
+    parts::Vector<T> fitted;        ///< what the whole sum above gives at the lags of range, to be compared with ln S2
     T short_waves{}, long_waves{};  ///< a, b
     T residual{};                   ///< weighted sum of squares
     bool finite_band{};             ///< a or b differs from 0 by two of its standard deviations

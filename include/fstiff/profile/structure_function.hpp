@@ -104,7 +104,7 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
     for (const std::size_t n : lags) {
         if (n < 1 || reach * n >= points)
             refuse("lag", std::to_string(n) + " samples",
-                           "between 1 and " + std::to_string(points > 0 ? (points - 1) / reach : 0));
+                   "between 1 and " + std::to_string(points > 0 ? (points - 1) / reach : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
         constexpr std::size_t run = 512;
         math::Accumulator<T> sum = 0;
@@ -140,7 +140,7 @@ template <Real T>
     const T scale = parts::height_scale(profile);
     const T* const z = profile.heights.data();
     return parts::mean_squares(profile, lags, 1, scale, divisor,
-                                [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
+                               [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
 }
 
 namespace parts {

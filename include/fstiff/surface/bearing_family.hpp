@@ -17,9 +17,11 @@
 ///
 /// Reference   ISO 25178-2:2021 (Sk ...); Johnson, Biometrika 36 (1949) 149 (S_U, S_B)
 /// Units       heights in any unit; skewness and kurtosis dimensionless, the latter 3 of a Gaussian
-/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, kurtosis from least_kurtosis(skewness), which
-///             is skewness^2 + 1.25 up to a skewness of 1.5, to 100. No surface has a kurtosis below skewness^2 + 1
-/// Accuracy    areas and moments 1e-8 over knots 1/128 apart in zeta, from -8 to 8 (tests/surface/bearing_family_test.cpp)
+/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, kurtosis from least_kurtosis(skewness),
+///             which is skewness^2 + 1.25 up to a skewness of 1.5, to 100. No surface has a kurtosis below skewness^2 +
+///             1
+/// Accuracy    areas and moments 1e-8 over knots 1/128 apart in zeta, from -8 to 8
+///             (tests/surface/bearing_family_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/normal_distribution.hpp>
@@ -50,8 +52,8 @@ template <Real T>
     const T upper = first > 0 ? math::normal_quantile(1 - first) : T(4),
             lower = second < 1 ? math::normal_quantile(1 - second) : T(-4);
     if (valleys)
-        knots.push_back({-end, -core.core_height -
-                                   tail(core.reduced_valley_depth, 1 - second, -lower) * (lower + end)});
+        knots.push_back(
+            {-end, -core.core_height - tail(core.reduced_valley_depth, 1 - second, -lower) * (lower + end)});
     knots.push_back({lower, -core.core_height});
     knots.push_back({upper, T(0)});
     if (peaks) knots.push_back({end, tail(core.reduced_peak_height, first, upper) * (end - upper)});
@@ -97,7 +99,8 @@ struct FittedJohnson {
     T log_steepness, bend, off;
 };
 
-/// That of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps, from \p steepness and \p t.
+/// That of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps, from \p steepness and
+/// \p t.
 template <Real T>
 [[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis, T steepness, T t) {
     const auto off = [&](T log_steepness, T bend) {

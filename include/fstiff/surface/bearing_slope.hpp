@@ -6,16 +6,16 @@
 ///     h = f(zeta),  zeta = Phi^-1((rank + 1/2)/N)       heights in rising order; equal heights have their mean rank
 ///     s(c, w) = slope of the straight line through f that fits best with the weights exp(-(zeta - c)^2/(2 w^2))
 ///
-/// A surface f(zeta) is, about the level c, a Gaussian surface whose rms height is s: sigma everywhere under a Gaussian, less
-/// on a worn plateau, more where peaks are sharp. The line is fitted at 61 values of zeta that are evenly spaced in
-/// [c - 3 w, c + 3 w], as far as there are points; f is straight between points. A level beyond the points is moved to the
-/// last of them.
+/// A surface f(zeta) is, about the level c, a Gaussian surface whose rms height is s: sigma everywhere under a
+/// Gaussian, less on a worn plateau, more where peaks are sharp. The line is fitted at 61 values of zeta that are
+/// evenly spaced in [c - 3 w, c + 3 w], as far as there are points; f is straight between points. A level beyond the
+/// points is moved to the last of them.
 ///
-/// Knots closer than 1/512 in zeta are left out, so that a million heights become some 4000 knots, and all points of the
-/// tails stay.
+/// Knots closer than 1/512 in zeta are left out, so that a million heights become some 4000 knots, and all points of
+/// the tails stay.
 ///
-/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; probability paper as in ISO 13565-3; the slope: this project,
-///             docs/validation.md
+/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; probability paper as in ISO 13565-3; the slope: this
+///             project, docs/validation.md
 /// Units       heights in any unit; zeta dimensionless
 /// Valid       two different heights at least; missing ones (NaN) are left out; w > 0
 /// Accuracy    the slope within 2e-4 of that of all heights (tests/surface/bearing_slope_test.cpp)
@@ -49,10 +49,12 @@ public:
         for (const T z : heights)
             if (!std::isnan(z)) sorted.push_back(z);
         std::sort(sorted.begin(), sorted.end());
-        return of_sorted(sorted, [](std::size_t, std::size_t, T) {}, spacing);
+        return of_sorted(
+            sorted, [](std::size_t, std::size_t, T) {}, spacing);
     }
 
-    /// Of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of equal ones.
+    /// Of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of equal
+    /// ones.
     template <class Use>
     [[nodiscard]] static BearingSlope of_sorted(std::span<const T> sorted, const Use& use, T spacing = T(1) / 512) {
         std::vector<Knot> knots;
@@ -113,7 +115,8 @@ public:
         const T from = (std::max)(c - 3 * width, lowest()), to = (std::min)(c + 3 * width, highest());
         T mass = 0, score = 0, rise = 0, square = 0, product = 0;
         const T base = height(from), step = (to - from) / (nodes - 1);
-        // of a Gaussian at even steps each value is the one before times a factor, which falls by the same ratio every time
+        // of a Gaussian at even steps each value is the one before times a factor, which falls by the same ratio every
+        // time
         const T first = (from - c) / width, apart = step / width, fall = std::exp(-apart * apart);
         T weight = std::exp(-first * first / 2), factor = std::exp(-apart * (first + apart / 2));
         for (int k = 0; k < nodes; ++k, weight *= factor, factor *= fall) {

@@ -128,12 +128,9 @@ template <Real T>
     const ParameterRow& row = row_of(which);
     constexpr T greatest = (std::numeric_limits<T>::max)();
     switch (row.variation) {
-        case Variation::as_it_is:
-            return x >= -greatest && x <= greatest;
-        case Variation::log:
-            return x > T(0) && x <= greatest;
-        case Variation::between:
-            break;
+        case Variation::as_it_is: return x >= -greatest && x <= greatest;
+        case Variation::log: return x > T(0) && x <= greatest;
+        case Variation::between: break;
     }
     const auto low = static_cast<T>(row.low.value), high = static_cast<T>(row.high.value);
     return (row.low_included ? x >= low : x > low) && x < high;

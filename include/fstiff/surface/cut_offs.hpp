@@ -8,8 +8,8 @@
 ///     Gaussian map     m2/m0   = 2 pi^2/lambda^2  H/(1-H)  (b^(2-2H) - 1)/(1 - b^(-2H))    b = lambda/shortest
 ///
 /// D and G say how S grows with the lag; that it ends at 2 sigma^2 makes the longest wave lambda. The map has the
-/// spectrum of self_affine_map() with LongWaves::none, and H = 2 - D. The shortest wave is free, and with it m2, on which
-/// the number of islands depends: a Gaussian surface has 0.0385 m2/m0 of them at most (topography/islands.hpp).
+/// spectrum of self_affine_map() with LongWaves::none, and H = 2 - D. The shortest wave is free, and with it m2, on
+/// which the number of islands depends: a Gaussian surface has 0.0385 m2/m0 of them at most (topography/islands.hpp).
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.1), (2.3). The second line follows from
 ///             the spectrum q^(-2H-2) and the integral of u^(-2H-1) (1 - J0(u)) over u > 0, which is
@@ -41,7 +41,8 @@ template <Real T>
     return fractal.roughness * std::pow(2 * ratio * ratio * -std::expm1(-power * std::log(gamma)), 1 / power);
 }
 
-/// The longest wave of the Gaussian map of rms height \p rms [m] whose sections have S = C tau^(4-2D), C of (2.4) exact.
+/// The longest wave of the Gaussian map of rms height \p rms [m] whose sections have S = C tau^(4-2D), C of (2.4)
+/// exact.
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] T longest_wave(const Fractal<T>& fractal, T rms) {
@@ -66,7 +67,8 @@ template <Real T>
 }
 
 /// The shortest wave at which slope_ratio() is \p ratio [1/m^2].
-/// \throws domain_error as above, and when the longest wave alone has a greater one, or the shortest would be 1e-9 of it.
+/// \throws domain_error as above, and when the longest wave alone has a greater one, or the shortest would be 1e-9 of
+/// it.
 template <Real T>
 [[nodiscard]] T shortest_wave(T hurst, T longest, T ratio) {
     require_positive("ratio", ratio);

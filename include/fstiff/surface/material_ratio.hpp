@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Peaks, core and valleys by the material ratio curve: Sk, Spk, Svk, Smr1, Smr2 of a map, Rk, Rpk, Rvk, Rmr1, Rmr2 of a
-/// profile.
+/// Peaks, core and valleys by the material ratio curve: Sk, Spk, Svk, Smr1, Smr2 of a map, Rk, Rpk, Rvk, Rmr1, Rmr2 of
+/// a profile.
 ///
 ///     z(t), t = 0 ... 1     the heights in falling order at t = i/(N-1), straight lines between them
 ///     [a, a + 0.4]          where z(a) - z(a + 0.4) is least; the first where several are
@@ -11,11 +11,13 @@
 ///     Spk Smr1/2     = int_0^Smr1 (z(t) - u) dt                   triangles of equal area
 ///     Svk (1-Smr2)/2 = int_Smr2^1 (u - Sk - z(t)) dt
 ///
-/// Positions count as one where their differences of height agree to 1e-14 of the range of the heights, and so do heights. A curve that does not
-/// stand above u has Smr1 = Spk = 0, one that does not fall below u - Sk has Smr2 = 1 and Svk = 0.
+/// Positions count as one where their differences of height agree to 1e-14 of the range of the heights, and so do
+/// heights. A curve that does not stand above u has Smr1 = Spk = 0, one that does not fall below u - Sk has Smr2 = 1
+/// and Svk = 0.
 ///
-/// Reference   ISO 25178-2:2021 (Sk, Spk, Svk, Smr1, Smr2), ISO 21920-2:2021 and before it ISO 13565-2:1996 (the profile). The
-///             filter of ISO 13565-1, which spares deep valleys, is not applied: the heights are taken as they are.
+/// Reference   ISO 25178-2:2021 (Sk, Spk, Svk, Smr1, Smr2), ISO 21920-2:2021 and before it ISO 13565-2:1996 (the
+///             profile). The filter of ISO 13565-1, which spares deep valleys, is not applied: the heights are taken as
+///             they are.
 /// Units       heights in any unit; shares from 0 to 1, where the standards print per cent
 /// Valid       heights finite, or NaN where a point is missing; 16 at least exist, not all of one height
 /// Accuracy    1e-12 of the range of the heights (tests/surface/material_ratio_test.cpp)
@@ -62,7 +64,8 @@ public:
         const F part = place - static_cast<F>(i);
         return z_[i] * (1 - part) + z_[i + 1] * part;
     }
-    /// The first place where the curve is down to \p level; 0 where it begins below, the last place where it ends above.
+    /// The first place where the curve is down to \p level; 0 where it begins below, the last place where it ends
+    /// above.
     [[nodiscard]] F first_at_or_below(F level) const {
         const auto found = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z > level + tie<F>; });
         return place_of(found, level);

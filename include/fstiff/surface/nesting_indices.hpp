@@ -11,16 +11,18 @@
 ///       8               25              5                    10                to 80
 ///     series of nesting indices: 1, 2, 2.5, 5, 8 times powers of ten
 ///
-/// Every step of the table is a fifth of its lambda_s, or a little less. So lambda_s is the least index of the series that
-/// is five steps: the table's own for the table's steps, and for any other step, of an atomic force microscope as well.
+/// Every step of the table is a fifth of its lambda_s, or a little less. So lambda_s is the least index of the series
+/// that is five steps: the table's own for the table's steps, and for any other step, of an atomic force microscope as
+/// well.
 ///
-/// Reference   ISO 3274:1996, Table 1 (cut-offs, steps, tips), taken over by ISO 21920-3:2021; ISO 4288:1996, Table 1 (Ra);
-///             ISO 25178-3:2012, Tables 1 to 3 (series, step at most a fifth of the index). Smaller and greater lengths than
-///             theirs continue the series; smaller tips than 2 um the ratio 1.25 of its lambda_s, greater than 10 um 2.5.
+/// Reference   ISO 3274:1996, Table 1 (cut-offs, steps, tips), taken over by ISO 21920-3:2021; ISO 4288:1996, Table 1
+///             (Ra); ISO 25178-3:2012, Tables 1 to 3 (series, step at most a fifth of the index). Smaller and greater
+///             lengths than theirs continue the series; smaller tips than 2 um the ratio 1.25 of its lambda_s, greater
+///             than 10 um 2.5.
 /// Units       lengths [m]
 /// Valid       lengths greater than 0
-/// Accuracy    indices are the nearest numbers to the decimal ones; a length that exceeds an index by less than 1e-6 of it
-///             counts as equal, as steps have rounding (tests/surface/nesting_indices_test.cpp)
+/// Accuracy    indices are the nearest numbers to the decimal ones; a length that exceeds an index by less than 1e-6 of
+///             it counts as equal, as steps have rounding (tests/surface/nesting_indices_test.cpp)
 
 #include <fstiff/core/error.hpp>
 

@@ -87,8 +87,8 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
     return {slope.low * root / beyond, slope.middle * root, slope.high * root * beyond};
 }
 
-/// The rms gradient of a surface over the rms slope of a profile of it: sqrt(2) of an isotropic one, 1 to sqrt(2) across
-/// a lay.
+/// The rms gradient of a surface over the rms slope of a profile of it: sqrt(2) of an isotropic one, 1 to sqrt(2)
+/// across a lay.
 [[nodiscard]] inline PriorRange gradient_of_slope(const ProcessPrior& prior) {
     const double root = numbers::sqrt2_v<double>;
     return prior.has_lay ? PriorRange{1, std::sqrt(root), root} : PriorRange{root, root, root};
@@ -103,8 +103,8 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
     return {1.3 * rice, 2.3 * rice, 4.4 * rice};
 }
 
-/// The rms gradient of a surface whose R [m] and D_p [1/m^2] are those of islands: the geometric mean of both readings, each
-/// known to 10 %, with half of the logarithm of their ratio as a standard error.
+/// The rms gradient of a surface whose R [m] and D_p [1/m^2] are those of islands: the geometric mean of both readings,
+/// each known to 10 %, with half of the logarithm of their ratio as a standard error.
 /// \throws domain_error unless all are finite and positive.
 [[nodiscard]] inline PriorRange gradient_of_islands(double rms_height, double peak_radius, double peak_density) {
     require_positive("rms_height", rms_height);

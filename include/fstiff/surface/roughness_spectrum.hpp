@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Two-dimensional roughness spectra of isotropic surfaces: a band that obeys a power law, and shells measured on a map.
+/// Two-dimensional roughness spectra of isotropic surfaces: a band that obeys a power law, and shells measured on a
+/// map.
 ///
 ///     sigma^2 = 2 pi int q C dq      G(q)^2 = 2 pi int_q1^q q'^3 C dq'      G(q2) = g, the rms gradient
 ///     m0 = sigma^2      m2 = g^2/2      m4 = (3/4) pi int q^5 C dq          the moments of a profile of the surface
@@ -11,11 +12,11 @@
 ///
 ///     m0 = 2 pi C0 F(-2H)   m2 = pi C0 F(2-2H)   m4 = (3/4) pi C0 F(4-2H)   alpha = m0 m4/m2^2 fixes q2/q1 alone
 ///
-/// alpha grows with the upper end of a band. cut_at_bandwidth ends it where alpha has a given value: the short waves that are
-/// left out decide m4, and with it the radius and the density of the peaks, but hardly the height.
+/// alpha grows with the upper end of a band. cut_at_bandwidth ends it where alpha has a given value: the short waves
+/// that are left out decide m4, and with it the radius and the density of the peaks, but hardly the height.
 ///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398 (moments, alpha); Persson et al., J. Phys. Condens. Matter 17 (2005) R1
-///             (spectrum, Hurst exponent).
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398 (moments, alpha); Persson et al., J. Phys. Condens. Matter 17
+///             (2005) R1 (spectrum, Hurst exponent).
 /// Units       q [rad/m], C0 such that C is in m^4, m0 [m^2], m2 dimensionless, m4 [1/m^2]
 /// Valid       0 < H <= 1, 0 < q1 <= q_rolloff < q2; alpha > 3/2, below which no isotropic surface is
 /// Accuracy    1e-13 relative in double (tests/surface/roughness_spectrum_test.cpp)
@@ -121,8 +122,8 @@ template <Real T>
     return spectrum;
 }
 
-/// The least Hurst exponent with which a band without a flat part has the moments \p moments and is at most \p widest = q2/q1
-/// wide, such as the length of a profile over two steps; 0 where any does, 1 where none does. To 1e-12.
+/// The least Hurst exponent with which a band without a flat part has the moments \p moments and is at most \p widest =
+/// q2/q1 wide, such as the length of a profile over two steps; 0 where any does, 1 where none does. To 1e-12.
 template <Real T>
 [[nodiscard]] T least_hurst(const SpectralMoments<T>& moments, std::type_identity_t<T> widest) {
     require(widest > 1, "widest band", widest, "greater than 1");
@@ -199,7 +200,7 @@ template <Real T>
         return std::pair(std::log(m.bandwidth() / alpha), slope);
     };
     const auto found = math::newton_bracketed(excess, 4 * std::numeric_limits<T>::epsilon(), highest, highest / 2,
-                                        4 * std::numeric_limits<T>::epsilon() * (1 + highest));
+                                              4 * std::numeric_limits<T>::epsilon() * (1 + highest));
     if (!found.converged()) throw domain_error("alpha of the cut: not found in the band");
     band.q2 = band.q_rolloff * std::exp(found.root);
     return band;

@@ -38,8 +38,8 @@ enum class StructureConvention { exact, paper, majumdar_tien };
 template <>
 inline constexpr auto names<parts::StructureConvention> =
     name_list<parts::StructureConvention>({{parts::StructureConvention::exact, "exact"},
-                                    {parts::StructureConvention::paper, "paper"},
-                                    {parts::StructureConvention::majumdar_tien, "majumdar_tien"}});
+                                           {parts::StructureConvention::paper, "paper"},
+                                           {parts::StructureConvention::majumdar_tien, "majumdar_tien"}});
 
 namespace parts {
 

@@ -10,15 +10,18 @@
 ///                     sin^2(theta) = mean of sin^2(theta), weighted by sigma_m^2
 ///     D, G            S(tau) adds: D and G of the power law that touches it at tau = D_p^(-1/2), where the peaks are
 ///
-/// The heights of the faces are taken for independent, both for isotropic. theta holds for faces sampled at one step; at two
-/// steps it is a mean of both. The sum of two power laws of different D is none: its D falls from that of the rougher face at
-/// short lags to that of the smoother one at long lags. Where G of a face is not known, m2 stands for S.
+/// The heights of the faces are taken for independent, both for isotropic. theta holds for faces sampled at one step;
+/// at two steps it is a mean of both. The sum of two power laws of different D is none: its D falls from that of the
+/// rougher face at short lags to that of the smoother one at long lags. Where G of a face is not known, m2 stands for
+/// S.
 ///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625 (two rough
-///             faces as one); Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3), (4.1)-(4.3), (4.10).
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625 (two
+///             rough faces as one); Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3), (4.1)-(4.3),
+///             (4.10).
 /// Units       SI
 /// Valid       parameters in the range of Roughness, Fractal and PeakDistribution
-/// Accuracy    1e-13 of the formulae; a face 1e9 times lower leaves the other as it is (tests/surface/two_faces_test.cpp)
+/// Accuracy    1e-13 of the formulae; a face 1e9 times lower leaves the other as it is
+///             (tests/surface/two_faces_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/surface/fractal.hpp>
@@ -49,8 +52,8 @@ template <Real T>
     return roughness >= (std::numeric_limits<T>::min)() && roughness <= (std::numeric_limits<T>::max)();
 }
 
-/// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2, or none where G leaves the
-/// range of numbers.
+/// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2, or none where G
+/// leaves the range of numbers.
 template <Real T>
 [[nodiscard]] RoughFace<T> scaled(RoughFace<T> face, T factor) {
     const T square = factor * factor;
@@ -102,7 +105,8 @@ template <Real T>
 
 }  // namespace parts
 
-/// The sum of two faces. What one of them does not know (D; r and theta) the sum does not know, nor a G beyond the range of numbers.
+/// The sum of two faces. What one of them does not know (D; r and theta) the sum does not know, nor a G beyond the
+/// range of numbers.
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] RoughFace<T> sum_of_faces(const RoughFace<T>& a, const RoughFace<T>& b) {

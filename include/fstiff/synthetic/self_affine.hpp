@@ -34,7 +34,7 @@ enum class LongWaves { plateau, none };
 
 template <>
 inline constexpr auto names<parts::LongWaves> = name_list<parts::LongWaves>({{parts::LongWaves::plateau, "plateau"},
-                                                               {parts::LongWaves::none, "none"}});
+                                                                             {parts::LongWaves::none, "none"}});
 
 /// Which self-affine surface is made.
 template <Real T = double>

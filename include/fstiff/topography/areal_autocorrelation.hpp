@@ -34,7 +34,7 @@ enum class LagPairs {
 
 template <>
 inline constexpr auto names<parts::LagPairs> = name_list<parts::LagPairs>({{parts::LagPairs::measured, "measured"},
-                                                             {parts::LagPairs::periodic, "periodic"}});
+                                                                           {parts::LagPairs::periodic, "periodic"}});
 
 namespace parts {
 
@@ -77,7 +77,7 @@ template <Real T>
     using Index = Eigen::Index;
     const T width = (std::max)(correlation.dx, correlation.dy);
     const T end = (std::min)(static_cast<T>(correlation.reach_x) * correlation.dx,
-                           static_cast<T>(correlation.reach_y) * correlation.dy);
+                             static_cast<T>(correlation.reach_y) * correlation.dy);
     const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;
     std::vector<T> lengths(shells), sums(shells);
     std::vector<std::size_t> counts(shells);

@@ -55,7 +55,7 @@ struct DifferenceSums {
 /// \throws domain_error without three neighbours.
 template <Real T>
 DifferenceSums<math::Accumulator<T>> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights,
-                                                Eigen::Index down, Eigen::Index right) {
+                                                      Eigen::Index down, Eigen::Index right) {
     using S = math::Accumulator<T>;
     DifferenceSums<S> d;
     const auto height = [&](Eigen::Index j, Eigen::Index i) { return heights.of(map.heights(j, i)); };

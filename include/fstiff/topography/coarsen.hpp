@@ -49,7 +49,7 @@ template <Real T>
     if (longer <= points) return map;
     const auto side = [&](Eigen::Index n) {
         return (std::max)(Eigen::Index(1),
-                        static_cast<Eigen::Index>(std::lround(double(n) * double(points) / double(longer))));
+                          static_cast<Eigen::Index>(std::lround(double(n) * double(points) / double(longer))));
     };
     return coarsened(map, side(map.columns()), side(map.rows()));
 }

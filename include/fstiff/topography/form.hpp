@@ -40,7 +40,7 @@ struct LevelledMap {
     MapForm removed = MapForm::none;
     /// The map before lambda_s and lambda_c, where there is one; those behind several cut-offs may share it.
     std::shared_ptr<const HeightMap<T>> unfiltered{};
-    T lambda_c{};  ///< of the filter that took the long waves [m]; 0: none
+    T lambda_c{};             ///< of the filter that took the long waves [m]; 0: none
     std::array<T, 2> tilt{};  ///< of the form along x and y, last point less first [m]; NaN: a corner is missing
 
     /// What the structure functions are taken of.
@@ -147,8 +147,8 @@ template <Real T>
     return result;
 }
 
-/// \p map levelled, with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted;
-/// 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, but for its
+/// \p map levelled, with the form that was removed. \p resolution [m] is the step in which the heights were printed or
+/// counted; 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, but for its
 /// rounding, once its form is removed.
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
@@ -157,7 +157,7 @@ template <Real T>
     flat.tilt = {removed(0, map.columns() - 1) - removed(0, 0), removed(map.rows() - 1, 0) - removed(0, 0)};
     if (form != MapForm::none)
         math::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
-                                              static_cast<std::size_t>(map.size()), resolution);
+                                            static_cast<std::size_t>(map.size()), resolution);
     return flat;
 }
 

@@ -137,8 +137,8 @@ template <Real T>
         smooth_both_ways(weights.data(), map, along);
     };
     const auto found = math::robust_means(
-        std::vector<F>(z.data(), z.data() + z.size()), F(0.01), exists, sum,
-        [&](std::size_t k) { return weights[k]; }, [&](std::size_t k) { return sums[k] / weights[k]; });
+        std::vector<F>(z.data(), z.data() + z.size()), F(0.01), exists, sum, [&](std::size_t k) { return weights[k]; },
+        [&](std::size_t k) { return sums[k] / weights[k]; });
     math::RobustWaviness<HeightMap<T>> result{map, found.left_out, found.iterations, found.converged};
     for (std::size_t k = 0; k < found.waviness.size(); ++k)
         if (exists(k))

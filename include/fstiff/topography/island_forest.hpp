@@ -37,8 +37,8 @@ enum class IslandHeight { peak, twice_mean };
 }  // namespace parts
 
 template <>
-inline constexpr auto names<parts::IslandHeight> = name_list<parts::IslandHeight>({{parts::IslandHeight::peak, "peak"},
-                                                                     {parts::IslandHeight::twice_mean, "twice-mean"}});
+inline constexpr auto names<parts::IslandHeight> = name_list<parts::IslandHeight>(
+    {{parts::IslandHeight::peak, "peak"}, {parts::IslandHeight::twice_mean, "twice-mean"}});
 
 /// What counts as an island, and at which levels.
 template <Real T = double>

@@ -63,9 +63,9 @@ void visit_sides(const HeightMap<T>& map, Eigen::Index at, const Visit& visit) {
 /// The missing points of a map, hole by hole.
 template <Real T>
 struct Holes {
-    std::vector<int> number;            ///< of each point in `points`; -1: it exists
-    std::vector<Eigen::Index> points;   ///< missing
-    std::size_t longest = 0;            ///< points of the largest hole
+    std::vector<int> number;           ///< of each point in `points`; -1: it exists
+    std::vector<Eigen::Index> points;  ///< missing
+    std::size_t longest = 0;           ///< points of the largest hole
 
     explicit Holes(const HeightMap<T>& map) : number(static_cast<std::size_t>(map.size()), -1) {
         std::vector<Eigen::Index> stack;

@@ -45,11 +45,11 @@ struct Summit {
 template <Real T = double>
 struct Summits {
     std::vector<parts::Summit<T>> summits;  ///< the highest first
-    T area{};                        ///< of the points that can be summits [m^2]
-    T width{}, height{};             ///< of the map [m]
-    T rms_height{};                  ///< of the map [m]
-    T dx{}, dy{};                    ///< steps of the map [m]: its edges are half a step outside of the outer points
-    std::size_t ridges = 0;          ///< points above their neighbours whose paraboloid has no top
+    T area{};                               ///< of the points that can be summits [m^2]
+    T width{}, height{};                    ///< of the map [m]
+    T rms_height{};                         ///< of the map [m]
+    T dx{}, dy{};            ///< steps of the map [m]: its edges are half a step outside of the outer points
+    std::size_t ridges = 0;  ///< points above their neighbours whose paraboloid has no top
 };
 
 namespace parts {
@@ -64,16 +64,16 @@ struct PointShape {
 /// a missing point; over the height there.
 template <Real T, class Heights>
 [[nodiscard]] PointShape<T> shape_by_differences(const Heights& z, Eigen::Index j, Eigen::Index i) {
-    const auto at = [&](Eigen::Index down, Eigen::Index right) { return static_cast<T>(z(j + down, i + right) - z(j, i)); };
+    const auto at = [&](Eigen::Index down, Eigen::Index right) {
+        return static_cast<T>(z(j + down, i + right) - z(j, i));
+    };
     // odd(a, b) of the points +-1 and +-2 is the first derivative, even(a, b) the second
-    const bool wide = j >= 2 && i >= 2 && j + 2 < z.rows() && i + 2 < z.cols() &&
-                      !z.template block<5, 5>(j - 2, i - 2).isNaN().any();
+    const bool wide =
+        j >= 2 && i >= 2 && j + 2 < z.rows() && i + 2 < z.cols() && !z.template block<5, 5>(j - 2, i - 2).isNaN().any();
     const auto odd = [&](const auto& f) {
         return wide ? (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / 12 : (f(1) - f(-1)) / 2;
     };
-    const auto even = [&](const auto& f) {
-        return wide ? (16 * (f(1) + f(-1)) - (f(2) + f(-2))) / 12 : f(1) + f(-1);
-    };
+    const auto even = [&](const auto& f) { return wide ? (16 * (f(1) + f(-1)) - (f(2) + f(-2))) / 12 : f(1) + f(-1); };
     const auto along_x = [&](Eigen::Index k) { return at(0, k); };
     const auto along_y = [&](Eigen::Index k) { return at(k, 0); };
     const auto slope_x = [&](Eigen::Index down) { return odd([&](Eigen::Index k) { return at(down, k); }); };
@@ -87,7 +87,8 @@ template <Real T>
     const auto& [z, z_x, z_y, z_xx, z_yy, z_xy] = shape;
     const T k_x = -z_xx / dx / dx, k_y = -z_yy / dy / dy;
     const T mean = (k_x + k_y) / 2, half = std::hypot((k_x - k_y) / 2, z_xy / dx / dy);
-    const T max_curvature = mean + half, min_curvature = (k_x * k_y - (z_xy / dx / dy) * (z_xy / dx / dy)) / max_curvature;
+    const T max_curvature = mean + half,
+            min_curvature = (k_x * k_y - (z_xy / dx / dy) * (z_xy / dx / dy)) / max_curvature;
     const T determinant = z_xx * z_yy - z_xy * z_xy;
     T right = (z_xy * z_y - z_yy * z_x) / determinant, down = (z_xy * z_x - z_xx * z_y) / determinant;
     const T longest = (std::max)(std::abs(right), std::abs(down));

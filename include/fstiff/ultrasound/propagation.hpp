@@ -94,14 +94,14 @@ struct ResolvableStiffness {
 /// nothing is left. \throws domain_error unless 0 < least < most < 1, and as reflection.
 template <Real T>
 [[nodiscard]] std::optional<parts::ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
-                                                                         T angular_frequency, T least = T(0.1),
-                                                                         T most = T(0.99)) {
+                                                                                T angular_frequency, T least = T(0.1),
+                                                                                T most = T(0.99)) {
     require(least > 0 && least < 1, "least", least, "greater than 0 and less than 1");
     require(most > least && most < 1, "most", most, "greater than least and less than 1");
     least = (std::max)(least, T(1.01) * parts::welded_reflection(media));
     if (least >= most) return std::nullopt;
     return parts::ResolvableStiffness<T>{stiffness_from_reflection(most, media, angular_frequency),
-                                  stiffness_from_reflection(least, media, angular_frequency), least, most};
+                                         stiffness_from_reflection(least, media, angular_frequency), least, most};
 }
 
 }  // namespace fstiff::inline v0_1

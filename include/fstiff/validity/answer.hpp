@@ -13,7 +13,8 @@
 ///     scatter  0.77/sqrt(n) of ln K of one surface with n contacts, one standard deviation
 ///
 /// Reference   the sum by squares is that of independent errors (JCGM 100:2008, 5.1.2), in logarithms; docs/accuracy.md
-///             (scatter of single surfaces: 7.7, 11, 20 and 36 % at 100, 40, 15 and 5 contacts; plastic K over elastic K
+///             (scatter of single surfaces: 7.7, 11, 20 and 36 % at 100, 40, 15 and 5 contacts; plastic K over elastic
+///             K
 ///             1.04 to 1.15 at H/(E g) = 0.5, less beyond)
 /// Units       p* = p/(E g_rms), ln K
 /// Valid       any contact; numbers that are not known are NaN or 0, as each says
@@ -32,7 +33,8 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// p* to which hybrid and persson were compared (tests/contact/hybrid_of_band_test.cpp); beyond it the contact is closed.
+/// p* to which hybrid and persson were compared (tests/contact/hybrid_of_band_test.cpp); beyond it the contact is
+/// closed.
 inline constexpr double max_compared_pressure = 0.75;
 /// Points of the grid in contact from which boundary elements know a contact and not the pixel.
 inline constexpr double min_points_in_contact = 20;

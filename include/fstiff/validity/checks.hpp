@@ -19,7 +19,8 @@
 ///
 /// Nothing is refused: a check that does not hold says at which states, and the numbers stay as they are.
 ///
-///     for (const auto& check : fstiff::parts::check_curve<double>(states, {.effective_modulus = 112.6e9, .rms_gradient = 0.08}))
+///     for (const auto& check : fstiff::parts::check_curve<double>(states, {.effective_modulus = 112.6e9, .rms_gradient
+///     = 0.08}))
 ///         if (!check.holds()) warn(name_of(check.concern), check.first, check.greatest, check.limit);
 ///
 /// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319 (psi); Greenwood, Proc. R. Soc. Lond. A
@@ -147,7 +148,7 @@ template <Real T>
     if (yield_strength) {
         const T psi = plasticity_index(surface, effective_modulus, *yield_strength);
         checks.push_back(surface_check(Concern::plasticity, psi, max_elastic_plasticity_index<T>,
-                                               psi <= max_elastic_plasticity_index<T>));
+                                       psi <= max_elastic_plasticity_index<T>));
     }
     const T product = surface.rms_height * surface.peak_radius * surface.peak_density;
     constexpr T least = min_gaussian_product<T>;
@@ -165,8 +166,8 @@ template <Real T>
     return {std::sqrt(2 * moments.m2), std::sqrt(2 * (r > T(0) ? r : T(0.5)) * surface.rms_height * curvature)};
 }
 
-/// The check of \p gradients of one surface, which are given, measured or implied_gradients(): the limit is the one that is
-/// broken, 1 where none is; violations are gradients.
+/// The check of \p gradients of one surface, which are given, measured or implied_gradients(): the limit is the one
+/// that is broken, 1 where none is; violations are gradients.
 template <Real T>
 [[nodiscard]] Check<T> check_gradients(std::span<const T> gradients) {
     Check<T> made{.concern = Concern::implausible_gradient, .limit = max_plausible_gradient<T>};

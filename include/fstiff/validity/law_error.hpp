@@ -11,11 +11,11 @@
 ///     map     low_1 = high_1 = 0.8 s, s the relative error of sigma that its longest waves make: the form that was
 ///             removed and the edges of the map are unknown to the same degree
 ///     else    by the skewness S and kurtosis Q of the heights, which the law does not take as they are: low_1 = a(p*) S
-///             where S > 0, else low_1 = b(p*) |S| and high_1 = c(p*) |S|; low_2 = d(p*) min(t, 4) where t > 0, t = Q - 3 of
-///             a trace, Q - 3 - 3 S^2/2 of numbers; high_2 = e(p*) (3 - Q) where Q < 3
+///             where S > 0, else low_1 = b(p*) |S| and high_1 = c(p*) |S|; low_2 = d(p*) min(t, 4) where t > 0, t = Q -
+///             3 of a trace, Q - 3 - 3 S^2/2 of numbers; high_2 = e(p*) (3 - Q) where Q < 3
 ///
-/// The table of hybrid for a map holds what lambda_s and the removed plane do to it; that of a height alone comes on top of
-/// all priors. Below its first p* the ends grow as 1/sqrt(p*), beyond its last as 1 + ln(p*/0.25).
+/// The table of hybrid for a map holds what lambda_s and the removed plane do to it; that of a height alone comes on
+/// top of all priors. Below its first p* the ends grow as 1/sqrt(p*), beyond its last as 1 + ln(p*/0.25).
 ///
 /// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13
 /// Units       p* = p/(E g_rms), ln K
@@ -48,13 +48,15 @@ struct LawErrorQuestion {
     LawName law{};
     KnownAs known = KnownAs::map;
     T p_star = std::numeric_limits<T>::quiet_NaN(), hardness{};  ///< hardness: H/(E g); 0: not known
-    std::optional<Measurement<T>> skewness{}, kurtosis{};  ///< of heights, measured or taken
+    std::optional<Measurement<T>> skewness{}, kurtosis{};        ///< of heights, measured or taken
     T long_waves{};  ///< relative error of sigma that waves as long as the piece make; 0: none
 };
 
 /// ln of K of the contact over K of the law: 5 and 95 %, low at most 0, high at least 0.
 template <Real T = double>
-struct LawError { T low{}, high{}; };
+struct LawError {
+    T low{}, high{};
+};
 
 /// p* of the tables.
 inline constexpr std::array<double, 7> law_error_pressures{3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.25};
@@ -62,6 +64,7 @@ inline constexpr std::array<double, 7> law_error_pressures{3e-4, 1e-3, 3e-3, 1e-
 using LawErrorTable = std::array<int, law_error_pressures.size()>;
 
 /// Errors of one law.
+// clang-format off
 struct LawErrorRow { LawErrorTable low, high; };
 /// a to e of a trace and of numbers.
 struct ShapeErrors { LawErrorTable skewed, worn_low, worn_high, tails, blunt; };
@@ -69,13 +72,13 @@ inline constexpr ShapeErrors errors_of_traces{{30, 30, 35, 35, 30, 25, 15}, {}, 
                                               {20, 20, 20, 25, 15, 5, 5}, {100, 90, 75, 50, 25, 10, 10}},
     errors_of_numbers{{10, 10, 15, 15, 10, 5, 5}, {50, 30, 12, 5, 5, 8, 15}, {120, 115, 100, 60, 28, 12, 5},
                       {28, 25, 30, 45, 30, 14, 6}, {}};
+// clang-format on
 
 /// The row of \p law.
 [[nodiscard]] constexpr LawErrorRow law_error_row(LawName law, KnownAs known) {
     if (known == KnownAs::height) return {{60, 60, 55, 45, 40, 30, 20}, {110, 105, 95, 70, 60, 45, 40}};
     switch (law) {
-        case LawName::boundary_elements:
-            return {{12, 9, 7, 7, 7, 5, 7}, {8, 6, 5, 4, 3, 3, 3}};
+        case LawName::boundary_elements: return {{12, 9, 7, 7, 7, 5, 7}, {8, 6, 5, 4, 3, 3, 3}};
         case LawName::hybrid:
             if (known == KnownAs::map) return {{22, 18, 9, 6, 4, 13, 20}, {20, 12, 9, 9, 11, 3, 2}};
             if (known == KnownAs::trace) return {{20, 20, 17, 15, 15, 18, 20}, {20, 20, 17, 12, 12, 12, 16}};
@@ -84,12 +87,9 @@ inline constexpr ShapeErrors errors_of_traces{{30, 30, 35, 35, 30, 25, 15}, {}, 
             if (known == KnownAs::map) return {{14, 14, 13, 13, 13, 10, 14}, {16, 15, 13, 11, 9, 8, 12}};
             if (known == KnownAs::trace) return {{20, 22, 24, 26, 26, 24, 22}, {48, 42, 34, 24, 10, 8, 12}};
             return {{14, 14, 14, 13, 14, 13, 16}, {50, 46, 42, 32, 14, 8, 12}};
-        case LawName::persson:
-            return {{22, 18, 14, 12, 14, 14, 20}, {80, 70, 55, 35, 20, 15, 16}};
-        case LawName::summits:
-            return {{22, 18, 14, 12, 10, 10, 10}, {20, 14, 14, 16, 30, 60, 100}};
-        default:
-            return {{45, 40, 35, 30, 25, 20, 20}, {30, 30, 30, 35, 55, 90, 150}};
+        case LawName::persson: return {{22, 18, 14, 12, 14, 14, 20}, {80, 70, 55, 35, 20, 15, 16}};
+        case LawName::summits: return {{22, 18, 14, 12, 10, 10, 10}, {20, 14, 14, 16, 30, 60, 100}};
+        default: return {{45, 40, 35, 30, 25, 20, 20}, {30, 30, 30, 35, 55, 90, 150}};
     }
 }
 
@@ -113,7 +113,8 @@ template <Real T>
 [[nodiscard]] LawError<T> law_error(const LawErrorQuestion<T>& question) {
     const LawErrorRow row = law_error_row(question.law, question.known);
     const T share = question.p_star / question.hardness;  // p/H; K goes as it below the least that was compared
-    const T place = question.law == LawName::plastic && question.hardness > T(0) ? (std::max)(share, T(1.5e-4)) : question.p_star;
+    const T place =
+        question.law == LawName::plastic && question.hardness > T(0) ? (std::max)(share, T(1.5e-4)) : question.p_star;
     const auto at = [&](const LawErrorTable& table) { return at_pressure(table, place); };
     const T waves = question.known == KnownAs::map ? T(0.8) * question.long_waves : T(0);
     T low = std::hypot(at(row.low), waves), high = std::hypot(at(row.high), waves);

@@ -27,19 +27,18 @@ enum class LawName {
 };
 
 template <>
-inline constexpr auto names<LawName> =
-    name_list<LawName>({{LawName::fractal, "fractal"},
-                        {LawName::fractal_consistent, "fractal_consistent"},
-                        {LawName::hertz, "hertz"},
-                        {LawName::greenwood_williamson, "greenwood_williamson"},
-                        {LawName::hybrid, "hybrid"},
-                        {LawName::persson, "persson"},
-                        {LawName::summits, "summits"},
-                        {LawName::plastic, "plastic"},
-                        {LawName::plastic_peaks, "plastic_peaks"},
-                        {LawName::jackson_green, "jackson_green"},
-                        {LawName::kogut_etsion, "kogut_etsion"},
-                        {LawName::boundary_elements, "boundary_elements"},
-                        {LawName::proportional, "proportional"}});
+inline constexpr auto names<LawName> = name_list<LawName>({{LawName::fractal, "fractal"},
+                                                           {LawName::fractal_consistent, "fractal_consistent"},
+                                                           {LawName::hertz, "hertz"},
+                                                           {LawName::greenwood_williamson, "greenwood_williamson"},
+                                                           {LawName::hybrid, "hybrid"},
+                                                           {LawName::persson, "persson"},
+                                                           {LawName::summits, "summits"},
+                                                           {LawName::plastic, "plastic"},
+                                                           {LawName::plastic_peaks, "plastic_peaks"},
+                                                           {LawName::jackson_green, "jackson_green"},
+                                                           {LawName::kogut_etsion, "kogut_etsion"},
+                                                           {LawName::boundary_elements, "boundary_elements"},
+                                                           {LawName::proportional, "proportional"}});
 
 }  // namespace fstiff::inline v0_1

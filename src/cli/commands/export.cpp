@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff export: the law of a scene as the table of a contact in a finite-element program, or as the text of a tabulated law.
+// fstiff export: the law of a scene as the table of a contact in a finite-element program, or as the text of a
+// tabulated law.
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
 #include "input/request_options.hpp"

@@ -2,10 +2,10 @@
 // fstiff fit: fractal dimension D and roughness G of a measured profile or map, with errors, and its other statistics.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "document/shown_unit.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
 #include "surface/fractal.hpp"
-#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/measured_concerns.hpp>

@@ -43,8 +43,9 @@ std::string introduction(const Work& work) {
     const MeasuredCurve& curve = work.curve;
     const auto [least, most] = std::minmax_element(
         curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
-    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": parameters of " + printable(work.scene.name + " (" + work.scene.file) +
-                       ") from " + (curve.is_reflection ? "R(p)" : "K(p)") + " of " + printable(curve.name) + "\n";
+    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": parameters of " +
+                       printable(work.scene.name + " (" + work.scene.file) + ") from " +
+                       (curve.is_reflection ? "R(p)" : "K(p)") + " of " + printable(curve.name) + "\n";
     text += "  measured  " + std::to_string(curve.points.size()) + " points, p " + rounded(least->pressure / 1e6) +
             " to " + rounded(most->pressure / 1e6) + " MPa, " +
             (curve.has_errors ? "weighed by their errors"
@@ -92,7 +93,7 @@ std::string table(const Work& work) {
         text += "\n" + title(fit) + ": " +
                 (found.status == math::FitStatus::not_converged ? "not converged"
                  : found.status == math::FitStatus::at_bound    ? "a parameter at the end of its range"
-                                                          : std::string(name_of(found.status))) +
+                                                                : std::string(name_of(found.status))) +
                 "\n" + parameter_text(fit);
         if (found.status == math::FitStatus::singular) continue;
         if (found.covariance.size() > 0 && work.wanted.size() > 1)
@@ -146,8 +147,8 @@ Report execute(const Options& options) {
     const Work work = work_of(options);
     std::vector<std::string> files;
     if (!options.picture.empty()) files = write_figure(fit_figure(work.scene, work.curve, work.found), options.picture);
-    Report made = report(answer_of(work.scene, work), [&] { return table(work); }, [&] { return csv(work); },
-                         options.output.format);
+    Report made = report(
+        answer_of(work.scene, work), [&] { return table(work); }, [&] { return csv(work); }, options.output.format);
     say_written(made, files);
     return made;
 }
@@ -171,8 +172,10 @@ Command add_identify(CLI::App& app) {
     command.footer(
         "The measured file begins with its columns and their units: pressure [MPa], stiffness [GPa/um], "
         "stiffness_error [GPa/um].\n"
-        "Without --law the laws that contact.laws names are fitted, each by itself; where it names none, plastic if the "
-        "peaks\nflow, else hybrid. g is the rms gradient; where it or alpha is fitted, R and Dp follow. Exit code 4: the "
+        "Without --law the laws that contact.laws names are fitted, each by itself; where it names none, plastic if "
+        "the "
+        "peaks\nflow, else hybrid. g is the rms gradient; where it or alpha is fitted, R and Dp follow. Exit code 4: "
+        "the "
         "data cannot\ntell the parameters apart or know one to a factor of 100 at best, no convergence, no law that "
         "describes the points,\nan outlier, a parameter 30 times its starting value, or an elastic law of peaks that "
         "flow.\n"

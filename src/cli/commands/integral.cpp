@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff integral: the contact integrals J[a,b](eta; r, theta) of rows of numbers, a gauge that anybody can check.
+#include <fstiff/double/integrals.hpp>
 #include "commands/commands.hpp"
 #include "document/document.hpp"
-#include <fstiff/double/integrals.hpp>
 #include "io/lines.hpp"
 
 #include <fstiff/contact/contact_integrals.hpp>
@@ -153,11 +153,10 @@ void judge(Report& report, const Options& options, const Input& input, const std
     const auto first = std::find_if(computed.begin(), computed.end(), misses);
     if (first == computed.end()) return;
     report.status = doubtful_result;
-    report.diagnostics.push_back(
-        input.name + ": " + std::to_string(std::count_if(first, computed.end(), misses)) + " of " +
-        std::to_string(computed.size()) + " values have an error above " + shortest(allowed) +
-        " of their size, the first at line " +
-        std::to_string(input.lines[static_cast<std::size_t>(first - computed.begin())]));
+    report.diagnostics.push_back(input.name + ": " + std::to_string(std::count_if(first, computed.end(), misses)) +
+                                 " of " + std::to_string(computed.size()) + " values have an error above " +
+                                 shortest(allowed) + " of their size, the first at line " +
+                                 std::to_string(input.lines[static_cast<std::size_t>(first - computed.begin())]));
 }
 
 Report execute(const Options& options) {
@@ -173,14 +172,15 @@ Report execute(const Options& options) {
     const std::string title = "J[a,b](eta; r, theta), method " + options.method + "\n";
     Report made = report({.table = [&] { return title + rows.text(); },
                           .csv = [&] { return rows.csv(); },
-                          .json = [&] {
-                              Json document = json_document("integral");
-                              document["method"] = options.method;
-                              if (options.tolerance) document["relative_tolerance"] = *options.tolerance;
-                              document["equations"] = {"(4.5)", "(4.9)"};
-                              rows.append_to(document["rows"]);
-                              return document;
-                          },
+                          .json =
+                              [&] {
+                                  Json document = json_document("integral");
+                                  document["method"] = options.method;
+                                  if (options.tolerance) document["relative_tolerance"] = *options.tolerance;
+                                  document["equations"] = {"(4.5)", "(4.9)"};
+                                  rows.append_to(document["rows"]);
+                                  return document;
+                              },
                           .json_warnings = false},
                          options.output.format);
     judge(made, options, input, computed);

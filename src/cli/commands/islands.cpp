@@ -2,10 +2,10 @@
 // fstiff islands: the islands of a map against the cutting level, and the pair R, D_p at their greatest density.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "document/shown_unit.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
 #include "surface/islands_of_map.hpp"
-#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/measured_concerns.hpp>

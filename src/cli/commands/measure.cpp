@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 #include "commands/scales.hpp"
 #include "document/document.hpp"
+#include "document/shown_unit.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
@@ -10,7 +11,6 @@
 #include "surface/documents.hpp"
 #include "surface/measured_surface.hpp"
 #include "surface/roughness.hpp"
-#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>
@@ -193,8 +193,10 @@ Command add_measure(CLI::App& app) {
     add_picture_option(command, options->picture, "draw what --scales computes");
     add_output_options(command, options->output, Format::json);
     command.footer(
-        "For a contact all waves count but the form, which is what the maker's drawing calls form: lambda_c is none unless "
-        "it\nis given. The table and the JSON also have the roughness parameters that a drawing names, with the cut-offs "
+        "For a contact all waves count but the form, which is what the maker's drawing calls form: lambda_c is none "
+        "unless "
+        "it\nis given. The table and the JSON also have the roughness parameters that a drawing names, with the "
+        "cut-offs "
         "of their\nstandard: ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, Sq, Sk ... of a map).\n"
         "The JSON is what run --surface and a scene's [surface] from = \"...\" read. Exit code 4: a parameter is not "
         "known\nto a factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"

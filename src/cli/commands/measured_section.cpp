@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/measured_section.hpp"
 
-#include "document/shown_unit.hpp"
 #include <fstiff/double/surfaces.hpp>
+#include "document/shown_unit.hpp"
 
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -219,8 +219,7 @@ TextRows map_part(Page& page, const MeasuredSurface& surface) {
         if (fit.y) add_structure(panel, *fit.y, " along y");
         for (const auto& [direction, refusal] : {std::pair("x", fit.why_no_fit_x), std::pair("y", fit.why_no_fit_y)})
             if (!refusal.empty()) page.paragraph("No fit along " + std::string(direction) + ": " + refusal);
-        if (!panel.lines.empty())
-            show(page, {panel}, fit_caption);
+        if (!panel.lines.empty()) show(page, {panel}, fit_caption);
     }
     const parts::ArealStatistics<double>& a = surface.found.map->areal;
     peaks.insert(peaks.end(), {{"density of summits", with_unit(a.summit_density, "1/m^2")},

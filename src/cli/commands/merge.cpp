@@ -39,9 +39,7 @@ Command add_merge(CLI::App& app) {
     Arguments command(app, "merge", "The shards of a sweep as one file");
     command.option("files", options->files, "files of results of fstiff sweep; names in .sweep are left out")
         .required();
-    command.option("-o,--output", options->merged, "file of all results, lines of JSON")
-        .type_name("FILE")
-        .required();
+    command.option("-o,--output", options->merged, "file of all results, lines of JSON").type_name("FILE").required();
     command.footer(
         "Exit code 4: a shard is missing, double, not finished or of another grid, and nothing is written; each is "
         "named, "

@@ -228,10 +228,10 @@ std::vector<ModelCurve> plastic_curves(const Surface& surface) {
     const auto of = [&](const auto& law) {
         return stiffness_of(RoughContact(surface.roughness, peaks_at(pi / 4), law, modulus, options));
     };
-    return {{"plastic peaks (not in the paper): plastic", 3, Stroke::solid,
-             of(PlasticLaw<double>(material.hardness_or_default(), modulus))},
-            {"plastic peaks (not in the paper): jackson_green", 4, Stroke::solid,
-             of(JacksonGreenLaw<double>(material))}};
+    return {
+        {"plastic peaks (not in the paper): plastic", 3, Stroke::solid,
+         of(PlasticLaw<double>(material.hardness_or_default(), modulus))},
+        {"plastic peaks (not in the paper): jackson_green", 4, Stroke::solid, of(JacksonGreenLaw<double>(material))}};
 }
 
 Panel stiffness_panel_of(const char* title, const std::vector<ModelCurve>& curves) {
@@ -264,9 +264,8 @@ std::vector<Finding> findings_of(const Surface& surface, const std::vector<Model
     }
     for (int eighths = 0; eighths <= 24; ++eighths) {
         const double eta = eighths / 8.0;
-        add(Measure::theta_at_separation,
-            contact_integral(0.5, -0.5, peaks_at(pi / 3), eta).value /
-                contact_integral(0.5, -0.5, peaks_at(pi / 4), eta).value);
+        add(Measure::theta_at_separation, contact_integral(0.5, -0.5, peaks_at(pi / 3), eta).value /
+                                              contact_integral(0.5, -0.5, peaks_at(pi / 4), eta).value);
     }
     std::vector<Finding> findings;
     for (std::size_t i = 0; i < of.size(); ++i) findings.push_back({static_cast<Measure>(i), surface.name, of[i]});

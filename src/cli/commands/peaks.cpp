@@ -2,10 +2,10 @@
 // fstiff peaks: the density of peak heights and curvatures, its moments and its height marginal.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "document/shown_unit.hpp"
 #include "input/request_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/peak_density.hpp"
-#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -26,7 +26,8 @@ std::string table(const PeakDensityRequest& request, const PeakDensity& source) 
     if (source.input) {
         text += " " + shown_name(request.surface.file) + "\n" + source_lines(*source.input, "  file              ");
         text += "  form removed      " + form_name(*source.levelled) + "; Rq " +
-                shown_length(source.levelled->rms_as_read) + " before, " + shown_length(source.levelled->rms) + " after";
+                shown_length(source.levelled->rms_as_read) + " before, " + shown_length(source.levelled->rms) +
+                " after";
         if (source.levelled->cut_offs.any()) text += "; " + sentence_of(source.levelled->cut_offs);
     }
     text += "\n  r, theta          " + rounded(p.r(), 6) + ", " + rounded(p.theta(), 6) + " rad\n";
@@ -50,9 +51,9 @@ std::string table(const PeakDensityRequest& request, const PeakDensity& source) 
 Report execute(const Options& options) {
     const PeakDensityRequest& request = options.request;
     const PeakDensity found = peak_density_of(request);
-    return report(answer_of(request, found), [&] { return table(request, found); },
-                  [&] { return found.heights.empty() ? csv(moments_of(found)) : rows_of(found).csv(); },
-                  options.output.format);
+    return report(
+        answer_of(request, found), [&] { return table(request, found); },
+        [&] { return found.heights.empty() ? csv(moments_of(found)) : rows_of(found).csv(); }, options.output.format);
 }
 
 }  // namespace

@@ -2,19 +2,19 @@
 // fstiff report: a scene and all that follows from it, on one page that needs nothing else.
 #include "commands/commands.hpp"
 #include "commands/measured_section.hpp"
-#include "document/document.hpp"
 #include "commands/scales.hpp"
+#include "document/document.hpp"
+#include "document/shown_unit.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
-#include "document/shown_unit.hpp"
-#include "surface/documents.hpp"
 #include "scene/answer.hpp"
 #include "scene/result_rows.hpp"
 #include "scene/verdict.hpp"
+#include "surface/documents.hpp"
 
-#include <fstiff/validity/checks.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -275,8 +275,8 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
     page.paragraph(
         "The numbers of the equations are those of R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness "
         "of fractal rough surfaces, Arch. Mech. 66 (2014). K is the stiffness per nominal area, 1 GPa/µm = 1e15 Pa/m.");
-    page.paragraph("Normal contact stiffness, computed by fstiff " FSTIFF_VERSION_TEXT " from " + scene.file + ", SHA-256 " +
-                   scene.sha256 + ".");
+    page.paragraph("Normal contact stiffness, computed by fstiff " FSTIFF_VERSION_TEXT " from " + scene.file +
+                   ", SHA-256 " + scene.sha256 + ".");
 }
 
 /// The surface behind other cut-offs, and K by them at the middle point of the scene.
@@ -333,17 +333,19 @@ Report execute(const Options& options) {
     const Results results = compute(scene, progress_bar());
     const std::string document = page_of(scene, results);
     deliver({{file, page_mark + document}}, options.folder);
-    return report({.table = [&] {
-                       return "fstiff " FSTIFF_VERSION_TEXT ": report of " +
-                              printable(scene.name + " (" + scene.file + ")") + "\n  " + printable(file) + "\n";
-                   },
+    return report({.table =
+                       [&] {
+                           return "fstiff " FSTIFF_VERSION_TEXT ": report of " +
+                                  printable(scene.name + " (" + scene.file + ")") + "\n  " + printable(file) + "\n";
+                       },
                    .csv = [&] { return csv_line({"file"}) + csv_line({file}); },
-                   .json = [&] {
-                       Json answer = json_document("report");
-                       answer["scene"] = scene_json(scene);
-                       answer["files"] = {file};
-                       return answer;
-                   },
+                   .json =
+                       [&] {
+                           Json answer = json_document("report");
+                           answer["scene"] = scene_json(scene);
+                           answer["files"] = {file};
+                           return answer;
+                       },
                    .warnings = results.warnings,
                    .status = results.doubtful ? doubtful_result : success},
                   options.output.format);

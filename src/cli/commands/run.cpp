@@ -7,9 +7,9 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/panels.hpp"
-#include "surface/documents.hpp"
 #include "scene/result_rows.hpp"
 #include "scene/verdict.hpp"
+#include "surface/documents.hpp"
 
 #include <memory>
 #include <utility>
@@ -84,7 +84,8 @@ Command add_run(CLI::App& app) {
     command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
     command.footer(
         "A scene says what is in contact; run --example > my.toml is one to change. Exit code 4: a real area above the "
-        "nominal one,\nno convergence, a point that a law does not reach, or a measured parameter that is not known to a "
+        "nominal one,\nno convergence, a point that a law does not reach, or a measured parameter that is not known to "
+        "a "
         "factor of two.\n"
         "Example:\n  fstiff run --format csv");
     return {command.app(), &options->output, [options] { return execute(*options); }};

@@ -117,11 +117,12 @@ std::string bodies_text(const Scene& scene, const Results& results) {
     if (!scene.best && !area.empty()) parts.push_back(area);
     const auto how = interaction(scene);
     if (!scene.best)
-        parts.push_back(how.reading == InteractionReading::none
-                            ? "no interaction"
-                            : std::string("interaction ") +
-                                  (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
-                                  " over " + shown_length(how.length));
+        parts.push_back(
+            how.reading == InteractionReading::none
+                ? "no interaction"
+                : std::string("interaction ") +
+                      (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
+                      " over " + shown_length(how.length));
     if (results.plasticity_index && !scene.best)
         parts.push_back("plasticity index " + rounded(*results.plasticity_index, 3));
     if (!parts.empty()) text += in_lines("contact", parts);
@@ -142,8 +143,9 @@ std::string bodies_text(const Scene& scene, const Results& results) {
 /// The answer and what was computed of what: the lines above the curves.
 std::string introduction(const Scene& scene, const Results& results) {
     std::string text = "fstiff " FSTIFF_VERSION_TEXT ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
-    text += answered(scene, results) +
-            in_lines("surface", scene.best && results.answer ? surface_of_answer(scene, results) : surface_parts(scene));
+    text +=
+        answered(scene, results) +
+        in_lines("surface", scene.best && results.answer ? surface_of_answer(scene, results) : surface_parts(scene));
     if (!scene.faces.empty()) {
         std::vector<std::string> parts{"of the sum of two rough faces"};
         if (scene.face.map)
@@ -243,8 +245,7 @@ private:
     template <class Cell>
     [[nodiscard]] std::string table(std::string what, const Cell& cell) const {
         TextRows rows{{std::move(what)}};
-        for (const std::size_t i : points_)
-            rows[0].push_back(shown_point(scene_, i));
+        for (const std::size_t i : points_) rows[0].push_back(shown_point(scene_, i));
         for (const Curve& curve : results_.curves) {
             rows.push_back({label_of(curve)});
             for (const std::size_t i : points_) rows.back().push_back(cell(curve, i));
@@ -281,13 +282,21 @@ std::string in_parts(const Scene& scene, const Results& results, const Table& ta
 std::string blocks(const Scene& scene, const Results& results) {
     using enum CurveQuantity;
     const Units units = units_of(scene, results);
-    std::vector<CurveQuantity> shown{stiffness,  joint_stiffness, approach, tangential_stiffness, loss_factor,
-                                     reflection, shear_reflection, thermal_conductance, thermal_conductance_gap,
+    std::vector<CurveQuantity> shown{stiffness,
+                                     joint_stiffness,
+                                     approach,
+                                     tangential_stiffness,
+                                     loss_factor,
+                                     reflection,
+                                     shear_reflection,
+                                     thermal_conductance,
+                                     thermal_conductance_gap,
                                      electrical_conductance};
     if (!scene.needs_stiffness()) shown = {separation, approach, real_area, contacts};
     std::string text;
     for (const CurveQuantity quantity : shown) {
-        if (scene.best && (quantity == stiffness || quantity == joint_stiffness || quantity == approach)) continue;  // in it
+        if (scene.best && (quantity == stiffness || quantity == joint_stiffness || quantity == approach))
+            continue;  // in it
         if (const auto asked = Column{quantity}.row().asked; !(scene.*asked)) continue;
         text += "\n" + in_parts(scene, results, [&](const Summary& summary) { return summary.block(quantity, units); });
     }
@@ -300,8 +309,7 @@ std::string summary(const Scene& scene, const Results& results) {
     const std::string more = "every point and quantity: --full, --format csv, --format json\n";
     if (scene.best) return introduction(scene, results) + blocks(scene, results) + more;
     std::string text = introduction(scene, results) + blocks(scene, results) + "\n";
-    for (const Law* law : scene.laws)
-        text += "  " + std::string(law->name) + " is " + std::string(law->nature) + "\n";
+    for (const Law* law : scene.laws) text += "  " + std::string(law->name) + " is " + std::string(law->nature) + "\n";
     return text + "\n" + explanations(scene, results) + more;
 }
 

@@ -21,7 +21,7 @@ Value parameter(Parameter which) {
 
 std::optional<double> gradient(const Scale& scale) {
     return scale.surface && scale.surface->found.heights ? std::optional(scale.surface->found.rms_gradient.value)
-                                                   : std::nullopt;
+                                                         : std::nullopt;
 }
 
 std::optional<double> stiffness(const Scale& scale) { return scale.stiffness; }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff spectrum: the power spectral density or the autocorrelation of a measured profile or map, as numbers and as a picture.
+// fstiff spectrum: the power spectral density or the autocorrelation of a measured profile or map, as numbers and as a
+// picture.
+#include "surface/spectrum.hpp"
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "document/shown_unit.hpp"
 #include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
 #include "picture/scale.hpp"
-#include "surface/spectrum.hpp"
-#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -30,7 +31,8 @@ std::string title_of(const SpectrumRequest& request) {
 }
 
 std::string table(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& result) {
-    std::string text = "fstiff " FSTIFF_VERSION_TEXT ": " + title_of(request) + "\n" + source_lines(input, "  file     ");
+    std::string text =
+        "fstiff " FSTIFF_VERSION_TEXT ": " + title_of(request) + "\n" + source_lines(input, "  file     ");
     text += std::string(input.surface.is_profile() ? "  Rq       " : "  Sq       ") + shown_length(result.rms_as_read) +
             " as read, " + shown_length(result.rms) + " after removal of the form (" + result.form + ")\n";
     text += "  cut-offs " + sentence_of(result.cut_offs) + "\n";
@@ -76,13 +78,11 @@ void share_x(Figure& figure) {
 
 Figure figure_of(const SpectrumRequest& request, const Spectrum& result) {
     const bool psd = request.of == SpectrumKind::psd;
-    Figure figure{
-        .title =
-            (psd ? "Power spectral density of " : "Autocorrelation function of ") +
-            shown_file(display_name(request.surface.file)),
-        .panels = {},
-        .note = "fstiff " FSTIFF_VERSION_TEXT ", " + sentence_of(result.cut_offs) +
-                (psd ? "; " + window_of(request) + "; means over 2 % of q" : "")};
+    Figure figure{.title = (psd ? "Power spectral density of " : "Autocorrelation function of ") +
+                           shown_file(display_name(request.surface.file)),
+                  .panels = {},
+                  .note = "fstiff " FSTIFF_VERSION_TEXT ", " + sentence_of(result.cut_offs) +
+                          (psd ? "; " + window_of(request) + "; means over 2 % of q" : "")};
     const auto begin_panel = [&](const std::string& title, const std::string& label) {
         figure.panels.push_back(psd ? Panel{.title = title, .x = {.label = "q [rad/µm]"}, .y = {.label = label}}
                                     : Panel{.title = title,
@@ -123,8 +123,9 @@ Report execute(const Options& options) {
     const Spectrum spectrum = spectrum_of(request, input);
     std::vector<std::string> files;
     if (!options.picture.empty()) files = write_figure(figure_of(request, spectrum), options.picture);
-    Report made = report(answer_of(request, input, spectrum), [&] { return table(request, input, spectrum); },
-                         [&] { return rows_of(spectrum).csv(); }, options.output.format);
+    Report made = report(
+        answer_of(request, input, spectrum), [&] { return table(request, input, spectrum); },
+        [&] { return rows_of(spectrum).csv(); }, options.output.format);
     say_written(made, files);
     return made;
 }

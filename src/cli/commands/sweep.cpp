@@ -182,11 +182,11 @@ Report execute(const Options& options) {
         if (!maker) make();
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
         const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
-        const unsigned started = sweep::run(grid, *maker, first, end,
-                                            {.threads = wanted, .progress = progress_bar(true)},
-                                            [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
-                                                results.append(lines, next, failed);
-                                            });
+        const unsigned started =
+            sweep::run(grid, *maker, first, end, {.threads = wanted, .progress = progress_bar(true)},
+                       [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+                           results.append(lines, next, failed);
+                       });
         results.finish();
         if (started < wanted)
             report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +

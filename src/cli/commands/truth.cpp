@@ -7,8 +7,8 @@
 #include "input/surface_options.hpp"
 #include "surface/truth_of_map.hpp"
 
-#include <fstiff/validity/checks.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <memory>
 #include <string>
@@ -40,9 +40,8 @@ std::vector<double> pressures_of(const std::string& list) {
 TruthRequest request_of(const Options& options) {
     const Scene scene = read_scene(SceneOptions{options.scene, ""});
     TruthRequest request = options.truth;
-    request.modulus = options.modulus.empty()
-                          ? effective_modulus(scene.upper, scene.lower)
-                          : parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
+    request.modulus = options.modulus.empty() ? effective_modulus(scene.upper, scene.lower)
+                                              : parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
     if (options.pressures.empty() && scene.at_separations)
         throw domain_error("the scene has separations; must have contact.pressures, or --pressures must be given");
     request.pressures = options.pressures.empty() ? scene.points : pressures_of(options.pressures);
@@ -64,8 +63,8 @@ Report execute(const Options& options) {
     const TruthOfMap solved = truth_of_map(request, read_surface_input(request.surface));
     return report({.table =
                        [&] {
-                           return "fstiff " FSTIFF_VERSION_TEXT ": boundary elements of " + printable(solved.file) + "\n  " +
-                                  std::to_string(solved.points) + " points along the longer side, edges " +
+                           return "fstiff " FSTIFF_VERSION_TEXT ": boundary elements of " + printable(solved.file) +
+                                  "\n  " + std::to_string(solved.points) + " points along the longer side, edges " +
                                   std::string(name_of(solved.edges)) + ", form removed: " + solved.form + "\n  sigma " +
                                   rounded(solved.rms_height * 1e6) + " µm, rms gradient " +
                                   rounded(solved.rms_gradient) + ", effective modulus " +

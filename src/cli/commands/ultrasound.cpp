@@ -46,8 +46,8 @@ std::string csv_of(const Reflection& found) {
 
 Report execute(const Options& options) {
     const Reflection found = reflection_of(options.request);
-    return report(answer_of(found), [&] { return table(found); }, [&] { return csv_of(found); },
-                  options.output.format);
+    return report(
+        answer_of(found), [&] { return table(found); }, [&] { return csv_of(found); }, options.output.format);
 }
 
 }  // namespace

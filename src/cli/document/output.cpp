@@ -118,8 +118,7 @@ Format OutputOptions::chosen() const {
 std::string OutputOptions::target() const { return file == "-" ? std::string() : file; }
 
 void refuse_standard_output(const std::string& output, std::string_view wanted) {
-    if (output == "-")
-        throw Usage("--output = \"-\": is standard output; must be " + std::string(wanted));
+    if (output == "-") throw Usage("--output = \"-\": is standard output; must be " + std::string(wanted));
 }
 
 void say_written(Report& report, const std::vector<std::string>& files) {

@@ -42,7 +42,7 @@ namespace fstiff::cli {
 struct OutputOptions {
     Format format = Format::table;
     bool for_people = false;  ///< on a terminal the table, unless a format is given
-    std::string file;  ///< as it was given; empty: standard output
+    std::string file;         ///< as it was given; empty: standard output
 
     /// The file to write; empty for standard output, which "-" is too.
     [[nodiscard]] std::string target() const;
@@ -76,8 +76,8 @@ void deliver(const std::string& document, const std::string& file);
 /// \throws file_error naming the file that cannot be written, and the reason that the system gives.
 void deliver(const std::vector<OutputFile>& files, const std::string& folder = "");
 
-/// For a file that nobody named, such as one beside a picture, and for a law that may lie beside a model. \throws file_error
-/// where \p file holds something and its first line does not say that fstiff made it.
+/// For a file that nobody named, such as one beside a picture, and for a law that may lie beside a model. \throws
+/// file_error where \p file holds something and its first line does not say that fstiff made it.
 void require_own(const std::string& file);
 /// What the command line names besides its outputs: files, as far as they are there.
 void name_inputs(std::vector<std::string> texts);

@@ -289,8 +289,7 @@ const CLI::App* Program::parse(std::vector<std::string> words) {
     if (words.empty()) words = {"--help"};
     redirect(words);
     if (words == std::vector<std::string>{"version"}) words = {"--version"};
-    if (words.front() == "help" &&
-        (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
+    if (words.front() == "help" && (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
         if (words.size() == 2) require_command(words.back());
         std::rotate(words.begin(), words.begin() + 1, words.end());
         words.back() = "--help";

@@ -90,7 +90,8 @@ public:
     [[nodiscard]] CLI::App& app() { return *app_; }
     /// Puts \p command under the heading \p group of --help; empty: it is known and not listed.
     void list_under(CLI::App& command, const std::string& group);
-    /// \p command with the words \p ways, which may be "--option" and its value, is the command \p to: its options and help.
+    /// \p command with the words \p ways, which may be "--option" and its value, is the command \p to: its options and
+    /// help.
     void forward(const std::string& command, const std::vector<std::string>& ways, const std::string& to);
     /// The subcommand that was asked for; null after --help, help, no argument at all (the help too), --version, -V and
     /// version, which print.

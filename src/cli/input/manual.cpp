@@ -77,8 +77,9 @@ std::string manual_page(const std::string& name, const std::string& version, con
     body += ".SH SEE ALSO\n";
     for (const std::string& page : also)
         body += "\\fB" + roff(page) + "\\fR(1)" + (&page == &also.back() ? "\n" : ",\n");
-    return ".TH " + roff(upper(name)) + " 1 \"\" \"" + version + "\" \"Manual of fstiff\"\n.ad l\n.SH NAME\n" + roff(name) +
-           " \\- " + roff(about) + "\n.SH SYNOPSIS\n" + roff(usage.substr(usage.find(' ') + 1)) + "\n" + body;
+    return ".TH " + roff(upper(name)) + " 1 \"\" \"" + version + "\" \"Manual of fstiff\"\n.ad l\n.SH NAME\n" +
+           roff(name) + " \\- " + roff(about) + "\n.SH SYNOPSIS\n" + roff(usage.substr(usage.find(' ') + 1)) + "\n" +
+           body;
 }
 
 }  // namespace fstiff::cli

@@ -18,7 +18,9 @@ struct OptionAdder {
         Option option = arguments.option(name, to, help);
         if (row.more.words) option.one_of(row.more.words(kind));
     }
-    void operator()(Lengths& to) const { take<Lengths>(to, [](const std::string& text) { return text; }); }
+    void operator()(Lengths& to) const {
+        take<Lengths>(to, [](const std::string& text) { return text; });
+    }
     void operator()(int& to) const { arguments.option(name, to, help).between(row.more.low, row.more.high); }
     void operator()(double& to) const {
         arguments.option(name, to, help).between(static_cast<double>(row.more.low), static_cast<double>(row.more.high));

@@ -74,7 +74,8 @@ public:
                "th{background:#26262c}th,td,h2{border-color:#3a3a42}}\n"
                "@page{size:A4;margin:11mm}@media print{body{font-size:9.5pt;line-height:1.3;margin:0;padding:0;"
                "max-width:none}table{font-size:8pt}th,td{padding:.1rem .35rem}figure,tr,li{break-inside:avoid}"
-               "figcaption{font-size:8pt}h1{font-size:1.4rem}h2{margin-top:.6rem;break-after:avoid}p,ul{margin:.3rem 0}.wide{margin:.4rem 0}"
+               "figcaption{font-size:8pt}h1{font-size:1.4rem}h2{margin-top:.6rem;break-after:avoid}p,ul{margin:.3rem "
+               "0}.wide{margin:.4rem 0}"
                "figure{margin:.4rem 0}figure svg{max-height:80mm;width:auto}.pair figure svg{max-height:47mm}"
                ".pair{display:grid;grid-template-columns:1fr 1fr;gap:0 1rem}}\n</style></head>\n<body>\n<h1>" +
                escaped(title_) + "</h1>\n" + body_ + "</body></html>\n";

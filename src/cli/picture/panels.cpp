@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/panels.hpp"
 
-#include "picture/scale.hpp"
 #include "document/shown_unit.hpp"
+#include "picture/scale.hpp"
 
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/core/error.hpp>
@@ -242,8 +242,8 @@ Figure results_figure(const Scene& scene, const Results& results) {
                   .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
     for (Panel& panel : panels_after_stiffness(scene, results)) figure.panels.push_back(std::move(panel));
-    figure.note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file + ", σ = " +
-                  with_unit(scene.face.parameters.rms_height.value, "m", 4);
+    figure.note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file +
+                  ", σ = " + with_unit(scene.face.parameters.rms_height.value, "m", 4);
     if (const std::string some = left_out(results); !some.empty())
         figure.note += "; " + some + ", fstiff run --format csv has the numbers of all";
     return figure;

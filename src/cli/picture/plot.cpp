@@ -30,10 +30,10 @@ std::string figure_csv(const Figure& given) {
         for (const PlotLine& line : panel.lines) {
             ++curve;
             for (std::size_t i = 0; i < line.x.size(); ++i)
-                text += csv_line({std::to_string(curve), std::to_string(p + 1), line.label, panel.x.label,
-                                  exact(line.x[i]), panel.y.label, exact(line.y[i]),
-                                  line.low.empty() ? "" : exact(line.low[i]),
-                                  line.high.empty() ? "" : exact(line.high[i])});
+                text +=
+                    csv_line({std::to_string(curve), std::to_string(p + 1), line.label, panel.x.label, exact(line.x[i]),
+                              panel.y.label, exact(line.y[i]), line.low.empty() ? "" : exact(line.low[i]),
+                              line.high.empty() ? "" : exact(line.high[i])});
         }
     }
     return text;

@@ -86,8 +86,8 @@ struct Figure {
     std::string title;
     std::vector<std::string> verdict = {};  ///< short sentences below the title
     std::vector<Panel> panels;              ///< from top to bottom
-    std::string note = {};      ///< below, small
-    bool legend_below = false;  ///< else at the right
+    std::string note = {};                  ///< below, small
+    bool legend_below = false;              ///< else at the right
 };
 
 /// The values of every axis in the unit that fits their size, named in its label.

@@ -59,7 +59,9 @@ std::string stroke_class(const PlotLine& line) {
            (line.stroke == Stroke::dashed   ? " dash"
             : line.stroke == Stroke::dotted ? " dot"
                                             : "") +
-           (line.covered > 1 ? " wider" : line.covered > 0 ? " wide" : "");
+           (line.covered > 1   ? " wider"
+            : line.covered > 0 ? " wide"
+                               : "");
 }
 std::string window_class(const PlotWindow& window) {
     const std::string colour = colour_class(window.colour);

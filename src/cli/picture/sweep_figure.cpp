@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/sweep_figure.hpp"
 
-#include "picture/panels.hpp"
 #include "document/shown_unit.hpp"
+#include "picture/panels.hpp"
 #include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -48,7 +48,7 @@ struct Layout {
     std::optional<Dimension> x, lines;
     std::uint64_t points = 1;
     std::vector<CurveKey> curves;  ///< in the order of the scene
-    bool pools = false;  ///< several scenes fall on one place
+    bool pools = false;            ///< several scenes fall on one place
 };
 
 Layout layout_of(const sweep::Grid& grid, const std::string& file) {
@@ -179,8 +179,8 @@ std::vector<Series> series_of(const sweep::Grid& grid, const std::string& file, 
         if (layout.x && !is_drawn(at, layout.x->count, most_places)) return true;
         if (layout.lines && !is_drawn(line, layout.lines->count, lines)) return true;
         const CurveKey key{std::string(row.law), row.theta, row.r};
-        const auto curve = static_cast<std::size_t>(
-            std::find(layout.curves.begin(), layout.curves.end(), key) - layout.curves.begin());
+        const auto curve = static_cast<std::size_t>(std::find(layout.curves.begin(), layout.curves.end(), key) -
+                                                    layout.curves.begin());
         if (curve >= curves) return true;
         const auto [found, is_new] = known.try_emplace({curve, line}, all.size());
         if (is_new)
