@@ -61,13 +61,16 @@ def seconds_of(text):
     return 60 * int(minutes) + float(rest)
 
 
-def tests_before():
-    """CPU seconds of what ctest has run and waited for: its children's, by /proc; 0 where that is not known."""
+def tests_before(page):
+    """CPU seconds of the tests that ctest has run, by /proc, without those that the test of the page noted in a file: it compiles
+    the command once more by Emscripten. 0 where /proc is not available."""
     stat = pathlib.Path(f"/proc/{os.getppid()}/stat")
     if not stat.exists() or "(ctest)" not in (text := stat.read_text(encoding="utf-8")):
         return 0
     fields = text.rsplit(")", 1)[1].split()
-    return (int(fields[13]) + int(fields[14])) / os.sysconf("SC_CLK_TCK")  # cutime and cstime
+    ctest, seconds = page.read_text(encoding="utf-8").split() if page.exists() else ("", "0")
+    spared = float(seconds) if ctest == str(os.getppid()) else 0
+    return (int(fields[13]) + int(fields[14])) / os.sysconf("SC_CLK_TCK") - spared  # cutime and cstime
 
 
 def of_build(options):
@@ -84,7 +87,7 @@ def of_build(options):
         return
     unit = statistics.mean(yardsticks)
     command = sum(sum(by_target[name]) for name in COMMAND)
-    compiled, tested = sum(sum(found) for found in by_target.values()), tests_before()
+    compiled, tested = sum(sum(found) for found in by_target.values()), tests_before(options.log.parent / "page_seconds.txt")
     print(f"a file with Eigen alone: {unit:.2f} CPU seconds, {min(yardsticks):.2f} to {max(yardsticks):.2f} at {len(yardsticks)} moments")
     print(f"the command: {command:.0f} CPU seconds, {command / unit:.0f} times that")
     print(f"everything: {compiled:.0f} CPU seconds to compile, {tested:.0f} to test, {(compiled + tested) / unit:.0f} times")

@@ -171,7 +171,24 @@ SIZES = [
     ("include: has 501 lines, more than 500", "include/a.h", 238 * "\n", "include/b.h", 241 * "\n"),
     ("src without io: has 501 lines, more than 500", "src/scene/a.cpp", 249 * "\n", "src/scene/b.cpp", 249 * "\n"),
     ("tools: has 11 lines, more than 10", "tools/a", 10 * "\n"),
+    ("include/a.h head: has 16 lines, more than 15", "include/a.h", "#pragma once\n/// \\file\n" + 15 * "///\n"),
+    ("", "include/a.h", "/// \\file\n" + 14 * "/// a\n" + "\n" + 20 * "/// b\n"),
 ]
+SLOW = ("docs/glossary.md", "## Slow words\n\n| pattern | write |\n|---|---|\n| `beside` | \"with\" |\n| `stands?` | \"is\" |\n")
+PROSE = [(expected, *SLOW, name, text) for expected, name, text in (
+    ("docs/a.md:2: 'Beside': write \"with\"", "docs/a.md", "Words\nBeside\n"),
+    ("", "docs/a.md", "Outside, `beside` [b](beside.md) besides.\n```\nbeside\n```\n"),
+    ("include/a.h:2: 'stand': write \"is\"", "include/a.h", "int beside;\n// they stand\n"),
+    ("src/io/a.cpp:3: 'beside'", "src/io/a.cpp", "/* a\n\nbeside */\n"),
+    ("src/io/a.cpp:1: 'beside'", "src/io/a.cpp", 'refuse("a is beside b");\n'),
+    ("", "src/io/a.cpp", 'beside(beside_b, "io/beside", stands());\n'),
+    ("tests/io/a.cpp:1: 'stands'", "tests/io/a.cpp", 'TEST_CASE("What stands") {}\n'),
+    ("", "tests/io/a.cpp", 'CHECK(a == "beside b");\n'),
+    ("python/a.py:1: 'beside'", "python/a.py", '"""It is beside."""\n'),
+    ("tools/a.py:2: 'beside'", "tools/a.py", "b = 1\n# beside it\n"),
+    ("include/a.h:1: a comment above 120 columns", "include/a.h", "//" + 60 * " a" + "\n"),
+    ("", "include/a.h", "//" + 59 * " a" + "\n" + 'f("' + 130 * "a" + '");\n'))]
+PROSE.append(("holds no table of slow words", "docs/glossary.md", "## Slow words\n"))
 SNIPPETS = [
     ("", f"Words.\n\n{PROGRAM}It prints\n```text\n[2];\n```\n"),
     ("", f"{PROGRAM}```toml\n[3]\n```\n```text\n[2];\n```\n"),
@@ -304,6 +321,7 @@ def main():
     on_trees(lint.glossary, [(expected, "docs/glossary.md", text, "include/fstiff/state.hpp", STATE)
                              for expected, text in WORDS])
     on_trees(lint.sizes, SIZES)
+    on_trees(lint.words, PROSE)
     on_trees(lint.api, APIS)
     on_documents(options.compiler, options.flags, options.eigen)
     with tempfile.TemporaryDirectory() as folder:

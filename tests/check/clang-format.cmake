@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The sources are laid out by .clang-format. Other versions lay out otherwise, so that only version 14 is asked.
+cmake_minimum_required(VERSION 3.25)
+find_program(format NAMES clang-format-14 clang-format HINTS ${VENV}/bin)
+if(format)
+    execute_process(COMMAND ${format} --version OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
+endif()
+if(NOT version MATCHES "version 14\\.")
+    message("SKIPPED: there is no clang-format 14 (pip install clang-format==14.0.6)")
+    return()
+endif()
+set(sources "")
+foreach(folder IN ITEMS bench examples include python src tests)
+    file(GLOB_RECURSE found ${SOURCE}/${folder}/*.[hc]pp ${SOURCE}/${folder}/*.[hc])
+    list(APPEND sources ${found})
+endforeach()
+execute_process(COMMAND ${format} --dry-run -Werror --ferror-limit=3 ${sources} COMMAND_ERROR_IS_FATAL ANY)
