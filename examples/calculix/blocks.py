@@ -70,9 +70,10 @@ def programs(scene=()):
 
 
 def curve_of(given):
-    """The rows of the first law that `fstiff run` prints of the scene, as dictionaries of text."""
+    """The first law that `fstiff run` prints for the scene: its rows as dictionaries of text, pressures [MPa], separations [mm]."""
     rows = list(csv.DictReader(io.StringIO(output_of(given.fstiff, "run", *given.scene, "--format", "csv"))))
-    return [row for row in rows if all(row[key] == rows[0][key] for key in ("law", "theta", "r", "answer"))]
+    rows = [row for row in rows if all(row[key] == rows[0][key] for key in ("law", "theta", "r", "answer"))]
+    return rows, [float(row["pressure_Pa"]) / 1e6 for row in rows], [float(row["separation_m"]) * 1e3 for row in rows]
 
 
 def export_law(given, law, file, until, *more):

@@ -38,9 +38,7 @@ def coefficient_of(given):
 
 def main():
     given = programs([str(pathlib.Path(__file__).with_name("joint.toml"))])
-    rows = curve_of(given)
-    pressures = [float(row["pressure_Pa"]) / 1e6 for row in rows]
-    separations = [float(row["separation_m"]) * 1e3 for row in rows]
+    rows, pressures, separations = curve_of(given)
     middle = len(rows) // 2
     pressure, stiffness = pressures[middle], float(rows[middle]["tangential_stiffness_Pa_per_m"]) / 1e9  # [MPa, MPa/mm]
     limit = coefficient_of(given) * pressure

@@ -36,9 +36,7 @@ def deck(pressures, closing):
 
 def main():
     given = programs([str(pathlib.Path(__file__).with_name("joint.toml"))])
-    rows = curve_of(given)
-    pressures = [float(row["pressure_Pa"]) / 1e6 for row in rows]
-    separations = [float(row["separation_m"]) * 1e3 for row in rows]
+    rows, pressures, separations = curve_of(given)
     columns = [key for key in ("thermal_conductance_W_per_m2K", "thermal_conductance_gap_W_per_m2K") if key in rows[0]]
     export_law(given, rows[0]["law"], "heat_law.inp", 1.1 * pressures[-1])
     tables = solved(given, "heat", deck(pressures, separations[0] - separations[-1]))

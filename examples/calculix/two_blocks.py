@@ -32,9 +32,7 @@ def deck(pressures, closing):
 
 def main():
     given = programs()
-    rows = curve_of(given)
-    pressures = [float(row["pressure_Pa"]) / 1e6 for row in rows]
-    separations = [float(row["separation_m"]) * 1e3 for row in rows]
+    rows, pressures, separations = curve_of(given)
     # the last row lies above every pressure: beyond it the contact would have no stiffness
     export_law(given, rows[0]["law"], "law.inp", 1.1 * pressures[-1])
     tables = solved(given, "two_blocks", deck(pressures, separations[0] - separations[-1]))

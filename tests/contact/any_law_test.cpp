@@ -7,29 +7,21 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/user_laws.hpp"
 
 #include <numbers>
 
 namespace any_law_test {
 
 using namespace fstiff;
+using test::HertzByUser;
+using test::YieldByUser;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 const Roughness<double> fine{0.832e-6, 40e-6, 500e6};
 constexpr double modulus = 112.6e9;
-
-/// Hertz without its powers: for the integrals in two dimensions.
-struct HertzByUser {
-    static constexpr parts::Axis axis = parts::Axis::even;
-    static constexpr bool stiffness_is_slope = true;
-    auto load(const auto& omega, double radius) const {
-        return (4.0 / 3 * std::sqrt(radius) * omega * sqrt(omega)).eval();
-    }
-    auto stiffness(const auto& omega, double radius) const { return (2 * std::sqrt(radius) * sqrt(omega)).eval(); }
-    auto area(const auto& omega, double radius) const { return (pi * radius * omega).eval(); }
-};
 
 /// Hertz as plain functions of numbers.
 struct PlainHertz {
@@ -59,19 +51,6 @@ struct ThreePowers {
     static constexpr double load_factor() { return 2; }
     static constexpr double stiffness_factor() { return 3; }
     static constexpr double area_factor() { return 5; }
-};
-
-/// Hertz up to omega_c = 0.002 R, beyond it the load goes on as a line and the stiffness as the root of the area.
-struct YieldByUser {
-    double critical(double radius) const { return 0.002 * radius; }
-    auto load(const auto& omega, double radius) const {
-        const double c = critical(radius), root = std::sqrt(radius * c);
-        return (omega < c)
-            .select(4.0 / 3 * std::sqrt(radius) * omega * sqrt(omega), root * (4.0 / 3 * c + 2 * (omega - c)))
-            .eval();
-    }
-    auto stiffness(const auto& omega, double radius) const { return (2 * std::sqrt(radius) * sqrt(omega)).eval(); }
-    auto area(const auto& omega, double radius) const { return (pi * radius * omega).eval(); }
 };
 
 /// A layer of springs, as in docs/architecture.md.

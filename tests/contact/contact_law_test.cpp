@@ -6,6 +6,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/paper.hpp"
+#include "support/user_laws.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -38,19 +39,6 @@ struct YieldingLaw {
     double load_factor() const { return 2 * std::numbers::pi * hardness_over_modulus; }
     double stiffness_factor() const { return 2 * std::numbers::sqrt2; }
     double area_factor() const { return 2 * std::numbers::pi; }
-};
-
-/// Hertz up to omega_c = R/500; from there the load is a line and the stiffness still the root of the area: no powers.
-struct YieldLaw {
-    double critical(double radius) const { return 0.002 * radius; }
-    auto load(const auto& omega, double radius) const {
-        const double c = critical(radius), root = std::sqrt(radius * c);
-        return (omega < c)
-            .select(4.0 / 3 * std::sqrt(radius) * omega * sqrt(omega), root * (4.0 / 3 * c + 2 * (omega - c)))
-            .eval();
-    }
-    auto stiffness(const auto& omega, double radius) const { return (2 * std::sqrt(radius) * sqrt(omega)).eval(); }
-    auto area(const auto& omega, double radius) const { return (std::numbers::pi * radius * omega).eval(); }
 };
 
 RoughContact<double, YieldingLaw> plastic(const RoughContactOptions<double>& options = {}) {
@@ -127,10 +115,11 @@ TEST_CASE(
         RoughContactOptions<double> options;
         if (i % 3 == 0) options.interaction = {InteractionReading::effective_separation, decades(-5, -3)};
         if (i % 4 == 0)
-            check(RoughContact(surface, parts::SingleRadius<double>{}, YieldLaw{}, modulus, options), low, high);
+            check(RoughContact(surface, parts::SingleRadius<double>{}, test::YieldByUser{}, modulus, options), low,
+                  high);
         else
-            check(RoughContact(surface, PeakDistribution<double>(uniform(0, 0.8), uniform(0.3, 1.3)), YieldLaw{},
-                               modulus, options),
+            check(RoughContact(surface, PeakDistribution<double>(uniform(0, 0.8), uniform(0.3, 1.3)),
+                               test::YieldByUser{}, modulus, options),
                   low, high);
     }
 }

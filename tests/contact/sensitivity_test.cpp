@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/paper.hpp"
 #include "support/scalars.hpp"
+#include "support/user_laws.hpp"
 
 namespace sensitivity_test {
 
@@ -176,16 +177,7 @@ TEST_CASE("scaling laws: K is of degree 0 in (p, E) less one, and does not depen
 
 namespace {
 
-/// Hertz and the plastic law without their powers.
-struct HertzByUser {
-    static constexpr parts::Axis axis = parts::Axis::even;
-    static constexpr bool stiffness_is_slope = true;
-    auto load(const auto& omega, double radius) const {
-        return (4.0 / 3 * std::sqrt(radius) * omega * sqrt(omega)).eval();
-    }
-    auto stiffness(const auto& omega, double radius) const { return (2 * std::sqrt(radius) * sqrt(omega)).eval(); }
-    auto area(const auto& omega, double radius) const { return (3.14 * radius * omega).eval(); }
-};
+/// The plastic law without its powers, and with them.
 struct PlasticByUser {
     auto load(const auto& omega, double radius) const { return (0.06 * radius * omega).eval(); }
     auto stiffness(const auto& omega, double radius) const { return (2.8 * std::sqrt(radius) * sqrt(omega)).eval(); }
@@ -224,14 +216,14 @@ TEST_CASE("a law without powers is differentiated to 1e-8, as its powers say") {
             for (const auto& options : {RoughContactOptions<double>{}, patch}) {
                 CAPTURE(r, pressure);
                 const PeakDistribution<double> peaks(r, theta);
-                same(RoughContact(fine, peaks, HertzByUser{}, 112.6e9, options),
+                same(RoughContact(fine, peaks, test::HertzByUser{}, 112.6e9, options),
                      RoughContact(fine, peaks, HertzLaw<double>{}, 112.6e9, options), pressure, 1e-8);
                 same(RoughContact(fine, peaks, PlasticByUser{}, 112.6e9, options),
                      RoughContact(fine, peaks, PlasticByPowers{}, 112.6e9, options), pressure, 1e-8);
             }
     for (const parts::Heights heights : {parts::Heights::gaussian, parts::Heights::exponential}) {
         const parts::SingleRadius<double> peaks{heights};
-        same(RoughContact(fine, peaks, HertzByUser{}, 112.6e9, patch),
+        same(RoughContact(fine, peaks, test::HertzByUser{}, 112.6e9, patch),
              RoughContact(fine, peaks, HertzLaw<double>{}, 112.6e9, patch), 1e6, 1e-8);
         same(RoughContact(fine, peaks, PlasticByUser{}, 112.6e9), RoughContact(fine, peaks, PlasticByPowers{}, 112.6e9),
              1e6, 1e-8);

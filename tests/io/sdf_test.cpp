@@ -4,6 +4,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/samples.hpp"
 
 #include <cstring>
 #include <sstream>
@@ -71,20 +72,6 @@ void check_heights(const io::Reading& found) {
     CHECK(found.map.dx == 1e-6);
     CHECK(found.map.dy == 2e-6);
     for (int i = 1; i < 6; ++i) CHECK(found.map.at(i / 3, i % 3) == i * 0.5);
-}
-
-HeightMap<double> rough_map() {
-    HeightMap<double> map;
-    map.heights.resize(7, 5);
-    for (Eigen::Index i = 0; i < map.size(); ++i)
-        map.heights.data()[i] = 1e-6 * std::sin(1.7 * static_cast<double>(i * i)) / 3;
-    map.heights(2, 3) = std::numeric_limits<double>::quiet_NaN();
-    map.heights(4, 4) = 0x1p-1074;
-    map.heights(0, 1) = -0.0;
-    map.heights(0, 2) = std::numeric_limits<double>::max();
-    map.dx = 1e-6 / 3;
-    map.dy = 2e-6 / 7;
-    return map;
 }
 
 }  // namespace
@@ -161,7 +148,7 @@ TEST_CASE("Declared sizes are compared with the bytes before memory is taken") {
 
 TEST_CASE("Every file cut short is refused with a sentence") {
     std::ostringstream whole[2];
-    for (const bool binary : {false, true}) io::write_sdf(whole[binary], rough_map(), {.binary = binary});
+    for (const bool binary : {false, true}) io::write_sdf(whole[binary], test::rough_map(), {.binary = binary});
     for (const auto& stream : whole) {
         const std::string bytes = stream.str();
         // the end of the text after the heights is trailer

@@ -5,6 +5,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/samples.hpp"
 
 #include <bit>
 #include <sstream>
@@ -18,25 +19,11 @@ namespace {
 io::Reading read(const std::string& bytes) { return io::read_sdf(bytes, "file.sdf"); }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-HeightMap<double> rough_map() {
-    HeightMap<double> map;
-    map.heights.resize(7, 5);
-    for (Eigen::Index i = 0; i < map.size(); ++i)
-        map.heights.data()[i] = 1e-6 * std::sin(1.7 * static_cast<double>(i * i)) / 3;
-    map.heights(2, 3) = std::numeric_limits<double>::quiet_NaN();
-    map.heights(4, 4) = 0x1p-1074;
-    map.heights(0, 1) = -0.0;
-    map.heights(0, 2) = std::numeric_limits<double>::max();
-    map.dx = 1e-6 / 3;
-    map.dy = 2e-6 / 7;
-    return map;
-}
-
 }  // namespace
 
 TEST_CASE("What is written comes back bit for bit, text and binary") {
     const bool binary = GENERATE(true, false);
-    const HeightMap<double> map = rough_map();
+    const HeightMap<double> map = test::rough_map();
     std::ostringstream output;
     io::write_sdf(output, map, {.binary = binary, .manufacturer = "me", .date = "311219991234"});
     const auto back = read(output.str());
@@ -67,7 +54,7 @@ TEST_CASE("A profile is written as a file of one profile, a long side as version
 }
 
 TEST_CASE("What a file cannot hold is not written") {
-    HeightMap<double> map = rough_map();
+    HeightMap<double> map = test::rough_map();
     std::ostringstream output;
     const auto refused = [&](const io::SdfOptions& options) {
         return test::refusal([&] { io::write_sdf(output, map, options); });
@@ -84,7 +71,7 @@ TEST_CASE("What a file cannot hold is not written") {
 TEST_CASE("An output that takes nothing is a file that cannot be written") {
     std::ostringstream output;
     output.setstate(std::ios::badbit);
-    CHECK_THROWS_AS(io::write_sdf(output, rough_map()), file_error);
+    CHECK_THROWS_AS(io::write_sdf(output, test::rough_map()), file_error);
 }
 
 }  // namespace write_sdf_test

@@ -12,20 +12,12 @@ using namespace fstiff;
 
 namespace {
 
-Profile<double> random_walk(std::size_t points, std::uint64_t seed) {
-    test::Normal normal(seed);
-    Profile<double> profile{std::vector<double>(points), 1e-6};
-    double height = 0;
-    for (double& z : profile.heights) z = height += 1e-8 * normal();
-    return profile;
-}
-
 const std::vector<std::size_t> lags{1, 3, 20, 400};
 
 }  // namespace
 
 TEST_CASE("The mean square of second differences is that of each of them") {
-    auto profile = random_walk(1000, 1);
+    auto profile = test::random_walk(1000, 1);
     profile.heights[10] = profile.heights[500] = std::numeric_limits<double>::quiet_NaN();
     const auto s = parts::second_differences(profile, std::span<const std::size_t>(lags));
     for (std::size_t k = 0; k < lags.size(); ++k) {
@@ -47,7 +39,7 @@ TEST_CASE("The mean square of second differences is that of each of them") {
 
 TEST_CASE("Of a periodic profile it is four times S less S of twice the lag") {
     const std::size_t period = 64;
-    const auto wave = random_walk(period, 2);
+    const auto wave = test::random_walk(period, 2);
     Profile<double> profile{{}, 1e-6};
     for (std::size_t i = 0; i < 400 * period; ++i) profile.heights.push_back(wave.heights[i % period]);
     const std::vector<std::size_t> n{5}, both{5, 10};
@@ -58,7 +50,7 @@ TEST_CASE("Of a periodic profile it is four times S less S of twice the lag") {
 }
 
 TEST_CASE("A line is not seen, and lags beyond half the profile are refused") {
-    const auto profile = random_walk(1000, 3);
+    const auto profile = test::random_walk(1000, 3);
     auto tilted = profile;
     for (std::size_t i = 0; i < 1000; ++i) tilted.heights[i] += 1e-8 * (5 + 3 * static_cast<double>(i));
     const auto a = parts::second_differences(profile, std::span<const std::size_t>(lags));

@@ -34,14 +34,6 @@ double slow_covariance(std::size_t n, std::size_t m, std::size_t points, double 
             std::pow(x * y, power));
 }
 
-Profile<double> random_walk(std::size_t points, std::uint64_t seed) {
-    test::Normal normal(seed);
-    Profile<double> profile{std::vector<double>(points), 1e-6};
-    double height = 0;
-    for (double& z : profile.heights) z = height += 1e-8 * normal();
-    return profile;
-}
-
 }  // namespace
 
 TEST_CASE("The covariance of ln S2 is the sum over all pairs of second differences") {
@@ -78,7 +70,7 @@ TEST_CASE("The closed-form covariance of ln S2 is that of simulated random walks
     const int walks = 4000;
     Eigen::MatrixXd samples(3, walks);
     for (int w = 0; w < walks; ++w) {
-        const auto s = parts::second_differences(random_walk(points, static_cast<std::uint64_t>(w + 1)),
+        const auto s = parts::second_differences(test::random_walk(points, static_cast<std::uint64_t>(w + 1)),
                                                  std::span<const std::size_t>(lags));
         // relative deviations from the exact mean 2 n sigma^2 of a walk: what the formula is about
         for (int k = 0; k < 3; ++k)
@@ -98,7 +90,7 @@ TEST_CASE("The closed-form covariance of ln S2 is that of simulated random walks
 TEST_CASE("Resamples of a walk scatter as walks do, at lags of which it holds many") {
     const std::vector<std::size_t> lags{1, 2, 4};
     const std::size_t points = 20000;
-    const auto resampled = parts::bootstrap_log_structure(random_walk(points, 3), lags, 2000, 1, {});
+    const auto resampled = parts::bootstrap_log_structure(test::random_walk(points, 3), lags, 2000, 1, {});
     std::vector<std::size_t> triples;
     for (const auto n : lags) triples.push_back(points - 2 * n);
     const auto formula = parts::log_covariance<double>(lags, triples, 1.0);

@@ -23,6 +23,21 @@ inline std::string big(std::int64_t value, std::size_t size) {
 inline std::string little(float value) { return little(std::bit_cast<std::int32_t>(value), 4); }
 inline std::string big(float value) { return big(std::bit_cast<std::int32_t>(value), 4); }
 
+/// A map with a missing point, a subnormal, a negative zero and the greatest number.
+inline fstiff::HeightMap<double> rough_map() {
+    fstiff::HeightMap<double> map;
+    map.heights.resize(7, 5);
+    for (Eigen::Index i = 0; i < map.size(); ++i)
+        map.heights.data()[i] = 1e-6 * std::sin(1.7 * static_cast<double>(i * i)) / 3;
+    map.heights(2, 3) = std::numeric_limits<double>::quiet_NaN();
+    map.heights(4, 4) = 0x1p-1074;
+    map.heights(0, 1) = -0.0;
+    map.heights(0, 2) = std::numeric_limits<double>::max();
+    map.dx = 1e-6 / 3;
+    map.dy = 2e-6 / 7;
+    return map;
+}
+
 /// \p bytes with \p field at \p place.
 inline std::string put(std::string bytes, std::size_t place, const std::string& field) {
     return bytes.replace(place, field.size(), field);

@@ -15,6 +15,12 @@ using parts::law_error;
 
 using Question = parts::LawErrorQuestion<double>;
 
+/// The error of the law of \p question for heights of this skewness and kurtosis.
+parts::LawError<double> of_shape(Question question, Measurement<double> skewness, Measurement<double> kurtosis) {
+    question.skewness = skewness, question.kurtosis = kurtosis;
+    return law_error(question);
+}
+
 TEST_CASE("The error of a law is its table at the pressures of the table, and between its neighbours elsewhere") {
     for (const auto& [law, name] : names<LawName>)
         for (const KnownAs known : {KnownAs::map, KnownAs::trace, KnownAs::numbers, KnownAs::height}) {
@@ -70,10 +76,8 @@ TEST_CASE("Waves as long as a map widen the error of its laws, and add nothing t
 TEST_CASE("The shape of the heights of a trace widens the error of its law at the side where K may lie") {
     Question question{.law = LawName::hybrid, .known = KnownAs::trace, .p_star = 0.01};
     const auto plain = law_error(question);
-    const auto of = [&question](double skewness, double kurtosis) {
-        question.skewness = Measurement<double>{skewness, 0.1};
-        question.kurtosis = Measurement<double>{kurtosis, 0.2};
-        return law_error(question);
+    const auto of = [&](double skewness, double kurtosis) {
+        return of_shape(question, {skewness, 0.1}, {kurtosis, 0.2});
     };
     CHECK(of(0, 3).low == plain.low);
     CHECK(of(0, 3).high == plain.high);
@@ -91,11 +95,7 @@ TEST_CASE("The shape of the heights of a trace widens the error of its law at th
 TEST_CASE("Numbers of valleys widen both sides, and tails beyond those of their skewness the lower one") {
     Question question{.law = LawName::hybrid, .known = KnownAs::numbers, .p_star = 0.01};
     const auto plain = law_error(question);
-    const auto of = [&question](double skewness, double kurtosis) {
-        question.skewness = Measurement<double>{skewness, 0};
-        question.kurtosis = Measurement<double>{kurtosis, 0};
-        return law_error(question);
-    };
+    const auto of = [&](double skewness, double kurtosis) { return of_shape(question, {skewness, 0}, {kurtosis, 0}); };
     CHECK(of(0, 3).low == plain.low);
     CHECK(of(0, 3).high == plain.high);
     CHECK(test::relative_error(of(-2, 9).high, std::hypot(plain.high, 1.2)) < 1e-14);
