@@ -85,7 +85,7 @@ typedef struct fstiff_roughness {
     double kurtosis;          /**< of the heights, 3 of Gaussian ones; 0: not known, taken for Gaussian */
 } fstiff_roughness;
 
-/** How peaks feel one another: equation (4.11) of the paper, read in two ways. */
+/** Interaction of the peaks: equation (4.11) of the paper, read in two ways. */
 enum { FSTIFF_NO_INTERACTION = 0, FSTIFF_EFFECTIVE_SEPARATION = 1, FSTIFF_INTERACTION_AS_PRINTED = 2 };
 
 /** The two bodies as the contact sees them. */
@@ -112,8 +112,8 @@ FSTIFF_API int fstiff_sensitivity(const char* law, const fstiff_roughness* surfa
                                   fstiff_body* by_body);
 
 /** A contact of the text of a scene (docs/scene.md), length bytes of TOML: entry `law` of contact.laws and entry
- * `peaks` of the distributions of peaks, both counted from 0; `peaks` is 0 for a law without joint peaks. name is what
- * messages call the text, and files that it names are searched beside it; NULL stands for "scene" in the current
+ * `peaks` of the distributions of peaks, both counted from 0; `peaks` is 0 for a law without joint peaks. name is the
+ * name of the text in messages, and files that it names are searched in its folder; NULL: "scene" in the current
  * folder. The points of the scene are not used. */
 FSTIFF_API int fstiff_contact_of_scene(const char* text, size_t length, const char* name, size_t law, size_t peaks,
                                        fstiff_contact** made);
@@ -174,7 +174,7 @@ typedef struct fstiff_law_facts {
 FSTIFF_API int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts);
 
 /** At one separation [m]: p [Pa], K [Pa/m], -dp/dd [Pa/m], the tangent for Newton's method; at one pressure [Pa]:
- * separation [m], K [Pa/m], dK/dp [1/m]. Results that are not wanted may be NULL; a call that fails leaves all of them
+ * separation [m], K [Pa/m], dK/dp [1/m]. Results that are not needed may be NULL; a call that fails leaves all of them
  * alone. */
 FSTIFF_API int fstiff_law_at_separation(const fstiff_law* law, double separation, double* pressure, double* stiffness,
                                         double* slope);
@@ -226,7 +226,7 @@ FSTIFF_API int fstiff_friction_make(const fstiff_law* law, double friction, doub
 FSTIFF_API void fstiff_friction_free(fstiff_friction* friction);
 
 /** At one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor of a
- * cycle between -amplitude and amplitude [m]. Results that are not wanted may be NULL; a call that fails leaves all of
+ * cycle between -amplitude and amplitude [m]. Results that are not needed may be NULL; a call that fails leaves all of
  * them alone. */
 FSTIFF_API int fstiff_friction_first_slip(const fstiff_friction* friction, double separation, double slip,
                                           double* traction, double* stiffness);
@@ -236,11 +236,11 @@ FSTIFF_API int fstiff_friction_cycle(const fstiff_friction* friction, double sep
 /** A straight path from what `before` remembers to a separation [m] and by a slip [m]; a plane model has slip[1] = 0.
  * `after`, which may be `before`, has its size set. pressure and traction [Pa] are those at the end, tangent [Pa/m]
  * their derivatives d(p, q1, q2)/d(-d, s1, s2), row after row, not symmetric where something slips. Results that are
- * not wanted may be NULL; a call that fails leaves all of them alone. Nothing is allocated. */
+ * not needed may be NULL; a call that fails leaves all of them alone. Nothing is allocated. */
 FSTIFF_API int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* before, double separation,
                                     const double slip[2], fstiff_slip* after, double* pressure, double traction[2],
                                     double tangent[9]);
-/** What the contact stores by its tangential displacement [J/m^2], beside fstiff_law_energy(). */
+/** Energy stored by tangential displacement [J/m^2], in addition to fstiff_law_energy(). */
 FSTIFF_API int fstiff_friction_stored_energy(const fstiff_friction* friction, const fstiff_slip* slip, double* energy);
 
 /* ---- Measurement of profiles and maps ---- */
@@ -252,18 +252,18 @@ enum { FSTIFF_FILTER_GAUSSIAN = 0, FSTIFF_FILTER_ROBUST = 1 };
 
 /** All 0 but the size: as `fstiff measure` does it. */
 typedef struct fstiff_measure_options {
-    size_t size; /**< sizeof(fstiff_measure_options) */
-    const char*
-        detrend; /**< of a profile none, mean, line, parabola; of a map none, mean, plane, quadratic, cubic; NULL: line, plane */
+    size_t size;         /**< sizeof(fstiff_measure_options) */
+    const char* detrend; /**< of a profile none, mean, line, parabola; of a map none, mean, plane, quadratic, cubic;
+                              NULL: line, plane */
     double lambda_s;     /**< cut-off of short waves [m], or FSTIFF_NO_CUT_OFF, or 0: by the table */
-    double lambda_c;     /**< cut-off of long waves [m]; 0, FSTIFF_NO_CUT_OFF: none, as a contact feels them all */
+    double lambda_c;     /**< cut-off of long waves [m]; 0, FSTIFF_NO_CUT_OFF: none, as K depends on them all */
     double tip_radius;   /**< of a stylus [m], for profiles; 0: not known */
     double resolution;   /**< of the instrument, lateral [m]; 0: not known */
     double shortest_lag; /**< the window of D [m], both or none: 0 leaves it to fstiff */
     double longest_lag;
     int filter;        /**< of lambda_c: FSTIFF_FILTER_... */
     int peaks;         /**< R and D_p of a map: FSTIFF_PEAKS_... */
-    int resamples;     /**< behind the errors, 2 to 100000; 0: 400 */
+    int resamples;     /**< for the errors, 2 to 100000; 0: 400 */
     unsigned int seed; /**< of the resamples; 0: 2014 */
 } fstiff_measure_options;
 
@@ -276,7 +276,7 @@ typedef struct fstiff_measured {
 /** What a measurement gives. */
 typedef struct fstiff_surface {
     size_t size;                       /**< sizeof(fstiff_surface) */
-    size_t peaks;                      /**< counted, behind R and D_p */
+    size_t peaks;                      /**< counted, for R and D_p */
     double lambda_s, lambda_c;         /**< the cut-offs that were applied [m]; 0: none */
     double shape_share;                /**< 0 to 1: how much of skewness and kurtosis - 3 the hybrid law counts */
     fstiff_measured rms_height;        /**< sigma [m] */
@@ -351,7 +351,7 @@ FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options,
  * "answer.*.pressure_Pa", "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m"
  * and "..._p95_Pa_per_m", "answer.*.thermal_conductance_W_per_m2K" and its ends where the scene has a gap or a
  * conductivity, "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where
- * peaks flow, "rows.*..." of the laws. Words: "answer.0.law", "verdict.0", "outside_band" ... */
+ * peaks flow, "rows.*..." of the laws. Words: "answer.0.law", `"verdict.0"`, "outside_band" ... */
 FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, const char* options,
                           fstiff_document** made);
 /** Parameters of a scene, as fstiff_run() takes it, from a measured curve. Options: fit, the names of the parameters

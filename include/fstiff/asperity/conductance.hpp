@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Heat and current across a contact: through its spots, through what fills the gap, and by radiation.
+/// Conductance for heat and current across a contact: spots, films on the spots, gap and radiation, in parallel.
 ///
-///     h   = k K/E,   k = 2 k1 k2/(k1 + k2)                            spots, of heat and of current alike
+///     h   = k K/E,   k = 2 k1 k2/(k1 + k2)                            spots, for heat and current alike
 ///     h_f = 1/(1/h + r/A_r)                                           spots under a film of r [m^2 K/W or m^2/S]
 ///     h_g = k_g/(d + M)                                               gap of mean width d and temperature jump M
 ///     M   = [(2 - a1)/a1 + (2 - a2)/a2] 2 g/(g + 1)/Pr L              gas of mean free path L
 ///     h_r = 4 s T^3/(1/e1 + 1/e2 - 1)                                 radiation between grey faces
 ///
-/// A circular spot of radius a has K = 2 E a and conducts 2 k a, and so does every set of spots, near or far from one
-/// another, whose K is that of the spots held together: elastic contacts, boundary elements, the unloading of plastic
-/// ones. The spots, the gap and radiation are in parallel.
-///
+/// Derivation: docs/theory.md, section 13.
 /// Reference   Barber, Proc. R. Soc. A 459 (2003) 53; Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182
 ///             (gap and M); Holm, Electric Contacts (1967), section 5 (film); media: at the table
 /// Units       k [W/(m K)] or [S/m], K [Pa/m], E [Pa], h [W/(m^2 K)] or [S/m^2], d, M, L [m], T [K]

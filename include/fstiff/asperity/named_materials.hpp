@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Materials by name: what a contact, a wave, heat and current need of them.
+/// Materials by name: typical constants for a contact, a wave, heat and current at 20 degrees Celsius.
 ///
 ///     find_material("cast iron")->elastic                           {110e9, 0.26}
 ///
-/// Values are typical ones at 20 degrees Celsius of the material that the source names. Hardness and yield strength are
-/// not here: cold work and heat treatment change them up to tenfold.
+/// Hardness and yield strength are not included: cold work and heat treatment change them up to tenfold.
 ///
-/// Reference   [K] Kaye and Laby, Tables of Physical and Chemical Constants, 16th ed. (1995), 2.2.2; [C] CRC Handbook
-///             of Chemistry and Physics, 97th ed. (2016), sections 12 (conductivities of pure metals) and 14 (speeds of
-///             sound); [D] these with densities, and nickel unmagnetized: inaparts.com; [S] Selfridge, IEEE Trans.
-///             Sonics Ultrason. 32 (1985) 381; [B] Boston Piezo-Optics (2010); EN: European standards. Read at first
-///             hand: Olin Brass, [D], [C] for the speeds of aluminium, brass, copper. Quoted by others: the rest of
-///             [C], [S], Plexiglas, the EN but 1993-1-4. Not seen: [B], AISI 1020, the conductivities of cast iron,
-///             [K]; Dowling, Mechanical Behavior of Materials, table 5.2, has its E of Al, Cu, brass, W.
+/// Reference   at the table, whose letters name the sources
 /// Units       moduli [Pa], density [kg/m^3], velocities [m/s], thermal conductivity [W/(m K)], electrical one [S/m]
-/// Accuracy    of the modulus some 5 %, of cast iron 103 to 118 GPa. The modulus that density and velocities make
-///             differs by less than 4 %; of cast iron by 12 %, of PMMA, which is stiffer at MHz, by 22 %
-///             (tests/asperity/named_materials_test.cpp). The conductivities are those of pure metals where the source
-///             is [C]: alloys conduct less.
+/// Valid       the material that the source names; conductivities from [C] are those of pure metals, alloys have less
+/// Accuracy    moduli some 5 %, cast iron 103 to 118 GPa. The modulus from density and velocities differs by less than
+///             4 %, for cast iron by 12 %, for PMMA, which is stiffer at MHz, by 22 %
+///             (tests/asperity/named_materials_test.cpp)
 
 #include <fstiff/asperity/material.hpp>
 
@@ -30,6 +23,14 @@
 namespace fstiff::inline v0_1::parts {
 
 /// A row of the table.
+///
+/// Sources: [K] Kaye and Laby, Tables of Physical and Chemical Constants, 16th ed. (1995), 2.2.2; [C] CRC Handbook of
+/// Chemistry and Physics, 97th ed. (2016), sections 12 (conductivities of pure metals) and 14 (speeds of sound); [D]
+/// these with densities, and nickel unmagnetized: inaparts.com; [S] Selfridge, IEEE Trans. Sonics Ultrason. 32 (1985)
+/// 381; [B] Boston Piezo-Optics (2010); EN: European standards. Read at first hand: Olin Brass, [D], [C] for the speeds
+/// of aluminium, brass, copper. Quoted by others: the rest of [C], [S], Plexiglas, the EN but 1993-1-4. Not seen: [B],
+/// AISI 1020, the conductivities of cast iron, [K]; Dowling, Mechanical Behavior of Materials, table 5.2, has its E of
+/// Al, Cu, brass, W.
 // clang-format off
 struct NamedMaterial {
     std::string_view name;             ///< as scenes write it, in small letters but for PMMA, blanks as "_"

@@ -3,21 +3,14 @@
 /// \file
 /// Load, area and stiffness of one asperity of radius R that flows plastically, pressed in by omega: three laws.
 ///
-///     PlasticLaw       load H area,  area 2 pi R omega
-///     JacksonGreenLaw  s < 1.9: Hertz; else P_c [exp(-s^(5/12)/4) s^(3/2) + 4 H_G/(C Y) (1 - exp(-s^(5/9)/25)) s]
-///                      area pi R omega, (s/1.9)^B times that from s = 1.9 on,  B = 0.14 exp(23 Y/E)
-///                      s = omega/omega_c,  omega_c = (pi C Y/(2E))^2 R,  C = 1.295 exp(0.736 nu),
-///                      P_c = (4/3) (R/E)^2 (pi C Y/2)^3,  H_G/Y = 2.84 - 0.92 (1 - cos(pi a/R))
-///     KogutEtsionLaw   load P_c {s^1.5, 1.03 s^1.425, 1.40 s^1.263, 3 s/k}     for s < 1, < 6, < 110, beyond
-///                      area A_c {s, 0.93 s^1.136, 0.94 s^1.146, 2 s}           A_c = pi R omega_c
-///                      omega_c = (pi k H/(2E))^2 R,  k = 0.454 + 0.41 nu,  P_c = (2/3) k H pi R omega_c
-///     all            stiffness 2 sqrt(area/pi), that of unloading, which a wave sees; the slope of the load is another
+///     PlasticLaw       load H area,  area 2 pi R omega            s = omega/omega_c, omega_c: beginning of flow
+///     JacksonGreenLaw  Hertz for s < 1.9, beyond it a fit to finite elements with a hardness that falls with a/R
+///     KogutEtsionLaw   powers of s in four ranges: s < 1, < 6, < 110, beyond
+///     all              stiffness 2 sqrt(area/pi) on unloading, as a wave sees it; the slope of the load is another
 ///
-/// Loads and stiffnesses are divided by the effective modulus E. The fits jump by up to 8 % at their ends.
-///
+/// Both are divided by E. The fits jump by up to 8 % at their ends. Equations: docs/theory.md, section 3.
 /// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; Jackson, Green, J. Tribol. 127 (2005) 343, Tribol. Trans.
-///             49 (2006) 1; Kogut, Etsion, J. Appl. Mech. 69 (2002) 657; Pharr, Oliver, Brotzen, J. Mater. Res. 7
-///             (1992) 613
+///             49 (2006) 1; Kogut, Etsion, J. Appl. Mech. 69 (2002) 657; Pharr et al., J. Mater. Res. 7 (1992) 613
 /// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]; moduli, Y and H [Pa]
 /// Valid       omega >= 0, R > 0; PlasticLaw s >= 110, a/R <= 0.4; JacksonGreenLaw a/R <= 0.41; KogutEtsionLaw s <= 110
 /// Accuracy    1e-13 relative (tests/asperity/plastic_laws_test.cpp)
@@ -141,6 +134,10 @@ inline constexpr auto names<parts::HardnessLaw> =
     name_list<parts::HardnessLaw>({{parts::HardnessLaw::cosine, "cosine"}, {parts::HardnessLaw::exponent, "2005"}});
 
 /// One asperity by Jackson and Green: elastic, then elastic-plastic, with a hardness that falls as the contact grows.
+///
+///     load   s < 1.9: Hertz; else P_c [exp(-s^(5/12)/4) s^(3/2) + 4 H_G/(C Y) (1 - exp(-s^(5/9)/25)) s]
+///     area   pi R omega, times (s/1.9)^B from s = 1.9 on,  B = 0.14 exp(23 Y/E),  s = omega/omega_c
+///     omega_c = (pi C Y/(2E))^2 R,  C = 1.295 exp(0.736 nu),  P_c = (4/3) (R/E)^2 (pi C Y/2)^3
 template <Real T = double>
 class JacksonGreenLaw : public parts::UnloadsElastically<JacksonGreenLaw<T>> {
 public:
@@ -188,6 +185,10 @@ private:
 };
 
 /// One asperity by Kogut and Etsion: elastic, two elastic-plastic ranges, then fully plastic.
+///
+///     load   P_c {s^1.5, 1.03 s^1.425, 1.40 s^1.263, 3 s/k}     for s < 1, < 6, < 110, beyond;  s = omega/omega_c
+///     area   A_c {s, 0.93 s^1.136, 0.94 s^1.146, 2 s}           A_c = pi R omega_c,  P_c = (2/3) k H pi R omega_c
+///     omega_c = (pi k H/(2E))^2 R,  k = 0.454 + 0.41 nu
 template <Real T = double>
 class KogutEtsionLaw : public parts::UnloadsElastically<KogutEtsionLaw<T>> {
 public:

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Boundary elements of a map as a contact: its states at pressures and at separations, with the error of the grid.
+/// Contact of a map by boundary elements: states at pressures and at separations, with the error of the grid.
 ///
 ///     const fstiff::BoundaryElementContact contact(map, 112e9, {.points = 256});
 ///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7});
 ///
-/// The separation is the mean gap of the deformed faces. At a separation the pressure is sought by Newton's method,
-/// with K as the slope. Each state is one solution on two grids (halfspace/truth), so that no table and no fit is made
-/// of it.
+/// Each state is one solution on two grids (halfspace/truth.hpp); no table and no fit is made from it.
 ///
 /// Reference   halfspace/truth.hpp
 /// Units       SI
-/// Valid       as truth(): a map without missing points whose form is removed, of 16 points a side at least;
+/// Valid       as truth(): a map without missing points whose form is removed, at least 16 points a side;
 ///             separations greater than 0 and less than the height of the highest point of the grid
 /// Accuracy    that of truth(), bit for bit; at a separation the pressure to 1e-7
 ///             (tests/contact/boundary_element_contact_test.cpp)
@@ -31,11 +29,12 @@
 
 namespace fstiff::inline v0_1 {
 
-/// The elastic half space, or one with a hardness, solved on a map.
+/// Contact of a map on an elastic half space, or on one with a hardness. The separation is the mean gap of the deformed
+/// faces; the pressure at a separation is found by Newton's method with K as the slope.
 template <Real T = double>
 class BoundaryElementContact {
 public:
-    /// Of the surface \p map against a smooth flat; options.progress is called while a state is computed.
+    /// Presses the surface \p map against a smooth flat; options.progress is called while a state is computed.
     /// \throws domain_error as truth().
     BoundaryElementContact(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                            const parts::TruthOptions<T>& options = {})

@@ -5,8 +5,8 @@
 ///
 ///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7}, fstiff::Quantity::stiffness);
 ///
-/// A contact is whatever has point_at_pressure(p, wanted) or point_at_separation(d, wanted) and returns a ContactPoint.
-/// A point out of reach of the model is a result that leaves the other points alone.
+/// A contact has point_at_pressure(p, quantities) or point_at_separation(d, quantities), which return a ContactPoint. A
+/// point out of reach of the model is a result and leaves the other points alone.
 ///
 /// Units       those of the contact: pressures [Pa], separations [m]
 /// Valid       pressures finite and greater than 0, separations finite; any number of them, in any order

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact integrals: moments of the peaks that stand above a separation.
+/// Contact integrals: moments of the peaks above a separation.
 ///
 ///     J[a,b](eta; r, theta) = int_0^inf int_eta^inf t^b (zeta - eta)^a p_peak(zeta, t) dzeta dt      eqs. (4.5), (4.9)
 ///     contacts   N J[0,0]                              load       (4/3) E N sigma^(3/2) sigma_kappa^(-1/2) J[3/2,-1/2]

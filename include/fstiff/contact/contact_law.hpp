@@ -6,9 +6,7 @@
 ///     p(d), K(d), -dp/dd, d(p), K(p), dK/dp        d: separation of the mean planes
 ///     const auto law = fstiff::ContactLaw<double>::tabulate(contact, {.min_pressure = 1e5, .max_pressure = 1e8});
 ///
-/// The tables are short polynomials (math/piecewise), uniform in d and in the binary exponent of p, or parabolas
-/// (contact/law_tables) where K has kinks. -dp/dd is the derivative of the returned p, the tangent of Newton's
-/// method; K has a table of its own where it is no constant times that. p falls and K rises monotonically.
+/// -dp/dd is the derivative of the returned p, the tangent of Newton's method; p falls and K rises monotonically.
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m
 /// Valid       float and double; 0 < min_pressure < max_pressure within the reach of the model; no interaction or
@@ -40,7 +38,7 @@ inline void require_same_size(Eigen::Index a, Eigen::Index b) {
 }
 
 /// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
-/// where fewer are left, so that a result does not depend on where its element stands; the others go through \p one.
+/// where fewer are left, so that a result does not depend on the place of its element; the others go through \p one.
 template <class Pieces, parts::ReadableReal T, std::size_t N, class FourAt, class OneAt>
 void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                const FourAt& four, const OneAt& one) {
@@ -203,7 +201,7 @@ public:
         return tables_.energy(separation);
     }
     /// Separation [m] where the line through the loosest state of the range, with its slope, meets p = 0: first touch,
-    /// as a drawn face that has no roughness knows it. p itself falls without end.
+    /// as for a drawn face without roughness. p itself falls without end.
     [[nodiscard]] T touch() const {
         require_filled();
         const auto end = tables_.at_furthest();
@@ -352,7 +350,7 @@ private:
             throw domain_error(parts::Refusal{
                 .parameter = "contact law", .reason = "is empty; must be tabulated or read from text to be evaluated"});
     }
-    /// Value and bounds with the digits that tell them apart.
+    /// Value and bounds with the digits that distinguish them.
     [[noreturn]] static void refuse(std::string_view name, T value, T low, T high, const char* unit) {
         parts::refuse(name, parts::shortest_text(value),
                       "between " + parts::shortest_text(low) + " and " + parts::shortest_text(high) + unit +

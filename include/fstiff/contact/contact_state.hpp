@@ -43,7 +43,7 @@ template <Real T>
 /// Whether a point has a state, and if not, why.
 enum class PointStatus {
     ok,
-    out_of_reach,   ///< the model has no state there; ContactPoint::reason tells what it has
+    out_of_reach,   ///< the model has no state there; ContactPoint::reason gives its range
     beyond_numbers  ///< a value or an error, doubled, is beyond the range of the scalar
 };
 
@@ -52,7 +52,7 @@ template <Real T = double>
 struct ContactPoint {
     PointStatus status = PointStatus::ok;
     ContactState<T> state{};  ///< out of reach: all 0, but for a stiffness that is NaN
-    std::string reason{};     ///< of out_of_reach: what the contact said; else empty
+    std::string reason{};     ///< of out_of_reach: the message of the contact; else empty
 
     [[nodiscard]] bool ok() const { return status == PointStatus::ok; }
 
@@ -158,7 +158,7 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
         const auto f = log_slope(eta, false);
         return std::pair(f.log - target, f.slope);
     };
-    // closer than the rounding of the logarithms tells apart is not asked for
+    // no closer than the rounding of the logarithms
     const auto found = math::newton_bracketed(residual, T(min_eta), highest, guess, 16 * rounding);
     if (!found.converged())
         return {{}, false, log_slope(highest, false).log - target, log_slope(T(min_eta), false).log - target};

@@ -9,7 +9,7 @@
 ///
 /// ratio is K of summits that push each other down over K of summits each by themselves, tabulated at p_h, p_h/2, ...
 /// and linear in ln p; surfaces drawn about the map share it. p_h is where 6 % of the area is in contact by the crowded
-/// law, or less where more than 1,200 summits carry or the summits cannot be told apart.
+/// law, or less where more than 1,200 summits carry or the summits cannot be separated.
 ///
 /// Reference   this project: 6 %, 8 and 1,200 by boundary elements of 25 kinds of maps (docs/validation.md)
 /// Units       SI
@@ -98,7 +98,7 @@ template <Real T>
                         alone.at_pressure(p, Quantity::stiffness).stiffness.value);
     };
     std::vector<T> ratios;
-    for (int tries = 0; ratios.empty(); ++tries) {  // down to where the summits can be told apart
+    for (int tries = 0; ratios.empty(); ++tries) {  // down to where the summits can be separated
         try {
             ratios.push_back(tries < 20 ? ratio_at(low) : T(0));
         } catch (const domain_error&) {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Hybrid contact of a surface known by numbers: rms height, rms gradient, Nayak's alpha and the Hurst exponent.
+/// Hybrid contact of a surface that is given by numbers: rms height, rms gradient, Nayak's alpha and Hurst exponent.
 ///
 ///     K       = (K_hills^5 + K_persson^5)^(1/5)            contact/hybrid_contact.hpp
-///     K_hills = of Hertz's law, joint peaks with theta -> 0, r = 1/sqrt(alpha), of the band cut where alpha is 6
+///     K_hills : Hertz's law, joint peaks with theta -> 0, r = 1/sqrt(alpha), of the band cut where alpha is 6
 ///     A/A0    = P [1 + 0.36 (1-P)^(3/2)],  P = erf(sqrt(2) p/(E g)),  and n: of the whole band
 ///
-/// On a broad spectrum a contact is a hill with many peaks on it; the cut makes K independent of the shortest wave.
-/// Bearing curves of heights that are not Gaussian enter as in contact/bearing_contact.hpp.
-///
+/// Derivation, bearing curves: docs/theory.md, section 9.
 /// Reference   this project: boundary elements (tools/make_broad.py); Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       SI
 /// Valid       isotropic surfaces, alpha > 3/2; pressures up to 0.75 E g

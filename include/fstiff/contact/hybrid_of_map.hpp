@@ -20,7 +20,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// The contact of \p map under the effective modulus \p effective_modulus [Pa]; \p edges says how the map goes on
+/// The contact of \p map under the effective modulus \p effective_modulus [Pa]; \p edges: how the map goes on
 /// beyond its edges. \throws domain_error for missing points, a map without summits, or a modulus that is not positive.
 template <Real T>
 [[nodiscard]] auto hybrid_of_map(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,

@@ -21,7 +21,7 @@ namespace fstiff::inline v0_1 {
 
 /// How (4.11) is read.
 enum class InteractionReading {
-    none,                  ///< asperities do not feel one another: the stiffness of the interface alone
+    none,                  ///< asperities act independently: the stiffness of the interface alone
     effective_separation,  ///< the integrals at eta_effective; separation and stiffness those of the nominal planes
     as_printed  ///< stiffness, area and contacts at eta_new against the pressure at eta_old, as the paper plots them
 };
@@ -50,7 +50,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// How peaks feel one another by (4.11), and over which length.
+/// Interaction of the peaks by (4.11): its reading and its length.
 template <Real T = double>
 struct Interaction {
     InteractionReading reading = InteractionReading::none;

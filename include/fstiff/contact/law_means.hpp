@@ -19,7 +19,7 @@ namespace fstiff::inline v0_1::detail {
 
 /// A function of excess height and curvature with \p count kinks, called through a virtual function: the rule in two
 /// dimensions, which takes far longer to compile than any law, is compiled once for each count instead of once for each
-/// quantity of each law. One call serves eight nodes, so that its cost is small beside that of their exponentials.
+/// quantity of each law. One call serves eight nodes, so that its cost is small against that of their exponentials.
 template <Real T, std::size_t count>
 class PeakFunction {
 public:

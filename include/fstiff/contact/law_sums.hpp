@@ -154,7 +154,7 @@ public:
 private:
     static constexpr std::size_t passes = 3;  ///< as many as powers of R, all of which one power of omega may have
     std::array<PowerTerm<T>, 5> terms_;
-    std::array<std::size_t, 5> pass_{};  ///< of each term; `passes` where it is not wanted
+    std::array<std::size_t, 5> pass_{};  ///< of each term; `passes` where it is not asked for
     std::array<std::optional<parts::PeakIntegrator<T>>, passes> integrators_;
 };
 

@@ -10,8 +10,7 @@
 ///     extrapolate, d > d_max:  p = p_e exp(-(d - d_max) s_e/p_e),  K = K_e p/p_e;  to p = K = 0 for an open contact
 ///     extrapolate, d < d_min:  p = p_e + s_e x + s_e' x^2/2,  s = s_e + s_e' x,  x = d_min - d,  K/K_e = s/s_e
 ///
-/// with p, the slope s = -dp/dd and K of the ends (e), and s_e' that of K_e' s_e/K_e: s is the derivative of p
-/// throughout. A parabola is found through equal cells of d and of the leading bits of p, two for each, and bisection.
+/// e marks the ends, s the slope -dp/dd, which is the derivative of p throughout: s_e' is that of K_e' s_e/K_e.
 ///
 /// Units       SI: Pa, m, Pa/m
 /// Valid       float and double; arguments within the tables, but for the functions of the continuation
@@ -121,7 +120,7 @@ private:
             last_before[c] = (std::max)(last_before[c], last_before[c - 1]);
         return last_before;
     }
-    /// The last piece of a cell that \p begins says yes of. The end of the table is none.
+    /// The last piece of a cell for which \p begins is true. The end of the table is none.
     template <class Begins>
     [[nodiscard]] const Parabola<T>& piece(const std::vector<Index>& cells, std::size_t cell,
                                            const Begins& begins) const noexcept {

@@ -92,7 +92,7 @@ private:
     [[nodiscard]] V stiffness_in_series(const V& k) const {
         return k / multiply_add(k, V::all(bulk_), V::all(1));
     }
-    /// K by the model itself, where \p found is what the model says of p.
+    /// K by the model itself, where \p found is p of the model.
     [[nodiscard]] T true_stiffness(const State<One>& found, T eta) const {
         if constexpr (proportional)
             return stiffness_of(found, One::all(eta)).p;

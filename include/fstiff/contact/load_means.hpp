@@ -80,7 +80,7 @@ template <Real T, class Law, class Peaks>
     return {over_load(sums.stiffness, T(1)), over_load(sums.real_area_fraction, modulus)};
 }
 
-/// The same of a law that knows where its peaks begin to flow.
+/// The same for a law that gives the beginning of flow of its peaks.
 template <Real T, class Law, class Peaks>
 requires requires(const Law& law) { law.critical(T(1)); }
 [[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta) {

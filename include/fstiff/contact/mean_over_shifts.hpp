@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The mean over contacts that are equally likely: two rough faces meet at a shift that nobody knows.
+/// Mean over contacts that are equally likely: two rough faces meet at an unknown shift.
 ///
 ///     value = mean of the values        error = sqrt((mean error)^2 + s^2),   s^2 = sum (value_i - value)^2/(n - 1)
 ///

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Microslip and loss at one pressure, where no table of the law is at hand: from p, K and how K falls with p.
+/// Microslip and loss at one pressure, without a table of the law: from p, K and the fall of K with p.
 ///
 ///     x = k K s/(mu p)                        tangential displacement s over what slips, k = K_t/K
 ///     q = mu p (1 - P),  dq/ds = -k K P'       P(x): the load left when the contact is parted by x p/K, over p
-///     W = (4 mu^2 p^2/(k K)) [(1 + P) x - 2 I],  I: integral of P from 0 to x,  over pi q s: the loss factor
+///     W = (4 mu^2 p^2/(k K)) [(1 + P) x - 2 I],  I: integral of P from 0 to x;  loss factor W/(pi q s)
 ///     K ~ p^m below p     P = [1 - (1 - m) x]^(1/(1-m));  m = 1/3 one sphere, 1 far from both ends of the load
 ///     spots that flowed   P = (2/pi) [acos y - y sqrt(1 - y^2)],  y = pi x/4: equal ones, under the hardness all over
 ///
-/// Spots of uniform pressure lose far less than elastic ones while little slips, as x^2 against x. Neighbours of other
-/// sizes and the elastic spots between them lose more: a contact that flowed is between the two, at x >= 0.3 within a
-/// factor of 2 of their geometric mean (boundary elements: tests/halfspace/unloading_test.cpp).
-///
-/// Reference   contact/tangential_law; P of a flowed spot: its springs are pressed by (2 H/E) sqrt(a^2 - x^2) (Popov,
-///             Hess, 2015, ch. 2), and K = 2 E a makes H and E drop out
+/// Reference   contact/tangential_law.hpp; P of a flowed spot: Popov, Hess, Method of Dimensionality Reduction (2015),
+///             ch. 2; derivation: docs/theory.md, section 12
 /// Units       dimensionless
 /// Valid       x >= 0, 0 <= m < 2; beyond full slip P = 0. Like bodies, Coulomb friction
 /// Accuracy    1e-13; with m between 0.6 p and p the loss factor of three laws is within 3 % of that of the law itself,
@@ -44,7 +40,10 @@ private:
     }
 };
 
-/// Equal circular spots that flowed under one pressure.
+/// Equal circular spots that flowed under one pressure. They lose far less than elastic ones while little slips, as x^2
+/// against x. Neighbours of other sizes and elastic spots between them lose more: a contact that flowed is between the
+/// two, for x >= 0.3 within a factor of 2 of their geometric mean (boundary elements:
+/// tests/halfspace/unloading_test.cpp).
 template <Real T>
 struct FlowedUnloading {
     [[nodiscard]] T load(T x) const {

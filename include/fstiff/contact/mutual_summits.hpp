@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact of a map's own summits that push each other down.
+/// Contact of the summits of a map that push each other down. Derivation: docs/theory.md, section 7.
 ///
 ///     omega_i + sum_j g_ij F_j/E = z_i - d,   F_i = E c_i omega_i^(3/2),   p = sum F_i/A0
 ///     K = 1/A0 1^T (diag(1/k) + g/E)^(-1) 1,  k_i = (3/2) E c_i omega_i^(1/2)
 ///
-/// c_i is that of an ellipse of Hertz (asperity/elliptic_hertz), g_ij the deflection of i by a point force on j and its
-/// images, less its mean (halfspace/point_forces). Of two contacts so close that g_ij^2 k_i k_j >= E^2 the higher
-/// carries. Newton's method, its steps by conjugate gradients with a rougher g.
-///
+/// c_i: Hertz's ellipse (asperity/elliptic_hertz.hpp); g_ij: periodic, less its mean (halfspace/point_forces.hpp).
 /// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729; Johnson, Contact Mechanics (1985), eq. (4.26); the
 ///             periodic g and the rule for close pairs: this project
 /// Units       SI
@@ -52,7 +49,7 @@ public:
         for (const Summit<T>& one : of_.summits) hertz_.push_back(elliptic_hertz(one.max_curvature, one.min_curvature));
     }
 
-    /// \throws domain_error unless the pressure [Pa] is positive and at most as many summits carry it as Valid says.
+    /// \throws domain_error unless the pressure [Pa] is positive and at most 5000 summits on 8 % of the area carry it.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         ContactState<T> state = state_of(solved(pressure), wanted);
         state.pressure = {pressure, 0, state.pressure.evaluations};
@@ -76,7 +73,7 @@ public:
     [[nodiscard]] Crowding<T> crowding(T pressure) const { return solved(pressure).crowding; }
 
     [[nodiscard]] T rms_height() const { return of_.rms_height; }
-    /// Area that the summits stand on [m^2].
+    /// Nominal area of the summits [m^2].
     [[nodiscard]] T area() const { return of_.area; }
     /// K has a kink wherever another summit touches.
     [[nodiscard]] static constexpr bool has_kinks() { return true; }

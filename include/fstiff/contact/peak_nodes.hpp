@@ -58,7 +58,7 @@ public:
 
     explicit PeakNodes(const PeakProblem<T>& problem) : floor_(problem.floor) {}
 
-    /// \p table: what tells apart sets of t that are the same in every problem, or null.
+    /// \p table: distinguishes sets of t that are the same in every problem, or null.
     void begin(const T* table = nullptr) {
         size_ = 0;
         table_ = table;
@@ -267,7 +267,7 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
 /// graded      else: c or 1/k small. Step: 3.9/(log_accuracy + 3), less where the Gaussian is narrow.
 ///
 /// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are
-/// too hopeful the error estimate says so.
+/// too hopeful the error estimate shows it.
 /// Calls sink.add with PeakNodes and returns the step: an integral is the step times the sum.
 template <Real T, class Sink>
 T visit_nodes(const PeakProblem<T>& p, T log_accuracy, Sink& sink) {

@@ -15,7 +15,7 @@
 namespace fstiff::inline v0_1::detail {
 
 /// J of up to four powers a = 0, 1/2, 1, 3/2 at once, without the factor c^a/(2 theta) exp(-floor^2/2), by a
-/// trapezoidal rule of step h, and the relative error that its nodes tell of.
+/// trapezoidal rule of step h, and the relative error that its nodes show.
 template <Real T>
 struct PeakSums {
     std::array<T, 4> value{};

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Persson's stiffness of a rough contact, from the spectrum of the roughness: the law of crowded contacts.
+/// Persson's stiffness of a rough contact from the spectrum of the roughness: the law of crowded contacts.
 ///
 ///     1/K = sqrt(2/pi)/p int_0^g f(p/(E G)) dG/q(G),     f(x) = B(P) exp(-2 x^2),  P = erf(sqrt(2) x)
 ///     d   = sqrt(2/pi) int_0^g W(sqrt(2) p/(E G)) dG/q,  W(y) = int_y^inf B(erf s) exp(-s^2) ds/s
-///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16],    A/A0 = erf(sqrt(2) p/(E g))
+///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16],    A/A0 = erf(sqrt(2) p/(E g)),  no number of contacts (0)
 ///
-/// G(q) is the rms gradient of all waves up to q (contact/gradient_spectrum), g that of all. c = 0 is the published
-/// correction, c = 1/4 a fit to boundary elements. The theory gives no number of contacts: it is 0.
-///
+/// G(q): rms gradient of all waves up to q (contact/gradient_spectrum.hpp). Derivation: docs/theory.md, section 8.
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Yang, Persson, J. Phys. Condens. Matter 20 (2008) 215214
-///             (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45)
+///             (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45); c = 1/4: this project
 /// Units       SI: m, Pa, Pa/m
 /// Valid       0 < gamma <= 1, 0 <= c <= 1; states up to 0.75 E g, stiffness() and separation() up to 18 E g; isotropic
 ///             Gaussian surfaces. K is too small where few peaks carry: 0.65 of boundary elements at p/(E g) = 0.002
@@ -84,7 +82,7 @@ struct PerssonStiffness {
 
 }  // namespace detail
 
-/// Persson's theory: the contact of a surface of which the spectrum is known.
+/// Persson's theory: the contact of a surface with a known spectrum.
 template <Real T = double>
 class PerssonContact : public detail::SlopeContact<PerssonContact<T>, T> {
     using S = math::Tabulated<T>;

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, which a wave sees.
+/// Contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, as a wave sees it.
 ///
 ///     K    = (K_cut^1.9 + K_elastic^1.9)^(1/1.9)            at equal pressure, K_cut at the share p/H
 ///     A/A0 = p sqrt(1/H^2 + 4/(E g)^2)                      g at the local scale of a bearing curve
 ///     p(d) = (p_cut^-1.3 + p_elastic^-1.3)^(-1/1.3)         p_cut = H times the share of the surface above d
 ///
-/// K_cut is that of the highest points of area p/H held together: a linear problem for a map (MapCut), 0.68 E g
-/// p/(sigma H) for a Gaussian surface (GaussianCut). The number of contacts is not known: it is 0.
-///
+/// The number of contacts is not available: it is 0. Derivation: docs/theory.md, section 10.
 /// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159; Cooper, Mikic,
 ///             Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279
 /// Units       SI
@@ -201,7 +199,7 @@ public:
     }
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error unless 0 < eta,
-    /// where a part of the surface stands above it, and its pressure is within reach.
+    /// where a part of the surface is above it, and its pressure is within reach.
     [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
         const T to_elastic = rms_height() / elastic_.rms_height();
         const parts::LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);

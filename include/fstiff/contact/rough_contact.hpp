@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts.
+/// Contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts, per nominal area.
 ///
 ///     p = E load_factor D_p sigma^2 (sigma sigma_kappa)^(-1/2) J[3/2,-1/2](eta)
 ///     K = E stiffness_factor D_p sigma (sigma sigma_kappa)^(-1/2) J[1/2,-1/2](eta)          eq. (4.9)
 ///     A = area_factor D_p sigma/sigma_kappa J[1,-1](eta)         n = D_p J[0,0](eta)         eqs. (4.5), (4.6)
 ///
-/// per nominal area, eta the separation over sigma, sigma_kappa = 3 sqrt(pi)/(8 R), eq. (4.10).
-///
 ///     const fstiff::RoughContact contact(roughness, peaks, fstiff::FractalLaw<double>(1.62), 112.6e9);
 ///     const double K = contact.at_pressure(10e6).stiffness.value;
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4
-/// Units       SI at the border: m, Pa, Pa/m, 1/m^2
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4; derivation: docs/theory.md, section 5
+/// Units       SI at the border: m, Pa, Pa/m, 1/m^2; eta = d/sigma, sigma_kappa = 3 sqrt(pi)/(8 R), eq. (4.10)
 /// Valid       separations from -1000 to 1e6 rms heights, and their pressures until they underflow (eta = 37)
 /// Accuracy    1e-13 at a separation and at a pressure for eta <= 4; each value carries its bound
 ///             (tests/contact/rough_contact_test.cpp, tests/contact/random_contacts_test.cpp)
@@ -116,7 +114,7 @@ public:
     }
 
     /// The contact under the nominal pressure \p pressure [Pa].
-    /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
+    /// \throws domain_error unless it is positive and within the reach of the model, which the message gives.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         return state_at_pressure(pressure, wanted).value();
     }

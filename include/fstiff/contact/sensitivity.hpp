@@ -8,9 +8,7 @@
 ///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (by parts; b = -1: and its value at t = 0)
 ///     dJ[a,b]/dtheta = -J[a,b]/theta + dk/dtheta I[(zeta-eta)^a t^b d/dk erf(k t)]
 ///
-/// I has the normal density phi(zeta, t; r) in place of erf(k t) phi. Laws without powers and PerssonParameters take
-/// differences of six points. With interaction the bulk is in series, 1/K' = 1/K + L/(E f), and L is held.
-///
+/// I has the normal density phi(zeta, t; r) in place of erf(k t) phi. Derivation: docs/theory.md, section 15.
 /// Reference   Plackett, Biometrika 41 (1954) 351-360 (by r); Abramowitz and Stegun, 25.3 (differences)
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
 /// Valid       as RoughContact; factors and lengths of the law are held but for D. A law without powers: r > 0
@@ -43,7 +41,7 @@ struct Sensitivity {
 
 namespace parts {
 
-/// A law that tells how its load and its stiffness change with D: d ln/dD, 0 where there is no D.
+/// Law with the derivatives of its load and its stiffness by D: d ln/dD, 0 without a D.
 template <class Law, class T>
 concept DimensionalLaw = requires(const Law& law) {
     { law.log_load_slope() } -> std::convertible_to<T>;
@@ -59,7 +57,7 @@ struct LogDerivatives {
     One stiffness, load;
 };
 
-/// What stands for a F_{a-1}, a = Twice/2, over the factor a (1 where a = 0): see scaled_moment.
+/// a F_{a-1} over the factor a (1 where a = 0), a = Twice/2, or its replacement: see scaled_moment.
 template <int Twice, Real T>
 T lower_moment(T x) {
     if constexpr (Twice == 0)
@@ -266,8 +264,9 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
 
 }  // namespace parts
 
-/// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. Does not allocate for a law with
-/// powers. \throws domain_error as at_pressure of the contact, and for interaction as_printed.
+/// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. With interaction the bulk is in
+/// series, 1/K' = 1/K + L/(E f), and L is held. Does not allocate for a law with powers; others take differences of six
+/// points. \throws domain_error as at_pressure of the contact, and for interaction as_printed.
 template <Real T, class Law, class Peaks>
 [[nodiscard]] Sensitivity<T> sensitivity(const RoughContact<T, Law, Peaks>& contact, std::type_identity_t<T> pressure) {
     const InteractionReading reading = contact.interaction().reading;
@@ -364,7 +363,7 @@ template <Real T>
     out.alpha = by(&P::alpha, (at.alpha - T(1.5)) * T(0.005));
     out.hurst = by(&P::hurst, T(0.005));
     out.effective_modulus = (K.stiffness - pressure * K.slope) / at.effective_modulus;
-    // 1/K is linear in gamma: a second point tells its slope
+    // 1/K is linear in gamma: a second point gives its slope
     parts::PerssonParameters<T> other = at;
     other.gamma = at.gamma > T(0.5) ? at.gamma / 2 : 2 * at.gamma;
     const T slope = (1 / other.contact().stiffness(pressure) - 1 / K.stiffness) / (other.gamma - at.gamma);

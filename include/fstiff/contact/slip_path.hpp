@@ -66,7 +66,7 @@ public:
     [[nodiscard]] const Point* begin() const { return points_; }
     [[nodiscard]] const Point* end() const { return points_ + count_; }
 
-    /// Writes the nodes that are needed. Of too many those go first that \p pressure says weigh least.
+    /// Writes the nodes that are needed. If there are too many, those of the least weight by \p pressure go first.
     template <class Pressure>
     void remember(State& after, const Pressure& pressure) {
         drop_straight();

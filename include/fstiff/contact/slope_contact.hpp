@@ -38,7 +38,7 @@ public:
     [[nodiscard]] T stiffness_over_slope() const { return T(1); }
 
 protected:
-    // For a contact that knows K(p) and, as an integral of it, the separation d(p): stiffness(p) and separation(p).
+    // For a contact that has K(p) and, as an integral of it, the separation d(p): stiffness(p) and separation(p).
 
     /// int p/K d ln p = int dp/K over \p length of ln p from \p from on, by a Gauss-Legendre rule of so many points.
     template <std::size_t points>

@@ -103,7 +103,7 @@ public:
     /// K has a kink wherever another summit touches.
     [[nodiscard]] static constexpr bool has_kinks() { return true; }
     [[nodiscard]] Eigen::Index summits() const { return std::ssize(height_); }
-    /// Area that the summits stand on [m^2].
+    /// Nominal area of the summits [m^2].
     [[nodiscard]] T area() const { return area_; }
 
 private:

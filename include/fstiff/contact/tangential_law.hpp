@@ -6,27 +6,14 @@
 ///     q = mu [p(d) - p(d*)],   d* = d + k s/mu,   k = K_t/K_n     first displacement s, at constant d
 ///     dq/ds = k K(d*)                                             k K(d) at s = 0; full slip q = mu p as d* grows
 ///     W = (4 mu^2/k) [(p + p*) D - 2 (E - E*)],   D = d* - d       lost in a cycle between -s and s; E: energy of d
-///
-/// Partial slip is a difference of two normal states: what touched at a separation below d* slips, the rest sticks. It
-/// holds for any history if every level x >= d of the contact, of the stiffness p''(x) dx, is dragged by u(x) and slips
-/// where |u| would exceed (mu/k) (x - d). With u linear between nodes (contact/slip_path)
-///
-///     q = k sum (u_b - u_a)/(x_b - x_a) [p(x_a) - p(x_b)]
-///
-/// is exact along a line for paths that are straight from call to call, unloading and reloading by Masing's rule among
-/// them. In a plane it is exact while u keeps its direction, and a return to the cone of friction where that turns.
-///
-///     const TangentialLaw<double> rough(law, 0.3, tangential_ratio(steel, steel));
-///     SlipState<double, 2> before{.separation = d}, after;
-///     const auto [p, q, tangent] = rough.step(before, d, {1e-7, 0}, after);     // when it is accepted: before = after
+///     q = k sum (u_b - u_a)/(x_b - x_a) [p(x_a) - p(x_b)]         any history: level x is dragged by u (slip_path.hpp)
 ///
 /// Reference   Jaeger, Arch. Appl. Mech. 65 (1995) 478; Ciavarella, J. Mech. Phys. Solids 46 (1998) 2349; levels as
-///             springs: Popov, Hess, Method of Dimensionality Reduction in Contact Mechanics and Friction (2015), ch. 5
+///             springs: Popov, Hess (2015), ch. 5; derivation: docs/theory.md, section 12
 /// Units       d, s [m], p, q [Pa], E, W [J/m^2], tangents [Pa/m]
-/// Valid       bodies of like elastic constants (of others the coupling of normal and tangential motion is left out),
-///             Coulomb friction, a law whose K is -dp/dd: not peaks that flow as they are loaded (contact/microslip)
-/// Accuracy    that of the law, and 1e-15 mu p (tests/contact/tangential_law_test.cpp, which also says what paths that
-///             turn in a plane cost)
+/// Valid       bodies of like elastic constants, Coulomb friction, a law whose K is -dp/dd: no peaks that flow
+/// Accuracy    that of the law, and 1e-15 mu p on straight paths (tests/contact/tangential_law_test.cpp, which also
+///             measures the error of paths that turn in a plane)
 /// Threads     as ContactLaw; a state belongs to whoever holds it. No call allocates
 
 #include <fstiff/contact/contact_law.hpp>
@@ -38,6 +25,13 @@
 namespace fstiff::inline v0_1 {
 
 /// p, q and their derivatives under a separation and tangential displacements. Threads may share one.
+///
+///     const TangentialLaw<double> rough(law, 0.3, tangential_ratio(steel, steel));
+///     SlipState<double, 2> before{.separation = d}, after;
+///     const auto [p, q, tangent] = rough.step(before, d, {1e-7, 0}, after);     // when it is accepted: before = after
+///
+/// Paths that are straight from call to call are exact along a line. In a plane a path is exact while u keeps its
+/// direction, and a return to the cone of friction where that turns.
 template <parts::ReadableReal T = double>
 class TangentialLaw {
 public:
@@ -52,12 +46,12 @@ public:
         /// d(p, q)/d(-d, s) [Pa/m] of the numbers returned, for Newton's method; where something slips not symmetric.
         Eigen::Matrix<T, Directions + 1, Directions + 1> tangent;
     };
-    /// On the curve of a first displacement.
+    /// State on the curve of a first displacement.
     struct FirstSlip {
         T traction;   ///< q [Pa]
         T stiffness;  ///< dq/ds [Pa/m]
     };
-    /// Of a cycle between two displacements of one size.
+    /// Loss of a cycle between two displacements of one size.
     struct Cycle {
         T lost;         ///< W [J/m^2]
         T loss_factor;  ///< W/(pi q s), W over 2 pi times q s/2; 4/pi where all slips, 0 where nothing does
@@ -113,7 +107,7 @@ public:
         return found;
     }
 
-    /// What the contact stores in tangential displacement [J/m^2], beside normal().energy(separation).
+    /// Energy stored in tangential displacement [J/m^2], in addition to normal().energy(separation).
     template <int Directions>
     [[nodiscard]] T stored_energy(const SlipState<T, Directions>& state) const {
         T sum{}, level = state.separation;

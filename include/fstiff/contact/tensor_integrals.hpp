@@ -7,9 +7,7 @@
 ///
 /// In rows of constant t the excess e = zeta - eta is covered by pieces e = from + size x of four rules
 /// (contact/tensor_nodes): squares x = (j h)^2, graded x = a log(1 + exp(y - b exp(-c y))), linear, and Legendre's
-/// between kinks. Axis::even takes squares in both directions, for half-integer powers; Axis::graded any smooth f; a
-/// KinkedLaw is split at its kinks; Axis::rough is for kinks at unknown places. Rows and nodes are added to the
-/// tolerance.
+/// between kinks. Rows and nodes are added to the tolerance.
 ///
 /// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741
 /// Units       dimensionless
@@ -28,13 +26,13 @@ namespace fstiff::inline v0_1::parts {
 
 /// How the nodes approach t = 0 and excess = 0.
 enum class Axis {
-    even,    ///< for half-integer powers of the excess and of t
-    graded,  ///< for any that is smooth, or whose kinks are known
-    rough    ///< for any: as graded, with an error estimate for algebraic convergence
+    even,    ///< squares in both directions, for half-integer powers of the excess and of t
+    graded,  ///< for any smooth f; a KinkedLaw is split at its kinks
+    rough    ///< for kinks at unknown places: as graded, with an error estimate for algebraic convergence
 };
 
-/// A law that says at which excess it has a kink (or a jump), given the curvature t: at critical(t), or, where it has a
-/// member kinks() that returns a std::array of ascending numbers, at critical(t) times each of these.
+/// Law with known kinks or jumps: at the excess critical(t), given the curvature t, or, with a member kinks() that
+/// returns a std::array of ascending numbers, at critical(t) times each of these.
 template <class F, class T>
 concept KinkedLaw = requires(const F& f, T t) {
     { f.critical(t) } -> std::convertible_to<T>;
@@ -45,7 +43,7 @@ template <Real T = double>
 struct TensorOptions {
     T relative_tolerance = T(1e4) * std::numeric_limits<T>::epsilon();
     int max_nodes =
-        192;  ///< rows, and nodes of a piece of a row, at most 256; the error estimate says when they were not enough
+        192;  ///< rows, and nodes of a piece of a row, at most 256; the error estimate shows when they were too few
 };
 
 /// The kinks of a law as multiples of critical(t).
@@ -271,7 +269,7 @@ template <Axis axis, Real T, class F>
     const int most = std::clamp(options.max_nodes / 8 * 8, 8, detail::TensorTable<T>::max_nodes);
     const T rounding = std::numeric_limits<T>::epsilon() * (T(16) + problem.floor + std::abs(eta) / problem.c);
     const T factor = 1 / (2 * problem.theta);
-    constexpr T safety = 2;  // on what the sums tell of their errors
+    constexpr T safety = 2;  // factor on the errors that the sums show
     Estimate<T> out;
     for (;;) {
         const Estimate<T> found = rule.evaluate(most);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The one-dimensional rules of the two-dimensional kernel: the graded map, tables of nodes and weights, and what the
-/// sums over them tell of their errors; and the rows of constant curvature that they cover.
+/// One-dimensional rules of the two-dimensional kernel: the graded map, tables of nodes and weights, the errors that
+/// the sums show, and the rows of constant curvature that they cover.
 ///
 /// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741.
 /// Units       dimensionless
@@ -22,7 +22,7 @@ using TensorLanes = Eigen::Array<T, 8, 1>;
 template <Real T = double>
 struct GradedMap {
     T a, b, c;
-    T strip;  ///< a rule of step h errs by exp(-strip/h) or more, as measured: 2 pi times where the integrand is analytic
+    T strip;  ///< measured: a rule of step h errs by exp(-strip/h) or more, 2 pi times the strip of analyticity
 
     /// A y below which x < exp(log_x), for small x.
     [[nodiscard]] T begin(T log_x) const {
@@ -58,14 +58,14 @@ inline constexpr GradedMap<T> plain_map{T(2.1), T(0.4), T(1.354), T(7)};
 template <Real T>
 inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
 
-/// The error of a trapezoidal rule over the whole line whose nodes were summed apart by their number modulo 8 (\p s).
+/// Error of a trapezoidal rule over the whole line whose nodes were summed apart by their number modulo 8 (\p s).
 ///
 /// The rule of step h errs by the transform of the integrand at the frequency 2 pi/h; the discrete transform of the
-/// eight sums at k = 1 ... 4 is the transform at k/8 of it. From 4/8 it is extrapolated over \p falls eighths by its
-/// last falls, of which the slower counts: four for a smooth law, whose transform falls at least geometrically, fewer
-/// across kinks, where its fall slows down. Where a kink makes it fall like a power (rough, none), the ratio of
-/// neighbours says little, and twice the size at 4/8 stands: eight times what a kink in the first derivative leaves. \p
-/// even: the nodes are those of y > 0 of an even function.
+/// eight sums at k = 1 ... 4 is the transform at k/8 of it. From 4/8 it is extrapolated over \p falls eighths by the
+/// slower of its last falls: four eighths for a smooth law, whose transform falls at least geometrically, fewer across
+/// kinks, where its fall slows down. Where a kink makes it fall like a power (rough, none), the ratio of neighbours is
+/// no guide, and the error is twice the size at 4/8: eight times the rest of a kink in the first derivative. \p even:
+/// the nodes are those of y > 0 of an even function.
 template <Real T>
 EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
     constexpr T half_root = numbers::sqrt2_v<T> / 2;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What fstiff needs of a compiler, each with one clear error, and what the standard library lacks.
+/// Requirements on a compiler, each with one clear error, and replacements for gaps of the standard library.
 ///
 ///     C++20                 concepts, std::bit_cast, std::span
-///     NaN and infinity      NaN is the missing point of a profile or a map, and every check of an argument is written so
-///                           that NaN fails it. Under -ffinite-math-only (a part of -ffast-math) the compiler takes
-///                           such comparisons for false or true as it likes: wrong numbers pass without a word. The
-///                           other parts of -ffast-math give no wrong result, but associative-math takes away the
-///                           digits that compensated sums gain.
+///     NaN and infinity      NaN is the missing point of a profile or a map, and fails every check of an argument.
+///                           Under -ffinite-math-only (a part of -ffast-math) such comparisons may be false or true:
+///                           wrong numbers pass without a message. Its other parts give no wrong result, but
+///                           associative-math takes away the digits that compensated sums gain.
 ///     round every operation not the x87 unit, which keeps 64 bits and rounds when it stores: compensated sums, and the
 ///                           argument reduction of the Gaussian, rest on the rounding of each operation
 ///

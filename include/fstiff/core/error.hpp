@@ -26,7 +26,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// Where in a file something stands.
+/// Place in a file.
 struct Place {
     std::string file{};                   ///< its name in messages
     std::size_t line = 0;                 ///< counted from 1; 0 when there is none to name
@@ -94,7 +94,7 @@ public:
         }
         return domain_error(sentence);
     }
-    /// The same error of a parameter called \p name, which stands before the reason where there was none.
+    /// The same error for a parameter called \p name, put before the reason if the error had none.
     [[nodiscard]] FSTIFF_COLD domain_error with_parameter(std::string_view name) const {
         Sentence sentence(std::string(parts::part(what(), 0, spans_.parameter.begin)), spans_);
         sentence.spans.allowed = {};
@@ -107,7 +107,7 @@ public:
     }
 
 private:
-    /// Where a field stands in the sentence: the same in every copy, without a pointer.
+    /// Place of a field in the sentence: the same in every copy, without a pointer.
     struct Span {
         std::size_t begin = 0, length = 0;
     };

@@ -12,7 +12,7 @@
 ///     parse<Divisor>("paper", "divisor")          Divisor::paper
 ///     parse<Divisor>("many", "divisor")           throws "divisor = "many": must be one of pairs, paper"
 ///
-/// The list stands beside its enum, in namespace fstiff, and is what --help, the refusals and the files of fstiff read.
+/// The list follows its enum, in namespace fstiff; --help, the refusals and the files of fstiff read it.
 ///
 /// Valid       each value and each word once (checked where the list is written); no word is empty
 
@@ -69,7 +69,7 @@ template <parts::NamedEnum Enum>
 
 namespace parts {
 
-/// The value whose word is \p name, upper and lower case told apart; none when there is no such word.
+/// The value whose word is \p name, case-sensitive; none when there is no such word.
 template <NamedEnum Enum>
 [[nodiscard]] constexpr std::optional<Enum> find_named(std::string_view name) noexcept {
     for (const auto& known : names<Enum>)
@@ -85,7 +85,7 @@ template <NamedEnum Enum>
     return words;
 }
 
-/// The words as they stand in a sentence: pairs, paper.
+/// The words as in a sentence: pairs, paper.
 template <NamedEnum Enum>
 [[nodiscard]] std::string choices_text() {
     std::string text;

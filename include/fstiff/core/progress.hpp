@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How a long computation tells its caller how far it is; the library itself prints nothing.
+/// Progress of a long computation, reported to its caller; the library itself prints nothing.
 
 #include <fstiff/core/config.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Floating-point numbers to and from text: the one place that knows what the standard library lacks (core/config.hpp).
+/// Floating-point numbers to and from text: the one place with replacements for the standard library (core/config.hpp).
 ///
 ///     shortest_text(0.1)              "0.1"            reads back as the same number
 ///     rounded_text(2.0 / 3, 4)        "0.6667"         as printf %.4g; 17 digits read back as the same double
@@ -63,8 +63,8 @@ std::string text_by_to_chars(T value, Format... format) {
             return text.substr(0, static_cast<std::size_t>(end - text.data()));
 }
 
-/// As printf with \p precision digits and \p conversion, such as g; what stands for the decimal point in the locale is
-/// replaced by a point.
+/// As printf with \p precision digits and \p conversion, such as g; the decimal sign of the locale is replaced by a
+/// point.
 template <Real T>
 std::string text_by_printf(T value, char conversion, int precision) {
     constexpr bool is_long = std::is_same_v<T, long double>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Concerns about the parameters of a fit, each with its name, its parameters and the number behind it.
+/// Concerns about the parameters of a fit, each with its name, its parameters and its number.
 ///
 ///     singular        a combination of the parameters leaves the model as it is: those with a share above 0.02 in it
 ///     not_converged   the search ended before the least sum of squares
@@ -12,7 +12,7 @@
 ///     no_errors       as many parameters as points, and points without errors: no standard errors
 ///     at_bound        D, r or theta within 1e-6 of an end of its range: no value of it fits the data
 ///     unresolved      a positive parameter whose 95 % interval spans a factor of 100 or more
-///     correlated      two parameters with a correlation beyond 0.99: hardly told apart
+///     correlated      two parameters with a correlation beyond 0.99: hardly separable
 ///
 /// Reference   this project
 
@@ -51,7 +51,7 @@ inline constexpr auto names<FitConcern> = name_list<FitConcern>({
 
 namespace parts {
 
-/// Whether the values of the fit are no answer at all; else they stand.
+/// Whether the values of the fit are no answer at all; else they are valid.
 [[nodiscard]] constexpr bool is_fatal(FitConcern concern) {
     return concern == FitConcern::singular || concern == FitConcern::not_converged || concern == FitConcern::at_bound;
 }
@@ -66,7 +66,7 @@ namespace parts {
 
 }  // namespace parts
 
-/// One doubt about a fit, with the numbers behind it.
+/// One doubt about a fit, with its numbers.
 template <Real T = double>
 struct FitFinding {
     FitConcern concern{};
@@ -79,7 +79,7 @@ struct FitFinding {
 
 namespace parts {
 
-/// The largest residual where it stands out from the others.
+/// The largest residual if it is an outlier.
 template <Real T>
 void add_outlier(const Identification<T>& fit, std::vector<FitFinding<T>>& findings) {
     if (fit.degrees_of_freedom < 3 || fit.residuals.empty()) return;
@@ -107,7 +107,7 @@ void add_far_from_start(const Identification<T>& fit, std::vector<FitFinding<T>>
 
 }  // namespace parts
 
-/// In the order of FitConcern, but at_bound and unresolved as the parameters come; singular stands alone.
+/// In the order of FitConcern, but at_bound and unresolved as the parameters come; singular excludes the others.
 template <Real T>
 [[nodiscard]] std::vector<FitFinding<T>> concerns_of(const Identification<T>& fit) {
     std::vector<FitFinding<T>> findings;

@@ -126,7 +126,7 @@ public:
           wanted_(wanted),
           start_(start),
           wave_(wave),
-          // an error that is NaN or negative is no way to say that it is not known
+          // an error that is NaN or negative does not mean "unknown"
           errors_known_(std::any_of(data.begin(), data.end(), [](const auto& o) { return o.error != 0; })),
           values_(data.size()) {
         require_observations(data, wave.has_value(), errors_known_);

@@ -5,10 +5,10 @@
 ///
 ///     minimise  sum_i [(model(p_i + p_0) - y_i)/e_i]^2       over some of sigma, R, D_p, D, E, r, theta, p_0
 ///
-/// Each parameter is fitted as its row of surface/contact_parameter.hpp says; intervals are symmetric in the fitted
-/// variable. Without errors e_i all points count alike and the covariance is scaled by chi^2. K(p) = B g(p/A) with A ~
-/// E D_p sigma^(3/2) R^(1/2) and B ~ E D_p sigma^(1/2) R^(1/2): of sigma, E D_p sqrt(R) and D at most two can be found.
-/// A fit that asks for more is singular and names the parameters; one at an end of D, r or theta is at_bound.
+/// surface/contact_parameter.hpp defines the fitted variable of each parameter; intervals are symmetric in it. Without
+/// errors e_i all points count alike and the covariance is scaled by chi^2. At most two of sigma, E D_p sqrt(R) and D
+/// can be found (docs/theory.md, section 15): a fit that asks for more is singular and names the parameters; one at an
+/// end of D, r or theta is at_bound.
 ///
 /// Reference   this project; the derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp
 /// Units       SI
@@ -65,8 +65,8 @@ struct Identification {
 
 namespace parts {
 
-/// A standard error above ln 100 of the logarithm that is fitted, a factor of 100 or nearly the whole range, tells
-/// nothing.
+/// A standard error above ln 100 of the logarithm that is fitted, a factor of 100 or nearly the whole range: no
+/// information.
 template <Real T>
 inline constexpr T useless_error = T(4.6);
 

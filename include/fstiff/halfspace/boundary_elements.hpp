@@ -1,31 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The truth of one map: its contact with a flat, solved by boundary elements on the map itself.
+/// Contact of one map with a flat, solved by boundary elements on the map itself, and its stiffness.
 ///
 ///     g = u[p] - h + d >= 0,   p >= 0,   p g = 0 at every point,   mean p = the nominal pressure
-///     u[p] of an elastic half space that repeats the map, or mirrors it at its edges
-///     (halfspace/surface_compliance.hpp)
+///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1       with a hardness: p <= H, and K is that of unloading
 ///
-/// is a quadratic programme, solved by an active set method. The contact on a grid half as fine, itself begun on a
-/// coarser one down to 8 points, is the first set. Conjugate gradients level the gap on the set; points whose pressure
-/// became less than 0 leave it, points that lie within the other face join it, until none does. The stiffness needs no
-/// difference of two solutions: the points in contact are held together and moved by one unit,
-///
-///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1
-///
-/// which is -dp/dd where the set of contacts changes smoothly, and what a wave sees that moves the faces by less than a
-/// nanometre. With a hardness H the pressure is cut there (p <= H; g < 0 is plastic flow where p = H), and the
-/// stiffness is that of unloading.
-///
+/// u[p] is that of an elastic half space that repeats or mirrors the map. Derivation: docs/theory.md, section 11.
 /// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206;
 ///             sets: Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist et al., J. Mech.
 ///             Phys. Solids 55 (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
-/// Accuracy    of the equations on the grid: tolerance, 1e-8 by default. Of the surface: a contact needs several
-///             points, and solving on a coarser grid too tells the rest (halfspace/truth.hpp). Against the wave of
-///             Westergaard and another code: tests/halfspace/boundary_elements_test.cpp
+/// Accuracy    of the equations on the grid: tolerance, 1e-8 by default; of the surface: halfspace/truth.hpp. Against
+///             the wave of Westergaard and another code: tests/halfspace/boundary_elements_test.cpp
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/progress.hpp>
@@ -77,8 +65,8 @@ class BoundaryElements {
     using Field = parts::GridField<T>;
 
 public:
-    /// Of the surface \p map against a smooth flat. \throws domain_error for missing points and what
-    /// HeightMap::validate says.
+    /// Presses the surface \p map against a smooth flat. \throws domain_error for missing points and as
+    /// HeightMap::validate.
     BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                      const parts::BoundaryElementOptions<T>& options = {});
 
@@ -240,7 +228,7 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T
         } while (change > tolerance && change > enough * first && iteration < options_.max_iterations);
         const T level = gradients.level();
         const bool kept = is_set_kept(gradients, nominal);
-        quiet = sum <= tolerance ? quiet + 1 : 0;  // twice: points at the edge of what rounding tells
+        quiet = sum <= tolerance ? quiet + 1 : 0;  // twice: points at the edge of rounding
         if ((kept && change <= tolerance) || quiet == 2) return {level, change, iteration};
     }
     return {gradients.level(), sum, iteration};

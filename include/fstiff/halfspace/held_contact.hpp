@@ -169,7 +169,7 @@ template <Real T>
 template <Real T = double>
 class HighestPoints {
 public:
-    /// \throws domain_error for missing points and what HeightMap::validate says.
+    /// \throws domain_error for missing points and as HeightMap::validate.
     HighestPoints(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges)
         : modulus_(effective_modulus),
           rows_(map.rows()),

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How forces on points of an elastic half space that goes on beyond its edges lower these points: all by all in O(n
-/// log n).
+/// Deflection of points of an elastic half space by forces on these points and their images, all by all in O(n log n).
 ///
-///     u_i = sum_j g(x_i, x_j) F_j/E       g = sum over the images of j of 1/(pi r), less its mean; no 1/r of i on itself
+///     u_i = sum_j g(x_i, x_j) F_j/E       g = sum over the images of j of 1/(pi r), less its mean; without i on itself
 ///     1/r = erfc(a r)/r + erf(a r)/r      the first summed over the images within r_c = 4.2/a, the second on a grid:
 ///                                         2/q erfc(q/(2a)), forces spread and read through a window of 10 points
 ///
-/// The images are those of a repeating or a mirrored cell, as those of halfspace/surface_compliance.hpp, whose mean
-/// deflection is 0 too: u counts from the mean plane of the deflected surface. The window is an exponential of a
-/// semicircle, of which the transform is divided out.
-///
+/// The images are those of a repeating or a mirrored cell. Derivation: docs/theory.md, section 11.
 /// Reference   Ewald, Ann. Phys. 369 (1921) 253, here for 1/r over a plane; Hockney, Eastwood, Computer Simulation
-///             Using Particles (1988), ch. 8; the window: Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479.
+///             Using Particles (1988), ch. 8; window: Barnett et al., SIAM J. Sci. Comput. 41 (2019) C479
 /// Units       x, y, u [m], F/E [m^2]
 /// Valid       points within the cell; two points not at the same place
 /// Time        3 ms for 5000 points, after 25 ms for the pairs; a quick split 0.5 ms
-/// Accuracy    2e-9 of the largest deflection against a direct sum, a quick split 2e-4
-///             (tests/halfspace/point_forces_test.cpp)
+/// Accuracy    2e-9 of the largest deflection against a direct sum, a quick split 2e-4 (tests/halfspace)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>

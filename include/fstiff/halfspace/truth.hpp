@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What boundary elements say of a map, with the error of the grid: solved on a grid of the size asked for and on one
-/// half as fine, of which the difference is the error.
+/// Contact of a map by boundary elements on a grid of the size asked for and on one half as fine; the difference of the
+/// two is the error of the grid.
 ///
 ///     const auto points = fstiff::truth(map, 100e9, pressures, {.points = 256, .edges = fstiff::Edges::mirrored});
-///     points[0].state.stiffness, points[0].stiffness_error       K [Pa/m] and what the coarser grid says otherwise
+///     points[0].state.stiffness, points[0].stiffness_error       K [Pa/m] and its change from the coarser grid
 ///
 /// Reference   halfspace/boundary_elements.hpp
 /// Units       SI
@@ -42,8 +42,8 @@ struct TruthOptions {
 template <Real T = double>
 struct TruthPoint {
     parts::BoundaryElementState<T> state{};
-    T stiffness_error{};  ///< change from the grid half as fine [Pa/m]; infinite where all points of one grid alone touch; 0
-                          ///< where all points of both touch, and where it was not asked for
+    T stiffness_error{};  ///< change from the grid half as fine [Pa/m]; infinite where all points of one grid alone
+                          ///< touch; 0 where all points of both touch, and where it was not asked for
     T gap_error{};        ///< the same of the mean gap [m]
 };
 

@@ -50,7 +50,7 @@ struct ErfPolynomials {
     }
 };
 
-/// erf of eight ascending numbers of which the first is \p first and the last \p last.
+/// erf of eight ascending numbers from \p first to \p last.
 template <Real T>
 EIGEN_ALWAYS_INLINE Lanes<T, 8> erf_ascending(const Lanes<T, 8>& y, T first, T last, const ErfPolynomials<T>& by) {
     using V = Lanes<T, 8>;

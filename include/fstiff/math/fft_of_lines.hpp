@@ -24,7 +24,7 @@ class FftOfLines {
 public:
     static constexpr std::size_t width = sizeof(T) <= 4 ? 8 : 4;
 
-    /// \throws domain_error for a \p size that is_smooth_size refuses. Valid where it says true.
+    /// \throws domain_error unless is_smooth_size(size) is true.
     explicit FftOfLines(std::size_t size) : size_(size), re_(width * size), im_(re_) {
         std::size_t rest = size;
         const auto take = [&](std::size_t factor) {

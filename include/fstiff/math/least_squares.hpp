@@ -38,8 +38,8 @@ struct LeastSquaresOptions {
 /// How a search for least squares ended.
 enum class FitStatus {
     converged,
-    singular,  ///< a combination of the parameters leaves the residuals as they are: no covariance
-    at_bound,  ///< a parameter came to the end of its range, which only a caller knows (fit/identify): no covariance
+    singular,      ///< a combination of the parameters leaves the residuals as they are: no covariance
+    at_bound,      ///< a parameter came to the end of its range, which the caller gives (fit/identify): no covariance
     not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
 };
 

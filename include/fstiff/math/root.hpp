@@ -83,7 +83,7 @@ template <Real T, class F>
         if (value == 0) return {x, 0, i, RootStatus::converged};
 
         if (direction == 0 && slope != 0 && !std::isnan(slope)) direction = slope > 0 ? 1 : -1;
-        if (direction == 0) {  // no slope to tell by: compare with the ends
+        if (direction == 0) {  // no slope: compare with the ends
             const T at_low = f(lower).first, at_high = f(upper).first;
             i += 2;
             direction = at_low < at_high ? 1 : -1;

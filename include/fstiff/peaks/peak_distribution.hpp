@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Greenwood's joint density of the height and curvature of the peaks of a Gaussian profile sampled at a finite step.
+/// Joint density of the heights and curvatures of the peaks of a Gaussian profile that is sampled at a finite step.
 ///
 ///     p_peak(zeta, t) = erf(t tan(theta)/sqrt 2)/(2 theta c) exp(-(zeta - r t)^2/(2 c^2)) exp(-t^2/2)   eq. (4.4)
 ///     c^2 = 1 - r^2,   zeta height over the rms height,  t curvature over the rms curvature of the ordinates
 ///     sin^2(theta) = (3 - 4 rho1 + rho2)/(4 (1 - rho1))      r^2 = 2 (1 - rho1)^2/(3 - 4 rho1 + rho2)
-///     E t   = sqrt(pi/2) sin(theta)/theta    E t^2 = 1 + sin(2 theta)/(2 theta)
-///     E t^3 = sqrt(9 pi/2) (sin(theta)-sin(theta)^3/3)/theta; E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/4/theta
 ///
-/// rho1, rho2: autocorrelation at one and two steps. r and theta are independent (docs/errata.md).
+/// rho1, rho2: autocorrelation at one and two steps. r and theta are independent (docs/errata.md). Derivation, moments
+/// of t and limits: docs/theory.md, section 4.
 ///
 /// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski et al. (2014), eqs. (4.1)-(4.4), Fig. 2
 /// Units       dimensionless, theta in radians

@@ -27,7 +27,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// What stands beyond the longest wavelength: waves as strong as the longest one, or none.
+/// Waves beyond the longest wavelength: as strong as the longest one, or none.
 enum class LongWaves { plateau, none };
 
 }  // namespace parts
@@ -62,7 +62,7 @@ std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_
 template <Real W>
 using Waves = Eigen::Array<std::complex<W>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Real part of the sum of \p waves, of which the first \p rows are not 0.
+/// Real part of the sum of \p waves; rows from \p rows on are 0.
 template <Real W>
 Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_waves(Waves<W> waves, Eigen::Index rows) {
     std::vector<std::complex<W>> in, out;

@@ -60,7 +60,7 @@ struct MeasuredStiffness {
     T slope{};  ///< dK/dR [Pa/m], negative
     bool bounded =
         true;  ///< R +- 2 errors stay within the range of R: else K has no upper or no lower bound, and an error
-               ///< of first order says too little
+               ///< of first order is not enough
 };
 
 /// K and its error from |R| = \p reflection with the standard error \p reflection_error, to first order.

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// One stiffness for one pressure: which law gives it, and the causes of its band.
+/// One stiffness for one pressure: the law that gives it, and the causes of its band.
 ///
 ///     q.known = KnownAs::map;  q.available = {LawName::hybrid, LawName::boundary_elements};
 ///     answering_law(q)                       boundary_elements, where 20 points of the grid or more touch
 ///     const auto band = band_of(causes);     K exp(band.low), K exp(band.high): 5 and 95 %
 ///
-///     law      boundary elements of the map itself, where they can be solved and know more than a pixel; else plastic
-///              where peaks flow, H/(E g) < 0.7, hybrid where they do not, and proportional for a height alone
 ///     band     low = -sqrt(sum low_i^2), high = sqrt(sum high_i^2) over the causes i, in ln K
 ///     scatter  0.77/sqrt(n) of ln K of one surface with n contacts, one standard deviation
 ///
-/// Reference   the sum by squares is that of independent errors (JCGM 100:2008, 5.1.2), in logarithms; docs/accuracy.md
-///             (scatter of single surfaces: 7.7, 11, 20 and 36 % at 100, 40, 15 and 5 contacts; plastic K over elastic
-///             K
-///             1.04 to 1.15 at H/(E g) = 0.5, less beyond)
+/// Reference   sum by squares: independent errors (JCGM 100:2008, 5.1.2), in logarithms; docs/accuracy.md (scatter 7.7,
+///             11, 20 and 36 % at 100, 40, 15 and 5 contacts; plastic K over elastic K 1.04 to 1.15 at H/(E g) = 0.5)
 /// Units       p* = p/(E g_rms), ln K
-/// Valid       any contact; numbers that are not known are NaN or 0, as each says
+/// Valid       any contact; numbers that are not known are NaN or 0, as each member describes
 /// Accuracy    of the causes (tests/validity/answer_test.cpp)
 
 #include <fstiff/math/statistics.hpp>

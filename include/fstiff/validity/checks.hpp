@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How far the elastic multi-asperity models may be believed: every check by its name, with its numbers and its limit.
+/// Checks of the range of the elastic multi-asperity models: each by its name, with its numbers and its limit.
 ///
-///     of the surface     psi = (E/H) sqrt(sigma/R) <= 1, H = 2.8 Y    plasticity index: else peaks yield at any load
-///                        sigma R D_p >= 0.0249                        of an isotropic Gaussian surface, where it is
-///                                                                     0.02036 sqrt(alpha), alpha >= 1.5
-///                        1e-6 <= g_rms <= 1                           given, measured or implied: else a unit of length
-///                                                                     is likely wrong
-///     of each state      p* = p/(E g_rms) <= 0.01                     pressure over what closes the gaps: beyond it the
-///                                                                     peaks feel one another (docs/errata.md)
-///                        0 <= separation <= R_p                       the mean planes apart, some peak in touch
-///                        n A0 >= 10                                   contacts enough for a mean over peaks
-///                        A <= A0
-///                        p A0/A <= 2.8 Y                              mean pressure on the real area below the
-///                        hardness error of K <= 1e-6 K                         the integrals converged
-///     g_rms = sqrt(2 r sigma sigma_kappa)                             rms gradient of an isotropic surface of (4.4)
-///
-/// Nothing is refused: a check that does not hold says at which states, and the numbers stay as they are.
-///
-///     for (const auto& check : fstiff::parts::check_curve<double>(states, {.effective_modulus = 112.6e9, .rms_gradient
-///     = 0.08}))
+///     for (const auto& check : fstiff::parts::check_curve<double>(states, {.effective_modulus = 112.6e9,
+///                                                                         .rms_gradient = 0.08}))
 ///         if (!check.holds()) warn(name_of(check.concern), check.first, check.greatest, check.limit);
+///
+/// Nothing is refused: a check that does not hold reports the states, and the numbers stay as they are. Every quantity,
+/// its limit and the reason: docs/theory.md, section 15.
 ///
 /// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319 (psi); Greenwood, Proc. R. Soc. Lond. A
 ///             393 (1984) 133-157 (r = sigma_m^2/(sigma sigma_kappa), sigma_m the slope of a profile); Tabor, The
@@ -157,7 +144,7 @@ template <Real T>
 }
 
 /// The rms gradients that a surface implies: by R and D_p, sqrt(2 m2) of moments_of_peaks(); by sigma and R,
-/// sqrt(2 r sigma sigma_kappa), with r = 1/2 where \p r is 0, which does not tell it. \throws domain_error as
+/// sqrt(2 r sigma sigma_kappa), with r = 1/2 where \p r is 0, which gives none. \throws domain_error as
 /// moments_of_peaks().
 template <Real T>
 [[nodiscard]] std::array<T, 2> implied_gradients(const Roughness<T>& surface, T r) {
@@ -197,7 +184,7 @@ template <Real T>
 [[nodiscard]] std::vector<Check<T>> check_curve(std::span<const ContactState<T>> states, const CurveLimits<T>& limits,
                                                 Quantity known = Quantity::all) {
     std::vector<Check<T>> checks;
-    // value_of gives the number that is shown, or none; broken says where the check does not hold
+    // value_of gives the number that is shown, or none; broken is true where the check does not hold
     const auto check = [&](Concern concern, T limit, const auto& value_of, const auto& broken) {
         Check<T> made{.concern = concern, .limit = limit};
         for (std::size_t i = 0; i < states.size(); ++i) {

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The error of a law by itself: how far K of the contact may lie from K of the law, other errors apart.
+/// Error of a law by itself: the interval of K of the contact about K of the law, other errors apart.
 ///
 ///     const auto error = fstiff::parts::law_error<double>({.law = fstiff::LawName::hybrid, .p_star = 0.01});
 ///     use(K * std::exp(error.low), K * std::exp(error.high));       5 and 95 %
 ///
 ///     low  = -sqrt(low(p*)^2 + sum low_i^2),  high = sqrt(high(p*)^2 + sum high_i^2)
-///     low(p*), high(p*)   a table for each law and kind of knowledge, linear in ln p*; of plastic at p/H in place of p*
-///     map     low_1 = high_1 = 0.8 s, s the relative error of sigma that its longest waves make: the form that was
-///             removed and the edges of the map are unknown to the same degree
-///     else    by the skewness S and kurtosis Q of the heights, which the law does not take as they are: low_1 = a(p*) S
-///             where S > 0, else low_1 = b(p*) |S| and high_1 = c(p*) |S|; low_2 = d(p*) min(t, 4) where t > 0, t = Q -
-///             3 of a trace, Q - 3 - 3 S^2/2 of numbers; high_2 = e(p*) (3 - Q) where Q < 3
 ///
-/// The table of hybrid for a map holds what lambda_s and the removed plane do to it; that of a height alone comes on
-/// top of all priors. Below its first p* the ends grow as 1/sqrt(p*), beyond its last as 1 + ln(p*/0.25).
+/// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*. Terms
+/// low_i, high_i of long waves, skewness and kurtosis: docs/theory.md, section 15.
 ///
 /// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13
 /// Units       p* = p/(E g_rms), ln K
@@ -34,7 +28,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// What a law knows of a surface.
+/// The form in which a law has a surface.
 enum class KnownAs {
     map,      ///< every height
     trace,    ///< a profile
