@@ -119,7 +119,7 @@ FSTIFF_API int fstiff_contact_of_scene(const char* text, size_t length, const ch
                                        fstiff_contact** made);
 FSTIFF_API void fstiff_contact_free(fstiff_contact* contact);
 
-/** Where the results go: arrays of `count` of the call. One that is NULL is not written, and its quantity is not
+/** Destinations of the results: arrays of `count` of the call. One that is NULL is not written, and its quantity is not
  * computed. */
 typedef struct fstiff_points {
     size_t size;                /**< sizeof(fstiff_points) */
@@ -146,7 +146,7 @@ FSTIFF_API int fstiff_contact_at_separations(const fstiff_contact* contact, cons
 
 typedef struct fstiff_law fstiff_law;
 
-/** What a law does outside its range (contact/contact_law.hpp). */
+/** Behaviour of a law outside its range (contact/contact_law.hpp). */
 enum { FSTIFF_OUTSIDE_REFUSE = 0, FSTIFF_OUTSIDE_CLAMP = 1, FSTIFF_OUTSIDE_EXACT = 2, FSTIFF_OUTSIDE_EXTRAPOLATE = 3 };
 
 /** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact
@@ -173,7 +173,7 @@ typedef struct fstiff_law_facts {
 /** facts->size must be set. */
 FSTIFF_API int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts);
 
-/** At one separation [m]: p [Pa], K [Pa/m], -dp/dd [Pa/m], the tangent for Newton's method; at one pressure [Pa]:
+/** State at one separation [m]: p [Pa], K [Pa/m], -dp/dd [Pa/m], the tangent for Newton's method; at one pressure [Pa]:
  * separation [m], K [Pa/m], dK/dp [1/m]. Results that are not needed may be NULL; a call that fails leaves all of them
  * alone. */
 FSTIFF_API int fstiff_law_at_separation(const fstiff_law* law, double separation, double* pressure, double* stiffness,
@@ -181,12 +181,12 @@ FSTIFF_API int fstiff_law_at_separation(const fstiff_law* law, double separation
 FSTIFF_API int fstiff_law_at_pressure(const fstiff_law* law, double pressure, double* separation, double* stiffness,
                                       double* stiffness_slope);
 
-/** The same of arrays: four points at a time, equal to the calls above within rounding. pressures or stiffnesses, and
+/** The same for arrays: four points at a time, equal to the calls above within rounding. pressures or stiffnesses, and
  * status, may be NULL. A point that fails has its status and 0 in both arrays; the others are computed. Returns the
  * first status that is not FSTIFF_OK. Results may be written where the arguments were. */
 FSTIFF_API int fstiff_law_at_separations(const fstiff_law* law, const double* separations, size_t count,
                                          double* pressures, double* stiffnesses, int* status);
-/** The same of slopes -dp/dd [Pa/m] in place of K: the tangents of Newton's method, which are K only where
+/** The same for slopes -dp/dd [Pa/m] in place of K: the tangents of Newton's method, which are K only where
  * stiffness_is_slope. */
 FSTIFF_API int fstiff_law_tangents_at_separations(const fstiff_law* law, const double* separations, size_t count,
                                                   double* pressures, double* slopes, int* status);
@@ -207,7 +207,7 @@ typedef struct fstiff_friction fstiff_friction;
 
 enum { FSTIFF_SLIP_LEVELS = 16 };
 
-/** What one place of the contact remembers of its slip: plain numbers, to be kept with the other variables of a step.
+/** Memory of the slip of one place of the contact: plain numbers, to be kept with the other variables of a step.
  * Before the first slip the separation alone. */
 typedef struct fstiff_slip {
     size_t size;                         /**< sizeof(fstiff_slip) */
@@ -225,7 +225,7 @@ FSTIFF_API int fstiff_tangential_ratio(double modulus1, double poisson1, double 
 FSTIFF_API int fstiff_friction_make(const fstiff_law* law, double friction, double ratio, fstiff_friction** made);
 FSTIFF_API void fstiff_friction_free(fstiff_friction* friction);
 
-/** At one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor of a
+/** State at one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor of a
  * cycle between -amplitude and amplitude [m]. Results that are not needed may be NULL; a call that fails leaves all of
  * them alone. */
 FSTIFF_API int fstiff_friction_first_slip(const fstiff_friction* friction, double separation, double slip,
@@ -273,7 +273,7 @@ typedef struct fstiff_measured {
     int known; /**< 1 or 0 */
 } fstiff_measured;
 
-/** What a measurement gives. */
+/** Result of a measurement. */
 typedef struct fstiff_surface {
     size_t size;                       /**< sizeof(fstiff_surface) */
     size_t peaks;                      /**< counted, for R and D_p */
@@ -299,12 +299,12 @@ FSTIFF_API int fstiff_measure_profile(const double* heights, size_t count, doubl
 /** Heights [m] row after row, each of `columns` points along x, dx apart; rows dy apart. */
 FSTIFF_API int fstiff_measure_map(const double* heights, size_t rows, size_t columns, double dx, double dy,
                                   const fstiff_measure_options* options, fstiff_surface* surface);
-/** What fstiff_contact_make takes of a measurement. Both sizes must be set. */
+/** Input of fstiff_contact_make from a measurement. Both sizes must be set. */
 FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* roughness);
 
 /* ---- What the other commands compute, as documents ---- */
 
-/** What a command prints, whose numbers can be taken out. Every function below takes its options as a text of lines
+/** Output of a command, whose numbers can be taken out. Every function below takes its options as a text of lines
  * "key = value", which name the options of the command of that name (`fstiff spectrum --help`) without their dashes,
  * such as "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that the function
  * does not know is refused. What the result warns of is in fstiff_last_message() afterwards. */
@@ -364,7 +364,7 @@ FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* nam
 FSTIFF_API int fstiff_export(const char* scene, size_t length, const char* name, const char* options,
                              fstiff_document** made);
 
-/** What the command prints: JSON, of fstiff_generate() and fstiff_export() the file. buffer, capacity and length are
+/** Output of the command: JSON, of fstiff_generate() and fstiff_export() the file. buffer, capacity and length are
  * those of fstiff_law_text(). */
 FSTIFF_API int fstiff_document_text(const fstiff_document* document, char* buffer, size_t capacity, size_t* length);
 /** The text at path, as below, such as "answer.0.law" of fstiff_run(); buffer, capacity and length as above. */

@@ -45,20 +45,20 @@ template <Real T>
 
 namespace parts {
 
-/// h of spots that cover \p area of the nominal one, under a film of the resistance \p film of an area of its own.
+/// h of spots that cover \p area of the nominal one, under a film of the resistance \p film of an area.
 template <Real T>
 [[nodiscard]] T under_film(T spots, T area, T film) {
     return film > 0 && spots > 0 ? spots / (1 + spots * film / area) : spots;
 }
 
-/// What fills the gap between two faces.
+/// Filling of the gap between two faces.
 template <Real T = double>
 struct GapFilling {
     T conductivity{};      ///< [W/(m K)]
     T temperature_jump{};  ///< M [m]; 0: a liquid or a grease
 };
 
-/// h of the gap; 0 where the mean planes have passed each other and nothing is left of it.
+/// h of the gap; 0 where the mean planes have passed each other and no gap is left.
 template <Real T>
 [[nodiscard]] T gap_conductance(const GapFilling<T>& filling, T separation) {
     const T width = separation + filling.temperature_jump;
@@ -77,15 +77,15 @@ struct Gas {
 template <Real T = double>
 inline constexpr Gas<T> air{T(0.0257), T(66.35e-9), T(1.4), T(0.71)};
 
-/// What may fill a gap, by its name.
+/// Medium in a gap, by its name.
 struct NamedMedium {
     std::string_view name;
-    Gas<double> gas;  ///< a liquid has no mean free path, and a vacuum conducts nothing
+    Gas<double> gas;  ///< a liquid has no mean free path, a vacuum no conductivity
     double accommodation;
 };
-/// At 20 degrees Celsius and 1 atm. Gases: CRC Handbook, conductivities between 200 and 300 K, mean free paths of 25
-/// degrees and 100 kPa times T/p, Prandtl numbers of its viscosities. Accommodation on machined metal: helium 0.36 to
-/// 0.46 (Trott and others, Rev. Sci. Instrum. 82 (2011) 035120), hydrogen as helium. Water: IAPWS R15-11 (2011);
+/// Media at 20 degrees Celsius and 1 atm. Gases: CRC Handbook, conductivities between 200 and 300 K, mean free paths of
+/// 25 degrees and 100 kPa times T/p, Prandtl numbers of its viscosities. Accommodation on machined metal: helium 0.36
+/// to 0.46 (Trott and others, Rev. Sci. Instrum. 82 (2011) 035120), hydrogen as helium. Water: IAPWS R15-11 (2011);
 /// glycerol: CRC Handbook, 25 degrees.
 inline constexpr std::array<NamedMedium, 8> named_media{{{"air", air<double>, 0.87},
                                                          {"helium", {0.154, 194e-9, 5.0 / 3, 0.67}, 0.4},

@@ -87,8 +87,8 @@ struct EllipticHertz {
     [[nodiscard]] T area(T omega) const { return area_factor * omega; }
 };
 
-/// For the principal curvatures \p first, \p second [1/m], in either order. \throws domain_error unless both are
-/// positive.
+/// Ellipse for the principal curvatures \p first, \p second [1/m], in either order. \throws domain_error unless both
+/// are positive.
 template <Real T>
 [[nodiscard]] EllipticHertz<T> elliptic_hertz(T first, T second) {
     require_positive("curvature", first);

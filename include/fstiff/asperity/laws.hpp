@@ -21,7 +21,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for
+/// Asperity law as a contact needs it: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for
 /// approaches \p omega [m] (a number or an Eigen array) and the radius \p radius [m].
 template <class Law, class Omega, class Radius = Omega>
 concept AsperityLaw = requires(const Law& law, const Omega& omega, const Radius& radius) {
@@ -38,7 +38,7 @@ struct HalfPowers {
     [[nodiscard]] constexpr bool operator==(const HalfPowers&) const = default;
 };
 
-/// Whether the integrals over heights and curvatures, that of the slope of the load too, have one dimension.
+/// True if the integrals over heights and curvatures, that of the slope of the load too, have one dimension.
 [[nodiscard]] constexpr bool reduces_to_one_dimension(HalfPowers load, HalfPowers stiffness, HalfPowers area) {
     const auto offered = [](HalfPowers p) { return p.omega >= 0 && p.omega <= 3 && p.radius >= 0 && p.radius <= 2; };
     return offered(load) && offered({load.omega - 2, load.radius}) && offered(stiffness) && offered(area);

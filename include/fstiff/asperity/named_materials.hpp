@@ -63,7 +63,7 @@ inline constexpr std::array<NamedMaterial, 12> named_materials{
       "Roehm, data sheet 211-1 of Plexiglas GS (2007); [C] Lucite; as E"}}};
 // clang-format on
 
-/// The row of \p name; nullptr where there is none. Case does not matter, and blanks and hyphens are as "_"; aluminum
+/// The row of \p name, or nullptr. Case does not matter, and blanks and hyphens are as "_"; aluminum
 /// is aluminium.
 [[nodiscard]] constexpr const NamedMaterial* find_material(std::string_view name) {
     const auto plain = [](char c) {

@@ -22,7 +22,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// What is known of the softer of the two bodies, and the modulus of their contact.
+/// Constants of the softer of the two bodies, and the modulus of their contact.
 template <Real T = double>
 struct PlasticMaterial {
     T effective_modulus{};  ///< E of the contact [Pa]
@@ -121,7 +121,7 @@ struct UnloadsElastically {
     }
 };
 
-/// How the hardness falls as a contact grows, in JacksonGreenLaw.
+/// Fall of the hardness as a contact grows, in JacksonGreenLaw.
 enum class HardnessLaw {
     cosine,   ///< H_G/Y = 2.84 - 0.92 (1 - cos(pi a/R))
     exponent  ///< H_G/Y = 2.84 (1 - exp(-0.82 (a/R)^-0.7)), of 2005

@@ -69,7 +69,7 @@ public:
 
 private:
     static constexpr T width = T(1) / 8;  ///< of ln p
-    /// From p = E g/24 down the slope varies so slowly that six of its values at knots are enough.
+    /// Knot of p = E g/24: below it the slope varies so slowly that six of its values at knots are enough.
     static constexpr std::size_t by_points = 31;
     struct Knot {
         T d, rise;  ///< rise: slope times width, towards lower pressures
@@ -214,7 +214,7 @@ public:
     [[nodiscard]] T full_pressure() const { return 2 * effective_modulus() * gaussian_.rms_gradient() * last_scale_; }
     /// \throws domain_error unless \p pressure [Pa] is positive and the Gaussian surface was compared at p/rho.
     void require_compared(T pressure) const { gaussian_.require_compared(pressure / local_scale(pressure)); }
-    /// Beyond it there is no state [Pa].
+    /// Pressure beyond which there is no state [Pa].
     [[nodiscard]] T largest_pressure() const { return gaussian_.largest_pressure() * last_scale_; }
 
 private:

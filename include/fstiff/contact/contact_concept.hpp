@@ -44,7 +44,7 @@ concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;
 };
 
-/// The state of \p point. \throws domain_error with its reason where there is none.
+/// The state of \p point. \throws domain_error with its reason if it has no state.
 template <Real T>
 [[nodiscard]] ContactState<T> state_or_throw(const ContactPoint<T>& point) {
     if (!point.ok())
@@ -53,7 +53,7 @@ template <Real T>
     return point.state;
 }
 
-/// Whether K(p) of \p contact has kinks, as that of a map where another summit touches.
+/// True if K(p) of \p contact has kinks, as that of a map where another summit touches.
 template <class C>
 [[nodiscard]] bool has_kinks(const C& contact) {
     if constexpr (requires { contact.has_kinks(); })

@@ -21,13 +21,13 @@ namespace fstiff::inline v0_1 {
 
 namespace detail {
 
-/// What can be asked for its point at a pressure.
+/// Contact with a point at each pressure.
 template <class C, class T>
 concept HasPressures = Real<T> && requires(const C& contact, T pressure, Quantity wanted) {
     { contact.point_at_pressure(pressure, wanted) } -> std::same_as<ContactPoint<T>>;
 };
 
-/// What can be asked for its point at a separation.
+/// Contact with a point at each separation.
 template <class C, class T>
 concept HasSeparations = Real<T> && requires(const C& contact, T separation, Quantity wanted) {
     { contact.point_at_separation(separation, wanted) } -> std::same_as<ContactPoint<T>>;

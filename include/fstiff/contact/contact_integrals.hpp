@@ -27,14 +27,15 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// How exact the contact integrals are to be.
+/// Tolerance of the contact integrals.
 template <Real T = double>
 struct IntegralOptions {
     /// Relative error to aim at, between 100 epsilon and 0.1.
     T relative_tolerance = 100 * std::numeric_limits<T>::epsilon();
 };
 
-/// J[0,0], J[3/2,-1/2], J[1/2,-1/2] and J[1,-1]; what was not asked for is 0. Each value times exp(log_scale).
+/// J[0,0], J[3/2,-1/2], J[1/2,-1/2] and J[1,-1]; quantities that were not asked for are 0. Each value times
+/// exp(log_scale).
 template <Real T = double>
 struct ContactIntegrals {
     Estimate<T> contacts;
@@ -67,7 +68,7 @@ public:
           problem_(peaks, S(0), log_accuracy_ + 5),
           sums_(problem_, minus_two_b, static_cast<S>(tolerance)) {}
 
-    /// For a = i/2, without exp(log_scale_at(eta)). \throws domain_error unless |eta| <= 1e6.
+    /// Integral for a = i/2, without exp(log_scale_at(eta)). \throws domain_error unless |eta| <= 1e6.
     std::array<Estimate<T>, 4> operator()(T eta) {
         require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
         problem_.move_to(static_cast<S>(eta));
@@ -113,8 +114,8 @@ public:
                                const IntegralOptions<T>& options = {})
         : integrate_(powers(wanted), peaks, options.relative_tolerance) {}
 
-    /// At the separation \p eta (in rms heights), over shared nodes. The values leave out exp(log_scale), so that they
-    /// neither under- nor overflow. \throws domain_error unless |eta| <= 1e6.
+    /// Integrals at the separation \p eta (in rms heights), over shared nodes. The values leave out exp(log_scale), so
+    /// that they neither under- nor overflow. \throws domain_error unless |eta| <= 1e6.
     [[nodiscard]] ContactIntegrals<T> operator()(T eta) {
         const auto j = integrate_(eta);
         return {j[0], j[3], j[1], j[2], log_scale_at(eta)};

@@ -207,7 +207,7 @@ public:
         const auto end = tables_.at_furthest();
         return tables_.furthest() + end.pressure / end.slope;
     }
-    /// How much closer the faces are at \p pressure than at \p preload [Pa]: the overclosure of a model whose faces are
+    /// Approach of the faces from \p preload to \p pressure [Pa]: the overclosure of a model whose faces are
     /// drawn under a preload [m]. From first touch it is touch() - separation(pressure). \throws as stiffness.
     [[nodiscard]] T approach(T pressure, T preload) const { return separation(preload) - separation(pressure); }
 
@@ -243,7 +243,7 @@ public:
                           static_cast<decltype(p)>(tables_.own_stiffness).four_values(at, T(1), to[1], slopes);
                       });
     }
-    /// The same of tangent_at_separation().
+    /// The same for tangent_at_separation().
     void tangent_at_separation(const Eigen::Ref<const Eigen::ArrayX<T>>& separations,
                                Eigen::Ref<Eigen::ArrayX<T>> pressures, Eigen::Ref<Eigen::ArrayX<T>> slopes) const {
         by_separation(separations, pressures, slopes, &Whole::slope,
@@ -254,7 +254,7 @@ public:
 
     /// The largest relative error of p, K and (over the rms height) separation, measured when the law was tabulated.
     [[nodiscard]] T relative_error() const { return tables_.relative_error; }
-    /// Whether K is the slope -dp/dd of the returned p, where that is not constant (OutsideRange::clamp). The slope of
+    /// True if K is the slope -dp/dd of the returned p, where that is not constant (OutsideRange::clamp). The slope of
     /// tangent_at_separation is that of the returned p for every law.
     [[nodiscard]] bool stiffness_is_slope() const { return tables_.stiffness_over_slope == T(1); }
     /// The range [Pa] and [m]; of an empty law 0 and NaN.
@@ -290,7 +290,7 @@ public:
         return law;
     }
 
-    /// Whether tables and policy are the same; of two laws with OutsideRange::exact the models are not compared.
+    /// True if tables and policy are the same; of two laws with OutsideRange::exact the models are not compared.
     [[nodiscard]] bool operator==(const ContactLaw& other) const { return tables_ == other.tables_; }
 
 private:
@@ -308,7 +308,7 @@ private:
     static AtPressure of_tables(const typename detail::LawTables<T>::AtPressure& at) {
         return {at.separation, at.stiffness, at.stiffness_slope};
     }
-    /// By the parabolas of a law with kinks, or outside the range.
+    /// Values by the parabolas of a law with kinks, or outside the range.
     AtPressure besides_pieces(T pressure, bool with_slope) const {
         return tables_.kinked.contains_pressure(pressure) ? of_tables(tables_.kinked_at_pressure(pressure))
                                                           : outside_pressure(pressure, with_slope);

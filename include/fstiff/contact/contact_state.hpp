@@ -29,7 +29,7 @@ struct ContactState {
 
 namespace parts {
 
-/// Whether every value and error of \p state may be doubled: the tangential stiffness is up to 4/3 of K.
+/// True if every value and error of \p state may be doubled: the tangential stiffness is up to 4/3 of K.
 template <Real T>
 [[nodiscard]] bool in_range(const ContactState<T>& state) {
     for (const Estimate<T>* one : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,
@@ -40,7 +40,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// Whether a point has a state, and if not, why.
+/// State of a point, or the kind of its refusal.
 enum class PointStatus {
     ok,
     out_of_reach,   ///< the model has no state there; ContactPoint::reason gives its range
@@ -78,7 +78,7 @@ struct LogSlope {
 
 inline constexpr int min_eta = -1000;  ///< separations that are searched for a pressure
 
-/// What a search for eta came to.
+/// Result of a search for eta.
 template <Real T>
 struct EtaSearch {
     Estimate<T> eta;
@@ -103,7 +103,7 @@ struct StateOrRefusal {
     }
 };
 
-/// What require() would throw.
+/// The refusal that require() would throw.
 template <Real T>
 [[nodiscard]] FSTIFF_COLD domain_error refusal_of(std::string_view parameter, T value, std::string_view allowed) {
     using Shown = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
@@ -111,7 +111,8 @@ template <Real T>
     return domain_error(Refusal{.parameter = parameter, .value = shown, .allowed = allowed});
 }
 
-/// Where the tail of a Gaussian underflows, and an exponential one; short of it for the algebraic factors.
+/// Greatest eta, where the tail of a Gaussian underflows, and an exponential one; short of it for the algebraic
+/// factors.
 template <Real T>
 T max_gaussian_eta() {
     return std::sqrt(-2 * std::log((std::numeric_limits<T>::min)())) - 1;
@@ -166,7 +167,7 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
     return {{found.root, found.error + (at.error + rounding) / -at.slope}};
 }
 
-/// Why there is no eta for \p pressure, of which \p search looked for the logarithm.
+/// The reason why \p search, for the logarithm of \p pressure, found no eta.
 template <Real T>
 [[nodiscard]] FSTIFF_COLD domain_error unreachable_pressure(T pressure, const EtaSearch<T>& search) {
     const T low = std::log(pressure) + search.log_lowest, high = std::log(pressure) + search.log_highest;

@@ -22,11 +22,11 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// From the summits of a map to its crowded contact.
+/// Passage from the summits of a map to its crowded contact.
 template <Real T = double>
 class HandOver {
 public:
-    /// For \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
+    /// Passage for \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
     /// ln K_crowded at p_h.
     template <class Peaks>
     HandOver(T log_pressure, std::vector<T> log_ratio, T log_crowded, const Peaks& peaks)
@@ -63,7 +63,7 @@ private:
         log_jump_ = log_ratio_.front() + std::log(K) - log_crowded_;
     }
 
-    /// At p_h 2^-\p steps; constant below the last pressure.
+    /// ln ratio at p_h 2^-\p steps; constant below the last pressure.
     [[nodiscard]] T log_ratio(T steps) const {
         const T last = static_cast<T>(log_ratio_.size() - 1), place = (std::min)(steps, last);
         const auto i = static_cast<std::size_t>(place);

@@ -118,7 +118,7 @@ inline constexpr T highest_score = T(4);
 
 }  // namespace detail
 
-/// The same of a surface whose heights, over their rms, have the bearing curve \p curve. The moments of the band are
+/// The same for a surface whose heights, over their rms, have the bearing curve \p curve. The moments of the band are
 /// those of the surface. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] parts::ScaledContact<T, HybridContact<T, detail::BandHills<T>>> hybrid_of_band(

@@ -19,7 +19,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// How (4.11) is read.
+/// Reading of (4.11).
 enum class InteractionReading {
     none,                  ///< asperities act independently: the stiffness of the interface alone
     effective_separation,  ///< the integrals at eta_effective; separation and stiffness those of the nominal planes

@@ -95,7 +95,7 @@ private:
                      nodes_.end());
     }
 
-    /// How far \p at is off the straight lines from \p a to \p b.
+    /// Distance of \p at from the straight lines from \p a to \p b.
     [[nodiscard]] T misfit(const Node& a, const Node& b, const Node& at) const {
         const T v = (at.log_p - a.log_p) / (b.log_p - a.log_p);
         const T of_k = std::abs(at.log_k - a.log_k - v * (b.log_k - a.log_k));

@@ -46,7 +46,7 @@ concept HasArea = requires(const Law& law, Eigen::Array<T, 8, 1> omega, T radius
 template <class Law, class T>
 concept ContactableLaw = parts::PowerLaw<Law, T> ||(HasLoad<Law, T>&& HasStiffness<Law, T>&& HasArea<Law, T>);
 
-/// The sums over the peaks per nominal area, each times exp(log_scale); what is not asked for is 0.
+/// The sums over the peaks per nominal area, each times exp(log_scale); quantities that are not asked for are 0.
 template <Real T>
 struct LawSums {
     Estimate<T> contacts;   ///< [1/m^2]
@@ -57,7 +57,7 @@ struct LawSums {
     T log_scale{};
 };
 
-/// What turns dimensionless means into SI.
+/// Factors from dimensionless means to SI.
 template <Real T>
 struct PeakScales {
     T rms_height, peak_density, effective_modulus;
@@ -152,7 +152,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t passes = 3;  ///< as many as powers of R, all of which one power of omega may have
+    static constexpr std::size_t passes = 3;  ///< one for each power of R, which may all have one power of omega
     std::array<PowerTerm<T>, 5> terms_;
     std::array<std::size_t, 5> pass_{};  ///< of each term; `passes` where it is not asked for
     std::array<std::optional<parts::PeakIntegrator<T>>, passes> integrators_;

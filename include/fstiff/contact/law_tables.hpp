@@ -97,7 +97,7 @@ public:
 private:
     using Index = std::uint32_t;
 
-    /// Of a piece as it closes by \p x.
+    /// State of a piece as it closes by \p x.
     [[nodiscard]] static T work(const Parabola<T>& at, T x) noexcept {
         return x * (at.pressure + x * (at.slope / 2 + x * at.bend / 6));
     }
@@ -137,12 +137,12 @@ private:
     int shift_ = std::numeric_limits<T>::digits - 2;  ///< bits of a cell
     T furthest_{}, length_{}, cells_per_length_{};
     std::vector<Index> by_pressure_, by_separation_;
-    std::vector<T> energy_;  ///< where each piece begins
+    std::vector<T> energy_;  ///< at the beginning of each piece
 };
 
 }  // namespace detail
 
-/// What a law does outside the range that it was tabulated for.
+/// Behaviour of a law outside the range of its table.
 enum class OutsideRange {
     refuse,      ///< throw domain_error
     clamp,       ///< the values at the nearer end of the range; with derivatives 0
@@ -150,7 +150,7 @@ enum class OutsideRange {
     extrapolate  ///< continue the law smoothly: an opening contact ends with p = K = 0
 };
 
-/// What a law is tabulated for.
+/// Range of a table.
 template <parts::ReadableReal T = double>
 struct LawRange {
     T min_pressure{};  ///< [Pa]
@@ -171,7 +171,7 @@ struct LawTables {
 
     T min_pressure{}, max_pressure{};    ///< 0 of an empty law
     T slope_scale{}, stiffness_scale{};  ///< from dp/ds to -dp/dd and to K
-    T stiffness_over_slope = T(1);       ///< 0 where K has a table of its own
+    T stiffness_over_slope = T(1);       ///< 0 where K has its own table
     T relative_error{};
     OutsideRange outside = OutsideRange::refuse;
     int evaluations = 0;
@@ -284,9 +284,9 @@ struct LawTables {
         return beyond + in_range + x * ((end.pressure + at.pressure) / 2 - x * (at.slope - end.slope) / 12);
     }
 
-    /// To be called once the rows of by_separation are filled.
+    /// Called once the rows of by_separation are filled.
     void sum_energies() { energies = by_separation.integrals(); }
-    /// To be called once by_separation and stiffness_over_slope are set.
+    /// Called once by_separation and stiffness_over_slope are set.
     void set_scales() {
         slope_scale = -2 * by_separation.pieces_per_length;
         stiffness_scale = slope_scale * stiffness_over_slope;

@@ -68,7 +68,7 @@ private:
         V separation, pressure, minus_dp_dd;
         V stretch;  ///< d separation/d eta over the rms height
     };
-    /// With the bulk in series the separation is shorter and the slope smaller. \p slope is d log p/d eta.
+    /// Adds the bulk in series: the separation is shorter and the slope smaller. \p slope is d log p/d eta.
     template <class V>
     [[nodiscard]] State<V> in_series(const V& eta, const V& p, const V& slope) const {
         const V k = p * slope * V::all(-1 / rms_), stretch = multiply_add(k, V::all(bulk_), V::all(1));
@@ -271,7 +271,7 @@ private:
     math::ChebyshevSections<T> log_pressure_;        ///< log(p/middle) against eta
     math::ChebyshevSections<T> slope_;               ///< its derivative
     math::ChebyshevSections<T> eta_of_;              ///< its inverse
-    math::ChebyshevSections<T> log_stiffness_;       ///< log(K/unit) against eta, where K has a table of its own
+    math::ChebyshevSections<T> log_stiffness_;       ///< log(K/unit) against eta, where K has its own table
     T stiffness_unit_{};
     std::size_t sections_{}, points_{};  ///< of each
     T closest_{}, furthest_{};           ///< eta at the ends of the range

@@ -27,7 +27,7 @@ template <parts::ReadableReal T>
 [[nodiscard]] std::array<T, 6> numbers_of(const Parabola<T>& at) {
     return {at.separation, at.pressure, at.slope, at.bend, at.stiffness, at.stiffness_per_fall};
 }
-/// Whether \p pieces are a table from \p law.min_pressure to max_pressure, with p and -d rising all the way.
+/// True if \p pieces are a table from \p law.min_pressure to max_pressure, with p and -d rising all the way.
 template <parts::ReadableReal T>
 [[nodiscard]] bool is_table(const std::vector<Parabola<T>>& pieces, const LawTables<T>& law, T closest, T furthest) {
     if (pieces.front().pressure != law.min_pressure || pieces.back().pressure != law.max_pressure ||

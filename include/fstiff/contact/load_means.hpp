@@ -20,7 +20,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// How deep the peaks are pressed in, as means over the load that they carry.
+/// Depth to which the peaks are pressed in, as means over the load that they carry.
 template <Real T = double>
 struct LoadMeans {
     Estimate<T> interference;  ///< of omega/omega_c

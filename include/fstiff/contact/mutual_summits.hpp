@@ -25,7 +25,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// What the push of the others does to the contacts, from which follows how far K can be trusted.
+/// Effect of the push of the others on the contacts, a measure of the range of the law.
 template <Real T = double>
 struct Crowding {
     T softening{};             ///< K of the same contacts without each other, over K
@@ -180,7 +180,7 @@ private:
         }
     }
 
-    /// Opens the lower of two contacts either of which could carry alone.
+    /// Opens the lower one of two contacts that could each carry alone.
     static void part(Newton& at, T threshold, bool reopen) {
         const Values k = at.slopes();
         for (Eigen::Index i = 0; i < k.size(); ++i) {
@@ -253,7 +253,7 @@ private:
         return s;
     }
 
-    /// How many summits are higher than \p level.
+    /// Number of summits higher than \p level.
     [[nodiscard]] Eigen::Index higher_than(T level) const {
         const auto end = std::partition_point(of_.summits.begin(), of_.summits.end(),
                                               [level](const Summit<T>& one) { return one.height > level; });
@@ -269,7 +269,7 @@ private:
                        held_separation);
     }
 
-    /// Where Newton's method fails, the higher of less close pairs carries too: 0.64, 1, 1.6 contact radii.
+    /// Solution; where Newton's method fails, the higher of less close pairs carries too: 0.64, 1, 1.6 contact radii.
     [[nodiscard]] Solution settled(T delta, T pressure, T load) const {
         Solution found;
         for (const T apart : {T(1), T(0.4), T(0.15)}) {
@@ -278,7 +278,7 @@ private:
         }
         return checked(found, pressure);
     }
-    /// With as many of the highest summits as touch: those that were left out are held against the deflected surface.
+    /// Solution with all summits that touch: those that were left out are compared with the deflected surface.
     [[nodiscard]] Solution settled_apart(T delta, T load, T apart) const {
         Newton at = start(higher_than(delta - T(0.1) * (of_.summits.front().height - delta)), delta);
         // of a start that is too stiff both of a close pair cannot move: roughly, they are kept farther apart

@@ -49,7 +49,7 @@ private:
     static constexpr T min_theta = T(1e-12);
 };
 
-/// Up to 64 nodes, eight by eight, at ascending curvatures t: what an integrand is made of.
+/// Up to 64 nodes, eight by eight, at ascending curvatures t: the parts of an integrand.
 template <Real T>
 class PeakNodes {
 public:
@@ -110,7 +110,7 @@ T max_curvature(const PeakProblem<T>& p) {
     return std::sqrt(p.floor * p.floor + 2 * p.log_cutoff);  // end of exp(-t^2/2)
 }
 
-/// Nodes and weights of the smooth map, in tables of decreasing step: they depend on nothing else.
+/// Nodes and weights of the smooth map, in tables of decreasing step: they depend on the step alone.
 template <Real T>
 class SmoothNodes {
 public:
@@ -259,7 +259,7 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
     return step;
 }
 
-/// The one place where a rule and its step are chosen, for a relative error of exp(-log_accuracy).
+/// Chooses a rule and its step for a relative error of exp(-log_accuracy).
 ///
 /// separated   when the Gaussian of mean r eta and width c is further from t = 0 than it reaches, so that the branch
 ///             point and the layer at t = 0 do not count. Step: resolves the Gaussian, which has width r in x.

@@ -59,7 +59,7 @@ detail::PeakSums<T> finish(const std::array<math::Lanes<T, 4>, 8>& sums, const m
     const V at_2 = squares(even[0] - even[2], even[1] - even[3]);
     const V at_3 = squares(odd[0] - difference, odd[2] - sum);
     const V total = (even[0] + even[2]) + (even[1] + even[3]);
-    // what is not asked for is 0 throughout: the least number keeps 0/0 out
+    // powers that are not asked for are 0 throughout: the least number keeps 0/0 out
     const V one = V::all(T(1)), least = V::all((std::numeric_limits<T>::min)());
     const V quotient = at_3 / (at_2 + least);
     const V fall_4 = smaller(smaller(quotient * quotient, at_3 / (at_1 + least)), one);  // over four eighths
@@ -78,7 +78,7 @@ detail::PeakSums<T> finish(const std::array<math::Lanes<T, 4>, 8>& sums, const m
 
 namespace fstiff::inline v0_1::detail {
 
-/// What is asked for: minus_two_b[i] is -2b (0, 1 or 2) for a = i/2, or absent.
+/// Powers that are asked for: minus_two_b[i] is -2b (0, 1 or 2) for a = i/2, or absent.
 inline constexpr int absent = -1;
 using PowerSet = std::array<int, 4>;
 
@@ -102,7 +102,7 @@ EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const math::ErfPol
     }
 }
 
-/// Sums up the integrands of a PowerSet, four side by side; what is absent is multiplied by 0.
+/// Sums up the integrands of a PowerSet, four side by side; absent ones are multiplied by 0.
 template <Real T>
 class PeakAccumulator {
 public:

@@ -187,7 +187,7 @@ public:
     [[nodiscard]] T light_load_length() const { return light_load_length_; }
     /// 18 E g [Pa]: beyond exp(2 (p/E g)^2) leaves the range of numbers, and all is in contact from about 2 E g on.
     [[nodiscard]] T largest_pressure() const { return 18 * modulus_ * rms_gradient(); }
-    /// 0.75 E g [Pa]: 0.88 of the area is in contact. Beyond, nothing has been compared.
+    /// 0.75 E g [Pa]: 0.88 of the area is in contact. No comparison goes beyond it.
     [[nodiscard]] T largest_compared_pressure() const { return T(0.75) * modulus_ * rms_gradient(); }
     /// \throws domain_error unless \p pressure [Pa] is positive and at most largest_compared_pressure().
     void require_compared(T pressure) const {
@@ -217,7 +217,7 @@ private:
     static S root_2_over_pi() { return std::sqrt(2 / numbers::pi_v<S>); }
     [[nodiscard]] int nodes() const { return static_cast<int>(inverse_.size()); }
 
-    /// x/G from which on f is 1e-26 of what it is at g.
+    /// x/G from which on f is 1e-26 of its value at g.
     [[nodiscard]] S last_y(S x) const { return std::sqrt(x / gradient_ * (x / gradient_) + 30); }
 
     void require_reach(T pressure) const {

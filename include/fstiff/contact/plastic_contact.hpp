@@ -123,7 +123,7 @@ public:
         return taller;
     }
     [[nodiscard]] T stiffness(T share) const { return knots_->stiffness(share); }
-    /// By straight lines of the bearing curve; of the highest knot beyond it.
+    /// Share by straight lines of the bearing curve; that of the highest knot beyond it.
     [[nodiscard]] std::pair<T, T> share_above(T level) const {
         const auto knots = curve_->knots();
         const T height = level / factor_ + mean_;

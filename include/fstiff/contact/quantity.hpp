@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The quantities of a contact, as a set: what is not asked for is not computed.
+/// The quantities of a contact, as a set: only quantities that are asked for are computed.
 
 #include <fstiff/core/config.hpp>
 
 namespace fstiff::inline v0_1 {
 
-/// What is to be computed; join several by |.
+/// Quantities to be computed; join several by |.
 enum class Quantity : unsigned {
     none = 0,
     contact_density = 1,
@@ -31,7 +31,7 @@ namespace parts {
     return static_cast<Quantity>(static_cast<unsigned>(set) & ~static_cast<unsigned>(some));
 }
 
-/// Whether \p set contains any quantity of \p some.
+/// True if \p set contains any quantity of \p some.
 [[nodiscard]] constexpr bool has(Quantity set, Quantity some) {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(some)) != 0;
 }

@@ -32,7 +32,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// How the rms curvature sigma_kappa follows from the mean peak radius R.
+/// Rms curvature sigma_kappa from the mean peak radius R.
 enum class CurvatureScale {
     bush_gibson_thomas,  ///< 3 sqrt(pi)/(8 R), eq. (4.10)
     consistent           ///< 1/(R E t): the mean curvature of the peaks of the density (4.4) is 1/R
@@ -108,7 +108,7 @@ public:
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         return state_at_separation(separation, wanted).value();
     }
-    /// The same with a status: a separation outside the range is out_of_reach. Throws nothing.
+    /// The same with a status: a separation outside the range is out_of_reach. Does not throw.
     [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity wanted = Quantity::all) const {
         return state_at_separation(separation, wanted).point();
     }
@@ -144,7 +144,7 @@ public:
     [[nodiscard]] const Interaction<T>& interaction() const { return options_.interaction; }
     /// Compliance of the bulk in series, L/E [m/Pa]: 0 without interaction.
     [[nodiscard]] T bulk_compliance() const { return bulk_compliance_; }
-    /// Whether K is a constant times -dp/dd without interaction, at every separation.
+    /// True if K is a constant times -dp/dd without interaction, at every separation.
     static constexpr bool stiffness_follows_slope = [] {
         if constexpr (parts::PowerLaw<Law, T>)
             return Law::stiffness_powers == parts::HalfPowers{Law::load_powers.omega - 2, Law::load_powers.radius};
@@ -240,8 +240,8 @@ private:
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 
-    /// Without interaction; the error of eta enters by the slope |d log J/d eta| <= |d log J[0,0]/d eta|, about eta +
-    /// 1.
+    /// State without interaction; the error of eta enters by the slope |d log J/d eta| <= |d log J[0,0]/d eta|, about
+    /// eta + 1.
     ContactState<T> at_eta(const Estimate<T>& eta, Quantity wanted) const {
         const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
         const T relative = eta.error * (2 + (std::max)(eta.value, T(0)));
@@ -304,7 +304,7 @@ private:
     Law law_;
     RoughContactOptions<T> options_;
     detail::PeakScales<T> scales_;
-    T pressure_unit_{};    ///< of which log p is taken [Pa]
+    T pressure_unit_{};    ///< unit of p in log p [Pa]
     T bulk_compliance_{};  ///< L/E [m/Pa], 0 without interaction
 };
 

@@ -85,7 +85,7 @@ struct DerivativeSums {
         theta += layer * t * power * moment;
     }
 
-    /// What the integration by parts leaves at t = 0, where t^b erf(k t) is 2 k/sqrt(pi) for b = -1.
+    /// Boundary term of the integration by parts at t = 0, where t^b erf(k t) is 2 k/sqrt(pi) for b = -1.
     void add_boundary(const detail::PeakProblem<T>& p, T step) {
         if constexpr (powers.radius == 2) {
             const T at_zero = p.eta / p.c, outer = p.floor * p.r / p.c;
@@ -186,7 +186,7 @@ typename Exponents<T>::Pair of_dimension(const Law& law) {
         return {std::numeric_limits<T>::quiet_NaN(), T(0)};
 }
 
-/// By the powers of the law.
+/// Exponents by the powers of the law.
 template <Real T, PowerLaw<T> Law, class Peaks>
 Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     const Roughness<T>& surface = contact.surface();
@@ -215,7 +215,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     return out;
 }
 
-/// By differences of six points, of a law without powers.
+/// Exponents by differences of six points, for a law without powers.
 template <Real T, class Law, class Peaks>
 requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     using Pair = typename Exponents<T>::Pair;
@@ -307,7 +307,7 @@ template <Real T, class Law, class Peaks>
 
 namespace parts {
 
-/// What a band of roughness is made of, and the modulus.
+/// Numbers of a band of roughness, and the modulus.
 template <Real T = double>
 struct PerssonParameters {
     T rms_height{};         ///< sigma [m]

@@ -82,7 +82,7 @@ private:
 
     struct Node {
         std::function<T(T)> stiffness;  ///< over p/(E g); none where there is no such surface
-        std::vector<T> log_value;       ///< ln F; infinite where it was not asked for yet, NaN where there is none
+        std::vector<T> log_value;       ///< ln F; infinite where it was not asked for yet, NaN where F has none
     };
 
     [[nodiscard]] Node& node_at(int bend, int tenths) const {

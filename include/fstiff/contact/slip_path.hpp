@@ -22,12 +22,12 @@
 
 namespace fstiff::inline v0_1 {
 
-/// What a contact remembers of its slip: the levels that are dragged, and by how much. \p Directions is 1 for a plane
+/// Memory of the slip of a contact: the levels that are dragged, and by how much. \p Directions is 1 for a plane
 /// model and 2 for a body. Plain numbers: copy it, and keep it with the other variables of a step.
 template <Real T = double, int Directions = 2>
 struct SlipState {
     static constexpr int capacity = 16;  ///< of nodes; of more, those go that change the traction least
-    /// How far one level is dragged.
+    /// Drag of one level.
     struct Node {
         T level{};                                      ///< x [m]
         std::array<T, std::size_t{Directions}> drag{};  ///< u [m]
@@ -82,7 +82,8 @@ public:
 
 private:
     static constexpr int most_tried = State::capacity + 2;
-    /// Of points: of each tried one itself and two where its way to the next meets the cone, and some where that turns.
+    /// Number of points: of each tried one itself and two where its way to the next meets the cone, and some where that
+    /// turns.
     static constexpr int most = 5 * most_tried, most_turned = most - 3 * most_tried;
     static constexpr T rounding = 64 * std::numeric_limits<T>::epsilon(), straight = 16 * rounding;
 
@@ -192,7 +193,7 @@ private:
             }
         }
     }
-    /// Where the trial meets the cone beyond the last point, from which on all levels are dragged alike.
+    /// The place where the trial meets the cone beyond the last point, from which on all levels are dragged alike.
     void cross_beyond(const Point& last) {
         if (!slips(last)) return;
         Point point = last;
@@ -213,7 +214,7 @@ private:
         point.drag_by += slope * point.level_by;
     }
 
-    /// How far point \p i is from the line between \p before and the next one.
+    /// Distance of point \p i from the line between \p before and the next one.
     [[nodiscard]] T bend(int before, int i) const {
         const Point &a = points_[before], &point = points_[i];
         if (i + 1 == count_) return (point.drag - a.drag).norm();

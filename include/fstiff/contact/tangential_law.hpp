@@ -54,7 +54,7 @@ public:
     /// Loss of a cycle between two displacements of one size.
     struct Cycle {
         T lost;         ///< W [J/m^2]
-        T loss_factor;  ///< W/(pi q s), W over 2 pi times q s/2; 4/pi where all slips, 0 where nothing does
+        T loss_factor;  ///< W/(pi q s), W over 2 pi times q s/2; 4/pi where all slips, 0 where all sticks
     };
 
     /// \throws domain_error for an empty law, one whose K is not -dp/dd, and numbers that are not positive.
@@ -92,8 +92,8 @@ public:
     }
 
     /// State and derivatives after a straight path from \p before to \p separation and by \p slip. \p after, which may
-    /// be \p before itself, is what the contact then remembers; before any slip that is the separation alone. \throws
-    /// domain_error for a number that is not finite.
+    /// be \p before itself, is the memory of the contact from then on; before any slip that is the separation alone.
+    /// \throws domain_error for a number that is not finite.
     template <int Directions>
     Response<Directions> step(const SlipState<T, Directions>& before, T separation,
                               const std::type_identity_t<Vector<Directions>>& slip,

@@ -24,7 +24,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// How the nodes approach t = 0 and excess = 0.
+/// Approach of the nodes to t = 0 and excess = 0.
 enum class Axis {
     even,    ///< squares in both directions, for half-integer powers of the excess and of t
     graded,  ///< for any smooth f; a KinkedLaw is split at its kinks
@@ -38,7 +38,7 @@ concept KinkedLaw = requires(const F& f, T t) {
     { f.critical(t) } -> std::convertible_to<T>;
 };
 
-/// How exact the integrals in two dimensions are to be, and what they may cost.
+/// Tolerance and cost of the integrals in two dimensions.
 template <Real T = double>
 struct TensorOptions {
     T relative_tolerance = T(1e4) * std::numeric_limits<T>::epsilon();
@@ -167,7 +167,7 @@ public:
     }
 
 private:
-    /// What squares as rows leave of erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with
+    /// Error of squares as rows for erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with
     /// t = y^2, relative: together they grow by exp(4 layer^2 b^4) from the real axis to y + i b.
     [[nodiscard]] T layer_error(T step) const {
         if (begin_ > 0) return 0;

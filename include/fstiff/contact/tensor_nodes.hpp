@@ -50,11 +50,11 @@ struct GradedMap {
         slope = a * (1 + c * fall) * (v > T(0)).select(TensorLanes<T>::Ones(), decay) / (1 + decay);
     }
 };
-/// For pieces, and for the rows of a smooth law.
+/// Map for pieces, and for the rows of a smooth law.
 template <Real T>
 inline constexpr GradedMap<T> plain_map{T(2.1), T(0.4), T(1.354), T(7)};
-/// For rows across kinks and the layer of a large tan(theta): the passage of a kink at ~ 1/t, a Gaussian in 1/t, allows
-/// no quicker fall towards t = 0. Found by search over kinks at 0.005/t to 2/t.
+/// Map for rows across kinks and the layer of a large tan(theta): the passage of a kink at ~ 1/t, a Gaussian in 1/t,
+/// allows no quicker fall towards t = 0. Found by search over kinks at 0.005/t to 2/t.
 template <Real T>
 inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
 
@@ -137,7 +137,7 @@ struct TensorTable {
     static constexpr int max_nodes = 256;
     int nodes = 0;
     bool legendre = false;
-    T min_error = 0;  ///< what the map costs, relative to the sum of the moduli
+    T min_error = 0;  ///< loss by the map, relative to the sum of the moduli
     std::array<TensorLanes<T>, max_nodes / 8> x, weight;
     std::array<TensorLanes<T>, 8> sums;  ///< of a trapezoidal rule only the first: nodes apart by their number modulo 8
 

@@ -42,11 +42,11 @@ struct Place {
     }
 };
 
-/// What a domain_error is made of. The views need to live until it is made, no longer.
+/// Parts of a domain_error. The views need to live until it is made, no longer.
 struct Refusal {
     std::string_view parameter{};
     std::string_view value{};    ///< as the sentence shows it, so quoted where it is a text
-    std::string_view allowed{};  ///< what follows "must be "
+    std::string_view allowed{};  ///< text after "must be "
     std::string_view reason{};   ///< the end of the sentence where it is not "must be <allowed>"
 };
 
@@ -69,7 +69,7 @@ public:
 
     [[nodiscard]] std::string_view parameter() const noexcept { return field(spans_.parameter); }
     [[nodiscard]] std::string_view value() const noexcept { return field(spans_.value); }
-    /// What follows "must be "; empty where the sentence ends otherwise.
+    /// Text after "must be "; empty where the sentence ends otherwise.
     [[nodiscard]] std::string_view allowed() const noexcept { return field(spans_.allowed); }
     /// The end of the sentence, after place, parameter and value.
     [[nodiscard]] std::string_view reason() const noexcept { return field(spans_.reason); }
@@ -175,7 +175,7 @@ private:
 
 namespace parts {
 
-/// What \p call returns; an error of its gets \p place.
+/// Returns \p call(); its errors get \p place.
 template <class Call>
 auto located(const Place& place, const Call& call) {
     try {

@@ -17,8 +17,8 @@ struct Estimate {
     int evaluations{};  ///< points at which the integrand was evaluated (0: closed form)
 };
 
-/// In another unit; \p factor >= 0. A product in the subnormal range is rounded to a multiple of the least number, not
-/// to a relative epsilon, and the error includes that.
+/// Estimate in another unit; \p factor >= 0. A product in the subnormal range is rounded to a multiple of the least
+/// number, not to a relative epsilon, and the error includes that.
 template <Real T>
 [[nodiscard]] constexpr Estimate<T> operator*(const Estimate<T>& estimate, T factor) {
     const T value = estimate.value * factor;

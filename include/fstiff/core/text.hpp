@@ -37,7 +37,7 @@ inline bool is_hexadecimal_digit(char c) {
     return is_decimal_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
-/// Whether a digit, or a point and a digit, follow the sign.
+/// True if a digit, or a point and a digit, follow the sign.
 inline bool begins_number(const char* first, const char* last, bool hexadecimal) {
     if (first != last && *first == '-') ++first;
     if (first != last && *first == '.') ++first;
@@ -63,8 +63,8 @@ std::string text_by_to_chars(T value, Format... format) {
             return text.substr(0, static_cast<std::size_t>(end - text.data()));
 }
 
-/// As printf with \p precision digits and \p conversion, such as g; the decimal sign of the locale is replaced by a
-/// point.
+/// Text as printf has it, with \p precision digits and \p conversion, such as g; the decimal sign of the locale is
+/// replaced by a point.
 template <Real T>
 std::string text_by_printf(T value, char conversion, int precision) {
     constexpr bool is_long = std::is_same_v<T, long double>;

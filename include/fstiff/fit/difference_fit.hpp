@@ -24,7 +24,7 @@ namespace fstiff::inline v0_1 {
 namespace parts {
 
 /// K [Pa/m] at pressures [Pa] of a contact with the given parameters; the offset is in the pressures already.
-/// \throws domain_error where there is none.
+/// \throws domain_error without one.
 template <Real T = double>
 using CurveOfParameters = std::function<std::vector<T>(const ContactParameters<T>&, std::span<const T>)>;
 
@@ -36,7 +36,7 @@ public:
     using typename Problem::Vector, typename Problem::Matrix;
     static constexpr T step = T(0.004);
 
-    /// What the arguments refer to must live as long.
+    /// The objects of the arguments must live as long.
     DifferenceModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                     const ContactParameters<T>& start, const CurveOfParameters<T>& curve,
                     const std::optional<Wave<T>>& wave)

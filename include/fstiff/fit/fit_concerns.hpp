@@ -21,7 +21,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// What may be wrong about a fit.
+/// Possible faults of a fit.
 enum class FitConcern {
     singular,
     not_converged,
@@ -51,12 +51,12 @@ inline constexpr auto names<FitConcern> = name_list<FitConcern>({
 
 namespace parts {
 
-/// Whether the values of the fit are no answer at all; else they are valid.
+/// True if the values of the fit are no answer at all; else they are valid.
 [[nodiscard]] constexpr bool is_fatal(FitConcern concern) {
     return concern == FitConcern::singular || concern == FitConcern::not_converged || concern == FitConcern::at_bound;
 }
 
-/// Whether the model does not describe the data, or only some of them, or with values that nobody expected or that are
+/// True if the model does not describe the data, or only some of them, or with values that are unexpected or
 /// known to a factor of 100 at best: the fit is not to be used before somebody has looked at it. What is neither this
 /// nor fatal is about the errors of the values.
 [[nodiscard]] constexpr bool is_doubtful(FitConcern concern) {
@@ -107,7 +107,8 @@ void add_far_from_start(const Identification<T>& fit, std::vector<FitFinding<T>>
 
 }  // namespace parts
 
-/// In the order of FitConcern, but at_bound and unresolved as the parameters come; singular excludes the others.
+/// Concerns in the order of FitConcern, but at_bound and unresolved as the parameters come; singular excludes the
+/// others.
 template <Real T>
 [[nodiscard]] std::vector<FitFinding<T>> concerns_of(const Identification<T>& fit) {
     std::vector<FitFinding<T>> findings;

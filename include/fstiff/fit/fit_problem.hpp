@@ -62,7 +62,7 @@ struct Observation {
     T error{};     ///< its standard error; 0 in every point when it is not known
 };
 
-/// How a reflection was measured; none: the observations are stiffnesses.
+/// Measurement of a reflection; none: the observations are stiffnesses.
 template <Real T = double>
 struct Wave {
     Impedances<T> media{};
@@ -112,14 +112,14 @@ void require_start(const std::vector<Parameter>& wanted, const ContactParameters
     }
 }
 
-/// What is fitted to which points, and what becomes of K and its slopes there.
+/// Fitted parameters, their points, and K with its slopes there.
 template <Real T>
 class CurveProblem {
 public:
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
-    /// What the arguments refer to must live as long.
+    /// The objects of the arguments must live as long.
     CurveProblem(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                  const ContactParameters<T>& start, const std::optional<Wave<T>>& wave)
         : data_(data),
@@ -152,7 +152,7 @@ public:
     [[nodiscard]] bool errors_known() const { return errors_known_; }
 
 protected:
-    /// Whether a model can have the parameters \p x at all.
+    /// True if a model can have the parameters \p x at all.
     [[nodiscard]] bool can_have(const ContactParameters<T>& x) const {
         for (const Parameter each : wanted_)
             if (!parts::ParameterScale<T>(each).inside(x[each])) return false;
@@ -190,7 +190,7 @@ class CurveModel : public CurveProblem<T> {
 public:
     using typename CurveProblem<T>::Vector, typename CurveProblem<T>::Matrix;
 
-    /// What the arguments refer to must live as long.
+    /// The objects of the arguments must live as long.
     CurveModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                const ContactParameters<T>& start, const MakeLaw& law, const std::optional<Wave<T>>& wave,
                const RoughContactOptions<T>& contact)

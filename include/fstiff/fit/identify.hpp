@@ -23,7 +23,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// What was measured, and how the fit is done.
+/// Observations and options of a fit.
 template <Real T = double>
 struct IdentifyOptions {
     std::optional<Wave<T>> wave{};
@@ -50,7 +50,7 @@ template <Real T = double>
 struct Identification {
     math::FitStatus status{};
     std::vector<parts::IdentifiedParameter<T>> parameters;         ///< in the order asked for
-    ContactParameters<T> start{};                                  ///< where the search began
+    ContactParameters<T> start{};                                  ///< start of the search
     ContactParameters<T> all{};                                    ///< fitted and fixed
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular or at_bound
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation;  ///< empty when singular or at_bound
@@ -70,7 +70,7 @@ namespace parts {
 template <Real T>
 inline constexpr T useless_error = T(4.6);
 
-/// Whether the value \p x is at an end of the range of its parameter: as good as there, or there within its error, or a
+/// True if the value \p x is at an end of the range of its parameter: as good as there, or there within its error, or a
 /// search that knew no end would leave the range. \p step is that of Gauss and Newton, \p deviation the standard error,
 /// both of the variable and 0 unless the search came to rest.
 template <Real T>
@@ -100,7 +100,7 @@ Eigen::Index lost_parameter(const std::vector<Parameter>& wanted, const Vector& 
     return lost;
 }
 
-/// What becomes of a finished search: its status, the parameters at an end of their range, and the errors.
+/// Evaluates a finished search: its status, the parameters at an end of their range, and the errors.
 template <Real T>
 class FitSummary {
 public:
@@ -145,7 +145,7 @@ private:
         out_.chi_squared = scale_ > 0 ? static_cast<T>(out_.degrees_of_freedom) : T(0);
     }
 
-    /// Whether the search came to rest where a minimum is: not at an end, and with every parameter held by the data.
+    /// True if the search came to rest at a minimum: not at an end, and with every parameter held by the data.
     void judge(const Vector& residuals, const Matrix& jacobian) {
         Vector step = Vector::Zero(count_);
         deviation_ = step;

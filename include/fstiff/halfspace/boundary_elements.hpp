@@ -33,7 +33,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// How the half space is solved.
+/// Options of the solution of the half space.
 template <Real T = double>
 struct BoundaryElementOptions {
     Edges edges = Edges::mirrored;
@@ -52,7 +52,7 @@ struct BoundaryElementState {
     T mean_gap{};          ///< mean distance of the two faces, the separation of their mean planes [m]
     T max_pressure{};      ///< [Pa]
     Eigen::Index spots{};  ///< contacts, joined through edges and corners
-    T residual{};          ///< what the last iteration changed of the pressures, over their sum
+    T residual{};          ///< change of the pressures by the last iteration, over their sum
     int iterations{};
     bool converged = false;  ///< residual and that of the stiffness are below the tolerance
 };
@@ -111,7 +111,7 @@ private:
 
     static constexpr T held_tolerance = T(1e-5);    ///< scatter of u on the contact over its value: K to 1e-9
     static constexpr T coarse_tolerance = T(1e-4);  ///< of a solution that is a start alone
-    static constexpr T enough = T(0.3);  ///< what is left of the first change of the pressures when a set is tried
+    static constexpr T enough = T(0.3);  ///< rest of the first change of the pressures at which a set is tried
     static constexpr Eigen::Index least_side = 16;  ///< of a grid that has a coarser one
 
     T modulus_;

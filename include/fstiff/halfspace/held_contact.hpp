@@ -31,7 +31,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// What conjugate gradients found.
+/// Result of conjugate gradients.
 template <Real T = double>
 struct HeldContact {
     T compliance{};  ///< u on the set [m], for E = 1: 1/K
@@ -69,7 +69,7 @@ public:
     [[nodiscard]] T level() const { return level_; }
     [[nodiscard]] T scatter() const { return std::sqrt(gap_.square().sum() / T(gap_.size())); }
 
-    /// One iteration: \p p on the set and \p u change. \returns the sum of the changes of \p p; 0 where there are none.
+    /// One iteration: \p p on the set and \p u change. \returns the sum of the changes of \p p; 0 without any.
     T step(Field& p, Field& u) {
         if (points_.empty()) return 0;
         const Values pull = preconditioned();
@@ -156,7 +156,7 @@ template <Real T>
     return held;
 }
 
-/// Of the points where \p on is 1 (others 0), from the pressures \p start on them, which are not 0 altogether.
+/// Result for the points where \p on is 1 (others 0), from the pressures \p start on them, which are not 0 altogether.
 template <Real T>
 [[nodiscard]] HeldContact<T> held_together(detail::SurfaceCompliance<T>& compliance, const GridField<T>& on,
                                            const GridField<T>& start, T tolerance = T(1e-6),

@@ -34,7 +34,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Where the sum over images ends and the grid takes over: 2e-9 of the largest deflection.
+/// Border between the sum over images and the grid: 2e-9 of the largest deflection.
 struct FineSplit {
     static constexpr int window = 10;     ///< points of the grid along one side
     static constexpr double reach = 4.2;  ///< a r_c
@@ -73,7 +73,7 @@ public:
         return u;
     }
 
-    /// Less than u [m] under \p force over E [m^2] at any point without a force: of the grid alone.
+    /// A number less than u [m] under \p force over E [m^2] at any point without a force: of the grid alone.
     [[nodiscard]] T least_deflection(const Values& force) {
         spread(force);
         compliance_.deflect(grid_);
@@ -96,7 +96,7 @@ private:
     static constexpr int window = Split::window;
     static constexpr int neighbours = 60;  ///< within r_c, of points that are spread evenly
     static constexpr Eigen::Index margin = (window + 1) / 2;
-    static constexpr T end_over_a = T(9);  ///< where erfc(q/(2a)) is 2e-10
+    static constexpr T end_over_a = T(9);  ///< q/a at which erfc(q/(2a)) is 2e-10
     static constexpr T shape = T(2.3) * window;
 
     struct Cell {

@@ -76,14 +76,14 @@ private:
 template <Real T = double>
 class SurfaceCompliance {
 public:
-    /// For \p rows by \p columns cells of the size \p dy by \p dx [m]. \throws domain_error for less than 2 a side and
-    /// sizes that are not finite and positive.
+    /// Compliance of \p rows by \p columns cells of the size \p dy by \p dx [m]. \throws domain_error for less than 2 a
+    /// side and sizes that are not finite and positive.
     SurfaceCompliance(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges)
         : SurfaceCompliance(
               rows, columns, dx, dy, edges, [](T) { return T(1); }, [](T) { return T(1); }) {}
 
-    /// With each wave taken \p radial(|q|) \p along(q_x dx) \p along(q_y dy) times: a part of the half space, seen
-    /// through a window of points.
+    /// The same with each wave taken \p radial(|q|) \p along(q_x dx) \p along(q_y dy) times: a part of the half space,
+    /// seen through a window of points.
     template <class Radial, class Along>
     SurfaceCompliance(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges, const Radial& radial,
                       const Along& along)

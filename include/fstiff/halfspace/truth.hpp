@@ -26,7 +26,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// How the truth of a map is computed.
+/// Options of the truth of a map.
 template <Real T = double>
 struct TruthOptions {
     Eigen::Index points = 256;  ///< along the longer side; a map that has no more is taken as it is

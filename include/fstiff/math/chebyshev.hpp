@@ -108,7 +108,7 @@ public:
     [[nodiscard]] std::size_t size() const { return sections_.size(); }
 
     [[nodiscard]] T operator()(T x) const { return at(x)(x); }
-    /// At \p x, which rise or fall.
+    /// Values at \p x, which rise or fall.
     template <int N>
     [[nodiscard]] Lanes<T, N> operator()(const Lanes<T, N>& x) const {
         std::array<T, std::size_t{N}> one;

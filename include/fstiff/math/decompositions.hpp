@@ -58,7 +58,7 @@ public:
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
     using Index = Eigen::Index;
 
-    /// A column of which less than \p threshold times the longest column is left, without the columns chosen before, is
+    /// A column whose rest, without the columns chosen before, is less than \p threshold times the longest column, is
     /// taken for a combination of those.
     explicit PivotedQr(Matrix a, T threshold = 16 * std::numeric_limits<T>::epsilon())
         : qr_(std::move(a)), diagonal_(static_cast<std::size_t>(qr_.cols())), order_(diagonal_.size()) {

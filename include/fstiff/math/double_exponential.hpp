@@ -63,7 +63,7 @@ Estimate<T> integral_over_interval(const F& f, T a, T b, T relative_tolerance) {
     return double_exponential(f, map, -end, end, relative_tolerance);
 }
 
-/// \p reach: beyond a + reach nothing is left.
+/// \p reach: beyond a + reach the integrand is 0.
 template <Real T, class F>
 Estimate<T> integral_over_half_line(const F& f, T a, T size, T reach, T relative_tolerance) {
     const auto map = [=](T y) {

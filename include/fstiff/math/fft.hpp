@@ -51,7 +51,7 @@ namespace fstiff::inline v0_1::math {
     return best;
 }
 
-/// Whether kissfft, which takes p^2 steps for a prime factor p, transforms \p size numbers quickly.
+/// True if kissfft, which takes p^2 steps for a prime factor p, transforms \p size numbers quickly.
 /// \throws domain_error for a size out of range.
 [[nodiscard]] inline bool is_smooth_size(std::size_t size) {
     std::size_t rest = size;
@@ -172,7 +172,7 @@ private:
     std::size_t size_;
     Eigen::FFT<T> fft_;
     std::vector<T> padded_;
-    std::optional<ComplexFft<T>> any_;  ///< where kissfft is slow
+    std::optional<ComplexFft<T>> any_;  ///< used if kissfft is slow
     std::vector<std::complex<T>> in_, out_;
 };
 

@@ -28,13 +28,13 @@ namespace fstiff::inline v0_1::math {
 /// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; for x < 0 too.
 inline constexpr int moment_far = 30, pieces_a_side = 33;
 
-/// Whether |x| < moment_far, as its pieces see it: a long double just below counts as the double that it rounds to.
+/// True if |x| < moment_far, as its pieces see it: a long double just below counts as the double that it rounds to.
 template <Real T>
 EIGEN_ALWAYS_INLINE bool is_near(T x) {
     return static_cast<double>(std::abs(x)) < moment_far;
 }
 
-/// Where a number that is_near lies: found from the bits of |x| + 2, without a branch.
+/// Place of a number that is_near: found from the bits of |x| + 2, without a branch.
 template <Real T>
 struct NearPiece {
     static_assert(std::numeric_limits<T>::digits <= 64, "the tables of fstiff hold 64 binary digits");

@@ -44,7 +44,7 @@ public:
     /// The most lines that are smoothed at once: two to each lane of a vector, the real and the imaginary part of one
     /// transform, which the weights leave apart since theirs is real.
     static constexpr std::size_t lines = 2 * FftOfLines<T>::width;
-    /// The same of \p count lines; number i of line l is \p data[i step + l jump].
+    /// The same for \p count lines; number i of line l is \p data[i step + l jump].
     void of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count) {
         constexpr std::size_t width = lines / 2;
         const std::size_t whole = fft_.size();

@@ -74,7 +74,7 @@ struct Lanes<T, N, true> {
         const Lanes high = all(T(1)) - low;
         return {Eigen::internal::predux_half_dowto4((*this * multiply_add(all(s), high, low)).p)};
     }
-    /// Where a < b: \p yes, elsewhere \p no.
+    /// \p yes where a < b, \p no elsewhere.
     EIGEN_ALWAYS_INLINE friend Lanes select_less(const Lanes& a, const Lanes& b, const Lanes& yes, const Lanes& no) {
         if constexpr (N == 1)  // Eigen's mask of a single number is a NaN, which not every compiler setting keeps
             return a.p < b.p ? yes : no;

@@ -35,7 +35,7 @@ struct LeastSquaresOptions {
     T singular_value = (std::max)(T(1e-7), T(1e4) * std::numeric_limits<T>::epsilon());
 };
 
-/// How a search for least squares ended.
+/// End of a search for least squares.
 enum class FitStatus {
     converged,
     singular,      ///< a combination of the parameters leaves the residuals as they are: no covariance

@@ -65,7 +65,7 @@ struct Row {
     /// Integral of the polynomial from \p s to 1.
     template <Real T>
     [[nodiscard]] static T integral_to_end(const T* c, T s) noexcept {
-        T sum{}, powers = 1;  // (1 - s^(k+1))/(1 - s) term by term, so that nothing cancels as s goes to 1
+        T sum{}, powers = 1;  // (1 - s^(k+1))/(1 - s) term by term, without cancellation as s goes to 1
         T power = 1;
         for (int k = 0; k < terms; ++k) {
             sum += c[k] * powers / T(k + 1);
@@ -85,11 +85,11 @@ struct alignas(sizeof(T) * Row::terms) Coefficients {
 
 template <Real T>
 using Four = typename Eigen::internal::find_best_packet<T, 4>::type;
-/// Whether there are registers of four T, or two that Eigen takes for one.
+/// True if there are registers of four T, or two that Eigen takes for one.
 template <Real T>
 inline constexpr bool four_at_once = Eigen::internal::unpacket_traits<Four<T>>::size == 4;
 
-/// Four rows, side by side: written out, for the loops would not be unrolled at -O2 and the rows not stay in registers.
+/// Four rows, side by side: written out, because the loops would not be unrolled at -O2 nor the rows stay in registers.
 template <Real T>
 requires four_at_once<T>
 class FourRows {
@@ -110,7 +110,7 @@ public:
     struct ValueAndDerivative {
         Four<T> value, derivative;
     };
-    /// The derivative is that of the Horner rule of the value; it costs nothing where it is not used.
+    /// The derivative is that of the Horner rule of the value; it is free where it is not used.
     [[nodiscard]] EIGEN_ALWAYS_INLINE ValueAndDerivative value_and_derivative(const Four<T>& s) const {
         using Eigen::internal::pmadd;
         Four<T> slope = high_.packet[3];
@@ -153,7 +153,7 @@ struct BinaryPieces {
     [[nodiscard]] static Eigen::Index pieces(T from, T to) {
         return static_cast<Eigen::Index>((bits_of(to) >> shift) - (bits_of(from) >> shift)) + 1;
     }
-    /// Where the piece begins and the one before it ends. The outermost pieces are whole, beyond low and high.
+    /// Beginning of the piece, end of the one before it. The outermost pieces are whole, beyond low and high.
     [[nodiscard]] T edge(Eigen::Index piece) const {
         return std::bit_cast<T>((first + static_cast<Bits<T>>(piece)) << shift);
     }
@@ -185,7 +185,7 @@ private:
 
 template <Real T = double>
 struct UniformPieces {
-    /// An empty table contains nothing: the difference to a NaN is none.
+    /// An empty table contains no number: the difference to a NaN is none.
     T begin = std::numeric_limits<T>::quiet_NaN(), end = begin;
     T length{}, pieces_per_length{};
     std::vector<Coefficients<T>> rows;
@@ -202,7 +202,7 @@ struct UniformPieces {
     [[nodiscard]] bool contains(T x) const noexcept { return bits_of(T(x - begin)) <= bits_of(length); }
 
     struct ValueAndDerivative {
-        T value, derivative;  ///< by s, of which there are 2 to a piece
+        T value, derivative;  ///< by s, 2 to a piece
     };
     [[nodiscard]] ValueAndDerivative operator()(T x) const noexcept {
         const T position = (x - begin) * pieces_per_length;

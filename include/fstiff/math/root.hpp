@@ -8,7 +8,7 @@
 ///
 /// "Converged" is a proof, not a guess from a small step: f was evaluated on both sides of the root, no further apart
 /// than the tolerance (or was exactly 0). Near the root one extra evaluation just beyond it closes the bracket. An end
-/// of the bracket is evaluated only when the search is driven to it: a good first guess costs nothing at the far ends.
+/// of the bracket is evaluated only when the search is driven to it: a good first guess saves the far ends.
 ///
 /// Units       those of x and f; the tolerance is absolute, in the unit of x
 /// Valid       f monotone on [lower, upper]; kinks are allowed, and where f jumps across 0 the jump is found. The slope
@@ -25,7 +25,7 @@
 
 namespace fstiff::inline v0_1::math {
 
-/// How a search for a root ended.
+/// End of a search for a root.
 enum class RootStatus {
     converged,
     no_bracket,    ///< f has one sign on [lower, upper], or the bounds are not finite and in order
@@ -43,11 +43,11 @@ struct RootResult {
     [[nodiscard]] constexpr bool converged() const noexcept { return status == RootStatus::converged; }
 };
 
-/// As many evaluations as bisection needs, three times over, for a slope that misleads.
+/// Three times the evaluations of bisection, for a slope that misleads.
 template <Real T>
 inline constexpr int root_iterations = (std::max)(200, 3 * std::numeric_limits<T>::digits);
 
-/// Where a root lies, and whether f was evaluated at the ends.
+/// Bracket of a root, and whether f was evaluated at the ends.
 template <Real T>
 struct Bracket {
     T low, high;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Test whether the residual of a form is the rounding of the heights and nothing more.
+/// Test whether the residual of a form is only the rounding of the heights.
 ///
 ///     rest <= 16 eps max |z|                      rounding of the scalar, and of the removal itself
 ///     rest <= 0.6 q, rms of the rest <= 0.3 q     rounding to steps of q, whose rms is q / sqrt(12) = 0.29 q
@@ -41,7 +41,7 @@ T common_step(const T* heights, std::size_t count, T least, T tolerance) {
     return step;
 }
 
-/// Whether \p rest, what a form left of \p heights, is no more than their rounding. \p resolution is the step in which
+/// True if \p rest, the residual of a form of \p heights, is only their rounding. \p resolution is the step in which
 /// the heights were printed or counted, 0 where it is not known.
 template <Real T>
 bool is_rounding(const T* heights, const T* rest, std::size_t count, T resolution = 0) {

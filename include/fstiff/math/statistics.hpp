@@ -40,7 +40,7 @@ inline constexpr NormalQuantile<T> normal_95{T(0.95), T(1.6448536269514727148638
 template <Real T = double>
 inline constexpr NormalQuantile<T> normal_975{T(0.975), T(1.959963984540054235524594430520551527L)};
 
-/// The same of Student's t at \p degrees_of_freedom (0 or less: the normal value). Closed for 1 and 2; else an
+/// The same for Student's t at \p degrees_of_freedom (0 or less: the normal value). Closed for 1 and 2; else an
 /// expansion, right to 1e-3 from 5 on and to 1 % at 3.
 template <Real T>
 [[nodiscard]] T student_quantile(const NormalQuantile<T>& normal, int degrees_of_freedom) {
@@ -85,7 +85,7 @@ public:
         for (std::size_t& start : starts_) start = draw();
     }
 
-    /// The mean of every resample; \p part gives sum and count of a part. A resample that holds nothing has the mean of
+    /// The mean of every resample; \p part gives sum and count of a part. An empty resample has the mean of
     /// the whole. Valid until the next call.
     template <class Part>
     const std::vector<T>& means(const Part& part) {

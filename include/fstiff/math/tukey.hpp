@@ -56,7 +56,7 @@ template <Real T>
     return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
 
-/// The same of eight numbers, none of them NaN, by Batcher's sorting network.
+/// The same for eight numbers, none of them NaN, by Batcher's sorting network.
 template <Real T>
 [[nodiscard]] T median_of_eight(std::array<T, 8> values) {
     // clang-format off

@@ -34,7 +34,7 @@ public:
                 "between 0 and pi/2, both excluded (radians)");
     }
 
-    /// From the autocorrelation of the profile at one and at two sampling steps.
+    /// Distribution from the autocorrelation of the profile at one and at two sampling steps.
     /// \throws domain_error unless -1 < rho1 < 1 and 2 rho1^2 - 1 < rho2 < 1: what three ordinates allow.
     static PeakDistribution from_autocorrelation(T rho1, T rho2) {
         require(rho1 > -1 && rho1 < 1, "rho1", rho1, "between -1 and 1, both excluded");

@@ -21,7 +21,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// How the heights of the peaks are distributed.
+/// Distribution of the heights of the peaks.
 enum class Heights { gaussian, exponential };
 
 }  // namespace parts

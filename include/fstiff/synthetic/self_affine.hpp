@@ -41,7 +41,7 @@ template <Real T = double>
 struct SelfAffineOptions {
     T hurst{};                ///< H
     T rms{};                  ///< [m]
-    T longest_wavelength{};   ///< where the spectrum rolls off [m]; 0: the longest side
+    T longest_wavelength{};   ///< roll-off of the spectrum [m]; 0: the longest side
     T shortest_wavelength{};  ///< no wave is shorter [m]; 0: two samples, of the larger spacing
     parts::LongWaves long_waves = parts::LongWaves::plateau;
     bool exact_rms = true;  ///< rms of the realisation, not of the mean over all seeds

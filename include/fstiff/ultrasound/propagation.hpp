@@ -91,7 +91,7 @@ struct ResolvableStiffness {
 }  // namespace parts
 
 /// The range of K whose |R| lies between \p least, or 1.01 times that of the perfect bond, and \p most; none where
-/// nothing is left. \throws domain_error unless 0 < least < most < 1, and as reflection.
+/// the range is empty. \throws domain_error unless 0 < least < most < 1, and as reflection.
 template <Real T>
 [[nodiscard]] std::optional<parts::ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
                                                                                 T angular_frequency, T least = T(0.1),

@@ -104,7 +104,7 @@ T relative_stiffness(T stiffness, const Impedances<T>& media, T angular_frequenc
 }
 
 /// r(z1+z2) - |z1-z2|, exact but for a few roundings of the result: the sums and the product carry their errors along,
-/// so that nothing is lost where r is close to that of the perfect bond. Impedances of the order of 1.
+/// without loss where r is close to that of the perfect bond. Impedances of the order of 1.
 template <Real T>
 T above_welded(T r, T low, T high) noexcept {
     const T sum = high + low, sum_rest = low - (sum - high);

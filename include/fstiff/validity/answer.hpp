@@ -37,7 +37,7 @@ inline constexpr double min_points_in_contact = 20;
 /// H/(E g) below which peaks flow enough to change K.
 inline constexpr double flowing_hardness = 0.7;
 
-/// What is known of a contact at one pressure.
+/// Facts on a contact at one pressure.
 template <Real T = double>
 struct AnswerQuestion {
     std::vector<LawName> available{};  ///< laws that can be computed of the surface
@@ -68,7 +68,7 @@ enum class Cause {
     measurement,  ///< errors of the measured parameters: another piece of the same surface
     cut_offs,     ///< choice of lambda_s and of the form
     shape,        ///< shape of the heights, which the measurement does not know
-    prior,        ///< parameters that nobody measured
+    prior,        ///< parameters that were not measured
     lay,          ///< a profile does not know how far ridges reach
     law,          ///< the law by itself
     contacts,     ///< few contacts on the nominal area
@@ -113,7 +113,7 @@ template <Real T>
     return shares;
 }
 
-/// What \p contacts on an area leave open of K, 5 and 95 %; fewer than one count as one.
+/// Uncertainty of K by the number of \p contacts on an area, 5 and 95 %; fewer than one count as one.
 template <Real T>
 [[nodiscard]] CauseSpread<T> scatter_of_contacts(T contacts) {
     const T width = math::normal_95<T>.value * T(0.77) / std::sqrt((std::max)(contacts, T(1)));

@@ -74,7 +74,7 @@ template <Real T>
     return pressure / (effective_modulus * rms_gradient);
 }
 
-/// What may speak against a result.
+/// Reasons to doubt a result.
 enum class Concern {
     plasticity,              ///< psi above 1: the peaks yield at first loading
     gaussian_surface,        ///< sigma R D_p below what an isotropic Gaussian surface can have
@@ -104,7 +104,7 @@ namespace parts {
 template <Real T = double>
 struct Check {
     Concern concern{};
-    T limit{};  ///< what the values are held against; infinite for a hardness that is not known
+    T limit{};                                     ///< limit of the values; infinite for a hardness that is not known
     T least = std::numeric_limits<T>::infinity(),  ///< of the values; infinite when there are none
         greatest = -std::numeric_limits<T>::infinity();
     std::size_t violations{};  ///< states at which the check does not hold; 1 of a surface
@@ -168,7 +168,7 @@ template <Real T>
     return made;
 }
 
-/// What the states of a curve are held against; a check for which something is missing is not made.
+/// Limits for the states of a curve; a check is made only if all its inputs are given.
 template <Real T = double>
 struct CurveLimits {
     T effective_modulus{};              ///< [Pa], for p*

@@ -36,7 +36,7 @@ enum class KnownAs {
     height    ///< the height alone
 };
 
-/// What decides the error of a law.
+/// Inputs of the error of a law.
 template <Real T = double>
 struct LawErrorQuestion {
     LawName law{};
@@ -87,7 +87,7 @@ inline constexpr ShapeErrors errors_of_traces{{30, 30, 35, 35, 30, 25, 15}, {}, 
     }
 }
 
-/// What \p table, in per cent, has at \p p_star; its greatest where that is NaN.
+/// Value of \p table, in per cent, at \p p_star; its greatest where that is NaN.
 template <Real T>
 [[nodiscard]] T at_pressure(const LawErrorTable& table, T p_star) {
     const auto& pressures = law_error_pressures;
