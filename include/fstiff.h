@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /**
  * \file
- * The C interface of fstiff: normal contact stiffness of rough surfaces, for C, Fortran and whatever else calls C.
+ * The C interface of fstiff: normal contact stiffness of rough surfaces, for C, Fortran and all languages that call C.
  *
  *     fstiff_roughness fine = {sizeof fine};
  *     fine.rms_height = 0.832e-6, fine.peak_radius = 40e-6, fine.peak_density = 5e8, fine.r = 0.5, fine.theta = 1.0;
@@ -13,21 +13,21 @@
  * Units       SI, per nominal area: heights, lengths and separations [m], pressures [Pa], stiffness [Pa/m], contacts
  *             [1/m^2]
  * Accuracy    the numbers are those of the C++ library and of `fstiff run`, bit for bit
- * Status      every function that can fail returns FSTIFF_OK (0) or one of the codes below; the sentence is in
- *             fstiff_last_message(). No exception leaves the library, and no result is ever NaN or infinite
- * Structs     begin with their size: set it to sizeof, and what you do not know to 0. They grow at their end alone: a
- *             program that was compiled with an older fstiff.h of this SONAME goes on working. Any other size is
- *             refused
- * Ownership   what a function makes through `**made` is freed by the fstiff_..._free of its type, which takes NULL too;
- *             *made is NULL after a failure. Text and arrays are the caller's: they are read, or written, during the
- *             call alone
- * Threads     any number of threads may evaluate one handle; nobody may free it meanwhile. Every thread has its own
- *             message
  */
 #ifndef FSTIFF_H
 #define FSTIFF_H
 
 #include <stddef.h>
+
+/* Status      every function that can fail returns FSTIFF_OK (0) or one of the codes below; the sentence is in
+ *             fstiff_last_message(). No exception leaves the library, and no result is ever NaN or infinite
+ * Structs     begin with their size: set it to sizeof, and unknown members to 0. They grow at their end alone: a
+ *             program that was compiled with an older fstiff.h of this SONAME goes on working. Any other size is
+ *             refused
+ * Ownership   an object made through `**made` is freed by the fstiff_..._free of its type, which takes NULL too; *made
+ *             is NULL after a failure. Text and arrays belong to the caller: they are read, or written, during the call
+ *             alone
+ * Threads     any number of threads may evaluate one handle, while none may free it. Each thread has its own message */
 
 #define FSTIFF_VERSION 100 /* of this header: 10000 major + 100 minor + patch */
 
@@ -60,17 +60,17 @@ enum {
 
 /** The version of the library that is linked, such as "0.1.0". */
 FSTIFF_API const char* fstiff_version(void);
-/** A status in words; of a number that is none "unknown status". Never NULL. */
+/** A status in words; "unknown status" for any other number. Never NULL. */
 FSTIFF_API const char* fstiff_strerror(int status);
-/** Why the last call of this thread that failed did so, in one sentence; or, where a measurement succeeded after it,
- * what that warns of, a sentence a line. Never NULL; valid until the next call of this thread. */
+/** The reason for the last failure in this thread, in one sentence; or, if a measurement succeeded after it, its
+ * warnings, a sentence a line. Never NULL; valid until the next call of this thread. */
 FSTIFF_API const char* fstiff_last_message(void);
 
 /* ---- Contacts ---- */
 
 typedef struct fstiff_contact fstiff_contact;
 
-/** A rough surface in numbers. fstiff_measured_roughness() makes it of a measurement. */
+/** A rough surface in numbers. fstiff_measured_roughness() makes it from a measurement. */
 typedef struct fstiff_roughness {
     size_t size;              /**< sizeof(fstiff_roughness) */
     double rms_height;        /**< sigma [m], > 0 */
@@ -88,7 +88,7 @@ typedef struct fstiff_roughness {
 /** Interaction of the peaks: equation (4.11) of the paper, read in two ways. */
 enum { FSTIFF_NO_INTERACTION = 0, FSTIFF_EFFECTIVE_SEPARATION = 1, FSTIFF_INTERACTION_AS_PRINTED = 2 };
 
-/** The two bodies as the contact sees them. */
+/** The two bodies as the contact needs them. */
 typedef struct fstiff_body {
     size_t size;               /**< sizeof(fstiff_body) */
     double effective_modulus;  /**< 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [Pa], > 0 */
@@ -106,7 +106,7 @@ FSTIFF_API int fstiff_contact_make(const char* law, const fstiff_roughness* surf
 
 /** The derivatives of K under the pressure [Pa], at constant pressure, for a contact that fstiff_contact_make takes: by
  * the pressure (dK/dp [1/m]), and in each member of by_surface and by_body by that member [Pa/m per its unit]; 0 for
- * what is not known. Results may be NULL; both structs have their sizes set. Within 1e-7 K of x dK/dx. */
+ * unknown members. Results may be NULL; both structs have their sizes set. Within 1e-7 K of x dK/dx. */
 FSTIFF_API int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
                                   double pressure, double* by_pressure, fstiff_roughness* by_surface,
                                   fstiff_body* by_body);
@@ -122,12 +122,12 @@ FSTIFF_API void fstiff_contact_free(fstiff_contact* contact);
 /** Destinations of the results: arrays of `count` of the call. One that is NULL is not written, and its quantity is not
  * computed. */
 typedef struct fstiff_points {
-    size_t size;                /**< sizeof(fstiff_points) */
-    double* pressure;           /**< [Pa] */
-    double* separation;         /**< of the mean planes [m] */
-    double* stiffness;          /**< K [Pa/m] */
-    double* stiffness_error;    /**< a bound of the error of K for exact inputs [Pa/m]; of a map more (docs/scene.md) */
-    double* loading_stiffness;  /**< -dp/dd [Pa/m] */
+    size_t size;               /**< sizeof(fstiff_points) */
+    double* pressure;          /**< [Pa] */
+    double* separation;        /**< of the mean planes [m] */
+    double* stiffness;         /**< K [Pa/m] */
+    double* stiffness_error;   /**< a bound of the error of K for exact inputs [Pa/m]; for a map more (docs/scene.md) */
+    double* loading_stiffness; /**< -dp/dd [Pa/m] */
     double* real_area_fraction; /**< A/A0 */
     double* contact_density;    /**< [1/m^2] */
     int* status;                /**< of each point */
@@ -150,7 +150,7 @@ typedef struct fstiff_law fstiff_law;
 enum { FSTIFF_OUTSIDE_REFUSE = 0, FSTIFF_OUTSIDE_CLAMP = 1, FSTIFF_OUTSIDE_EXACT = 2, FSTIFF_OUTSIDE_EXTRAPOLATE = 3 };
 
 /** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact
- * again. Of a map every law but "boundary_elements" has a table, with an error of 1e-3 or less (fstiff_law_facts). */
+ * again. For a map every law but "boundary_elements" has a table, with an error of 1e-3 or less (fstiff_law_facts). */
 FSTIFF_API int fstiff_law_make(const fstiff_contact* contact, double min_pressure, double max_pressure, int outside,
                                fstiff_law** made);
 /** The law that fstiff_law_text wrote (or ContactLaw::to_text), bit for bit; length bytes. */
@@ -161,7 +161,7 @@ FSTIFF_API int fstiff_law_of_text(const char* text, size_t length, fstiff_law** 
 FSTIFF_API int fstiff_law_text(const fstiff_law* law, char* buffer, size_t capacity, size_t* length);
 FSTIFF_API void fstiff_law_free(fstiff_law* law);
 
-/** The range of a law, and what it is worth. */
+/** The range and the accuracy of a law. */
 typedef struct fstiff_law_facts {
     size_t size;                           /**< sizeof(fstiff_law_facts) */
     double min_pressure, max_pressure;     /**< [Pa] */
@@ -213,7 +213,7 @@ typedef struct fstiff_slip {
     size_t size;                         /**< sizeof(fstiff_slip) */
     double separation;                   /**< d [m] */
     double levels[FSTIFF_SLIP_LEVELS];   /**< separations of first touch [m], rising from d on */
-    double drags[FSTIFF_SLIP_LEVELS][2]; /**< how far what first touched there is dragged, in both directions [m] */
+    double drags[FSTIFF_SLIP_LEVELS][2]; /**< drag of the spots that first touched there, in both directions [m] */
     int count;                           /**< of levels in use */
 } fstiff_slip;
 
@@ -225,15 +225,15 @@ FSTIFF_API int fstiff_tangential_ratio(double modulus1, double poisson1, double 
 FSTIFF_API int fstiff_friction_make(const fstiff_law* law, double friction, double ratio, fstiff_friction** made);
 FSTIFF_API void fstiff_friction_free(fstiff_friction* friction);
 
-/** State at one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor of a
- * cycle between -amplitude and amplitude [m]. Results that are not needed may be NULL; a call that fails leaves all of
- * them alone. */
+/** State at one separation [m]: traction q [Pa] and dq/ds [Pa/m] at the first slip s [m]; loss [J/m^2] and loss factor
+ * of a cycle between -amplitude and amplitude [m]. Results that are not needed may be NULL; a call that fails leaves
+ * all of them alone. */
 FSTIFF_API int fstiff_friction_first_slip(const fstiff_friction* friction, double separation, double slip,
                                           double* traction, double* stiffness);
 FSTIFF_API int fstiff_friction_cycle(const fstiff_friction* friction, double separation, double amplitude, double* lost,
                                      double* loss_factor);
 
-/** A straight path from what `before` remembers to a separation [m] and by a slip [m]; a plane model has slip[1] = 0.
+/** A straight path from the state `before` to a separation [m] and by a slip [m]; a plane model has slip[1] = 0.
  * `after`, which may be `before`, has its size set. pressure and traction [Pa] are those at the end, tangent [Pa/m]
  * their derivatives d(p, q1, q2)/d(-d, s1, s2), row after row, not symmetric where something slips. Results that are
  * not needed may be NULL; a call that fails leaves all of them alone. Nothing is allocated. */
@@ -307,7 +307,7 @@ FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_r
 /** Output of a command, whose numbers can be taken out. Every function below takes its options as a text of lines
  * "key = value", which name the options of the command of that name (`fstiff spectrum --help`) without their dashes,
  * such as "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that the function
- * does not know is refused. What the result warns of is in fstiff_last_message() afterwards. */
+ * does not know is refused. Warnings of the result are in fstiff_last_message() afterwards. */
 typedef struct fstiff_document fstiff_document;
 
 /** Heights [m], row after row; NaN marks a missing point. Where a function takes NULL in place of them, the option
@@ -371,13 +371,13 @@ FSTIFF_API int fstiff_document_text(const fstiff_document* document, char* buffe
 FSTIFF_API int fstiff_document_word(const fstiff_document* document, const char* path, char* buffer, size_t capacity,
                                     size_t* length);
 /** The number, or the array of numbers, at path: keys, and places in arrays from 0, with points between them; "*" is
- * every place of an array, such as "answer.*.stiffness_Pa_per_m", and what one of them has not is 0. *count becomes how
- * many they are; values of `capacity` numbers takes all of them; where they do not fit, nothing is written and
- * FSTIFF_BAD_ARGUMENT returned; values NULL with capacity 0 asks for *count alone. What the JSON has as null is 0. A
- * list of lists, such as a covariance, is one row after the other. */
+ * every place of an array, such as "answer.*.stiffness_Pa_per_m", and a number that one of them lacks is 0. *count
+ * becomes their number; values of `capacity` numbers takes all of them; if they do not fit, no number is written and
+ * FSTIFF_BAD_ARGUMENT returned; values NULL with capacity 0 asks for *count alone. A null of the JSON is 0. A list of
+ * lists, such as a covariance, is one row after the other. */
 FSTIFF_API int fstiff_document_numbers(const fstiff_document* document, const char* path, double* values,
                                        size_t capacity, size_t* count);
-/** 1 where the command would end with exit code 4, the result is one to doubt; else 0. */
+/** 1 if the command would end with exit code 4, for a doubtful result; else 0. */
 FSTIFF_API int fstiff_document_is_doubtful(const fstiff_document* document);
 FSTIFF_API void fstiff_document_free(fstiff_document* document);
 

@@ -96,7 +96,7 @@ private:
     T load_factor_, stiffness_factor_, load_slope_, stiffness_slope_;
 };
 
-/// f = (2/3) (3-D)/(2-D): how many times the stiffness (3.14) exceeds that of one Hertzian asperity. At least 4/3.
+/// f = (2/3) (3-D)/(2-D): ratio of the stiffness (3.14) to that of one Hertzian asperity, at least 4/3.
 /// \throws domain_error unless 1 < D < 2.
 template <Real T>
 [[nodiscard]] constexpr T fractal_stiffness_factor(T fractal_dimension) {
@@ -104,7 +104,7 @@ template <Real T>
     return 2 * (3 - fractal_dimension) / (3 * (2 - fractal_dimension));
 }
 
-/// d ln f/dD = 1/(2-D) - 1/(3-D), how fast the factor grows with D. \throws domain_error unless 1 < D < 2.
+/// d ln f/dD = 1/(2-D) - 1/(3-D), growth of the factor with D. \throws domain_error unless 1 < D < 2.
 template <Real T>
 [[nodiscard]] constexpr T log_stiffness_factor_slope(T fractal_dimension) {
     require_fractal_dimension(fractal_dimension);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Tangential over normal stiffness of elastic contacts that stick: Mindlin's ratio, what a shear wave sees.
+/// Tangential over normal stiffness of elastic contacts that stick: Mindlin's ratio, as a shear wave meets it.
 ///
 ///     k_t/k_n = 2 (1-nu)/(2-nu)                                                                            like bodies
 ///     k_t/k_n = 2 [(1-nu1)/G1 + (1-nu2)/G2] / [(2-nu1)/G1 + (2-nu2)/G2],   G_i = E_i/(2 (1+nu_i))        unlike bodies
 ///
 /// k_n = 2 E a and k_t = 8 a / [(2-nu1)/G1 + (2-nu2)/G2] for a circle of radius a whatever the load, so that the ratio
 /// is the same for every contact of a rough surface and for their sum: K_t = ratio K of the elastic laws. A stiff body
-/// against a soft one has the ratio of the soft one. Oscillations too small for slip, as those of ultrasound are.
+/// against a soft one has the ratio of the soft one. The oscillations must be too small for slip, as those of
+/// ultrasound.
 ///
 /// Reference   Mindlin, J. Appl. Mech. 16 (1949) 259-268; Johnson, Contact Mechanics (1985), section 7.2.
 /// Units       dimensionless

@@ -8,7 +8,7 @@
 ///     KogutEtsionLaw   powers of s in four ranges: s < 1, < 6, < 110, beyond
 ///     all              stiffness 2 sqrt(area/pi) on unloading, as a wave sees it; the slope of the load is another
 ///
-/// Both are divided by E. The fits jump by up to 8 % at their ends. Equations: docs/theory.md, section 3.
+/// Load and stiffness are divided by E. The fits jump by up to 8 % at their ends. Equations: docs/theory.md, section 3.
 /// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; Jackson, Green, J. Tribol. 127 (2005) 343, Tribol. Trans.
 ///             49 (2006) 1; Kogut, Etsion, J. Appl. Mech. 69 (2002) 657; Pharr et al., J. Mater. Res. 7 (1992) 613
 /// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]; moduli, Y and H [Pa]
@@ -164,7 +164,7 @@ public:
         const T s = omega / critical(radius), sphere = numbers::pi_v<T> * radius * omega;
         return s < begin ? sphere : sphere * std::pow(s / begin, exponent_);
     }
-    /// Over E.
+    /// Load over E.
     [[nodiscard]] T load_of(T omega, T radius) const {
         const T s = omega / critical(radius);
         if (s < begin) return T(4) / 3 * omega * std::sqrt(radius * omega);
@@ -214,7 +214,7 @@ public:
         if (s < 110) return unit * T(0.94) * std::pow(s, T(1.146));
         return unit * 2 * s;
     }
-    /// Over E.
+    /// Load over E.
     [[nodiscard]] T load_of(T omega, T radius) const {
         const T omega_c = critical(radius), s = omega / omega_c;
         const T unit = T(2) / 3 * k_ * hard_ * numbers::pi_v<T> * radius * omega_c;

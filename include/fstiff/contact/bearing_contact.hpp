@@ -95,8 +95,8 @@ public:
         set_curve(std::move(curve), parts::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height);
     }
 
-    /// The contact of another surface with the same Gaussian one, whose curve \p curve ends as high, for a tenth of the
-    /// time. Of a contact that was not scaled. \throws domain_error unless this one has a bearing curve.
+    /// Contact of another surface with the same Gaussian one, in a tenth of the time. Its curve \p curve must end as
+    /// high, and this contact must not be scaled. \throws domain_error unless this one has a bearing curve.
     [[nodiscard]] BearingContact with_curve(BearingSlope<T> curve) const {
         require(has_bearing_curve(), "bearing curve", has_bearing_curve(), "there");
         BearingContact other = *this;

@@ -12,8 +12,8 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// A contact in the scalar T with states at a pressure [Pa] and at a separation [m], thrown out of or with a status:
-/// what curves, bands and means over shifts ask for.
+/// A contact in the scalar T with states at a pressure [Pa] and at a separation [m], by exception or with a status, as
+/// curves, bands and means over shifts need it.
 template <class C, class T>
 concept HasStates = requires(const C& contact, T x, Quantity wanted) {
     { contact.at_pressure(x, wanted) } -> std::same_as<ContactState<T>>;
@@ -37,8 +37,8 @@ concept Contact = parts::HasStates<C, T> && requires(const C& contact, T x) {
 
 namespace parts {
 
-/// One whose K is a constant times -dp/dd, so that one table by separation serves both; of any other contact K has a
-/// table of its own, and with interaction K itself is in series with the bulk.
+/// One whose K is a constant times -dp/dd, so that one table by separation serves both; any other K has its own table,
+/// and with interaction K itself is in series with the bulk.
 template <class C, class T>
 concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;

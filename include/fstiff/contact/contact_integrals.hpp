@@ -52,8 +52,8 @@ template <Real T>
     return -floor * floor / 2;
 }
 
-/// The integrals of a PowerSet for one density of peaks. What depends on it and on the tolerance alone is computed
-/// once, and erf at the nodes of the smooth map as long as a new eta takes the same ones.
+/// The integrals of a PowerSet for one density of peaks. Numbers that depend on it and on the tolerance alone are
+/// computed once, and erf at the nodes of the smooth map as long as a new eta takes the same ones.
 template <Real T>
 class PeakIntegrator {
 public:

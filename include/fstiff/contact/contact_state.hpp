@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// State of a contact at one separation or pressure, or the reason why there is none, and the search for eta.
+/// State of a contact at one separation or pressure, or the reason for its absence, and the search for eta.
 ///
 /// Units       SI, per nominal area
 /// Accuracy    absolute bounds for exact inputs; at a given pressure they contain that of the separation
@@ -40,14 +40,14 @@ template <Real T>
 
 }  // namespace parts
 
-/// State of a point, or the kind of its refusal.
+/// Status of a point: a state, or the kind of its refusal.
 enum class PointStatus {
     ok,
     out_of_reach,   ///< the model has no state there; ContactPoint::reason gives its range
     beyond_numbers  ///< a value or an error, doubled, is beyond the range of the scalar
 };
 
-/// The state at a pressure or a separation, or why there is none.
+/// State at a pressure or a separation, or the reason for its absence.
 template <Real T = double>
 struct ContactPoint {
     PointStatus status = PointStatus::ok;

@@ -18,7 +18,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// The contact of peaks of one radius, which Hertz pressed: RoughContact with SingleRadius.
+/// Contact of spherical peaks of equal radius with Hertz's law: RoughContact with SingleRadius.
 template <Real T = double>
 struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>> {
     /// \throws domain_error naming the parameter that is out of range.

@@ -3,7 +3,7 @@
 /// \file
 /// Law for all loads: peaks where few of them carry, Persson's theory where they are crowded.
 ///
-///     K = (K_peaks^5 + K_crowded^5)^(1/5)         at equal pressure; of a map by contact/hand_over.hpp
+///     K = (K_peaks^5 + K_crowded^5)^(1/5)         at equal pressure; for a map contact/hand_over.hpp
 ///     d = int_p^(2 E g) dp'/K(p')                 separation of the mean planes; at 2 E g all is in contact
 ///     real area and number of contacts            of the peaks, at the same pressure
 ///

@@ -30,7 +30,7 @@ namespace fstiff::inline v0_1 {
 
 namespace detail {
 
-/// alpha at which the band is cut whose peaks carry light loads.
+/// alpha at which the band is cut for the peaks that carry light loads.
 template <Real T>
 inline constexpr T alpha_of_hills = T(6);
 
@@ -112,7 +112,7 @@ template <Real T>
 
 namespace detail {
 
-/// Score of a height beyond which no bearing curve was compared: it is taken for this one.
+/// Greatest score of a height at which bearing curves were compared; higher ones are replaced by it.
 template <Real T>
 inline constexpr T highest_score = T(4);
 

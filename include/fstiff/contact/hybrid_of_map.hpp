@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The law `hybrid` of a map from its heights: its elliptic summits at light loads, Persson's theory at the local slope
+/// The law `hybrid` for a map, from its heights: elliptic summits at light loads, Persson's theory at the local slope
 /// of the bearing curve at heavy ones, and the hand-over between them. It is a fstiff::Contact, so that it has a table.
 ///
 /// Reference   contact/hybrid_contact.hpp, contact/hand_over.hpp, contact/bearing_contact.hpp
@@ -20,7 +20,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// The contact of \p map under the effective modulus \p effective_modulus [Pa]; \p edges: how the map goes on
+/// Returns the contact of \p map under the effective modulus \p effective_modulus [Pa]; \p edges continues the map
 /// beyond its edges. \throws domain_error for missing points, a map without summits, or a modulus that is not positive.
 template <Real T>
 [[nodiscard]] auto hybrid_of_map(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,

@@ -85,7 +85,7 @@ public:
             piece(by_separation_, separation_cell(d), [d](const Parabola<T>& one) { return one.separation >= d; });
         return energy_[static_cast<std::size_t>(&at - pieces_.data())] + work(at, at.separation - d);
     }
-    /// dK/dp over the last tenth of the pressures, never less than 0: how the law goes on [1/m].
+    /// dK/dp over the last tenth of the pressures, never less than 0: the growth of the continued law [1/m].
     [[nodiscard]] T growth_at_end() const {
         const Parabola<T>& last = pieces_.back();
         const T from = (std::max)(last.pressure * T(0.9), pieces_.front().pressure);
@@ -150,7 +150,7 @@ enum class OutsideRange {
     extrapolate  ///< continue the law smoothly: an opening contact ends with p = K = 0
 };
 
-/// Range of a table.
+/// Range of pressures of a tabulated law.
 template <parts::ReadableReal T = double>
 struct LawRange {
     T min_pressure{};  ///< [Pa]
@@ -227,7 +227,7 @@ struct LawTables {
         return kinked.empty() ? at_pressure(pressure) : kinked_at_pressure(pressure);
     }
 
-    /// K over -dp/dd at \p end, an end of the range: what the continuation keeps.
+    /// K over -dp/dd at \p end, an end of the range; the continuation keeps it.
     [[nodiscard]] T ratio_at(const Whole& end) const {
         return has_own_stiffness() ? end.stiffness / end.slope : stiffness_over_slope;
     }

@@ -79,7 +79,7 @@ private:
         return in_series(eta, V::all(middle_) * exp(log_pressure_(eta)), slope_(eta));
     }
 
-    /// K at eta, of -dp/dd there where it is a constant times that.
+    /// K at eta, from -dp/dd where it is a constant times that.
     template <class V>
     [[nodiscard]] V stiffness_of(const State<V>& found, const V& eta) const {
         if constexpr (proportional)

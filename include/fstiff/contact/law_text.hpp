@@ -64,7 +64,7 @@ template <parts::ReadableReal T>
     return text;
 }
 
-/// Reads what law_text wrote, number after number.
+/// Reads the text of law_text, number after number.
 template <parts::ReadableReal T>
 class LawTextReader {
 public:

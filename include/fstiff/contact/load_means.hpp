@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Mean depth of the peaks of a contact, each peak weighted by its load: the range of laws of plastic peaks.
+/// Mean depth of the peaks of a contact, each peak weighted by its load, to check the range of plastic laws.
 ///
 ///     <s>   = sum load omega/omega_c / sum load          omega_c = (its strain)^2 R, where a peak begins to flow
 ///     <a/R> = sum load a/R / sum load                    a = sqrt(area/pi)

@@ -73,7 +73,7 @@ S persson_distance(S y, const PerssonEnergy<S>& energy) {
     return integral(S(1), S(7), whole) + integral(y, S(1), without_pole) - energy.gamma * std::log(y);
 }
 
-/// K and what it depends on, at one pressure.
+/// K and its slope at one pressure.
 template <Real T>
 struct PerssonStiffness {
     T stiffness;  ///< K [Pa/m]

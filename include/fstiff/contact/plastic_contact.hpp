@@ -78,7 +78,7 @@ public:
         log_stiffness_ = std::vector<std::atomic<T>>(counts_.size());
         for (auto& at : log_stiffness_) at.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
     }
-    /// A power of the share between two knots. \throws domain_error as HighestPoints.
+    /// K by a power of the share between two knots. \throws domain_error as HighestPoints.
     [[nodiscard]] T stiffness(T share) const {
         const T points = share * static_cast<T>(points_.count());
         if (!(points > 1 && share < 1) || counts_.size() < 2) return points_.stiffness(share);
@@ -105,7 +105,7 @@ private:
     mutable std::vector<std::atomic<T>> log_stiffness_;  ///< NaN: not yet
 };
 
-/// Cut of a map, K by knots 5 % of the share apart, so that it is continuous. Copies share what was made of it.
+/// Cut of a map, K by knots 5 % of the share apart, so that it is continuous. Copies share the computed numbers.
 template <Real T = double>
 class MapCut {
 public:
@@ -192,7 +192,7 @@ public:
         return state;
     }
 
-    /// The contact at the separation \p separation [m] of the mean planes, of loading.
+    /// The contact on loading at the separation \p separation [m] of the mean planes.
     /// \throws domain_error unless it is positive and its pressure within reach.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         return this->state_at_separation(separation, wanted);
@@ -229,7 +229,7 @@ public:
 private:
     static constexpr T loading_exponent = T(1.3), error_of_cut = T(1e-9);
 
-    /// E g [Pa]; where the elastic contact has a bearing curve, of the surface at its local scale.
+    /// E g [Pa]; with a bearing curve that of the surface at its local scale.
     [[nodiscard]] T elastic_scale(T pressure) const {
         if constexpr (requires { elastic_.crowded().gaussian(); }) {
             const auto& crowded = elastic_.crowded();

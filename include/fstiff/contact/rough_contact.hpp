@@ -45,7 +45,7 @@ inline constexpr auto names<parts::CurvatureScale> =
     name_list<parts::CurvatureScale>({{parts::CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"},
                                       {parts::CurvatureScale::consistent, "consistent"}});
 
-/// The choices of a RoughContact.
+/// Options of a RoughContact.
 template <Real T = double>
 struct RoughContactOptions {
     Interaction<T> interaction{};
@@ -255,7 +255,7 @@ private:
                 with_eta(j.loading)};
     }
 
-    /// Adds the bulk's compliance L/E in series: the planes approach by p L/E more, and -dp/dd is smaller by 1 +
+    /// Adds the compliance L/E of the bulk in series: the planes approach by p L/E more, and -dp/dd is smaller by 1 +
     /// (-dp/dd) L/E. A K that is a constant times it (of FractalLaw, whose factor thus multiplies the bulk too) shrinks
     /// with it; any other K is itself in series with the bulk.
     ContactState<T> compliant(ContactState<T> state, Quantity wanted) const {

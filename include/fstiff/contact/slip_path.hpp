@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// One step of a rough contact in friction: how far each of its levels is dragged, and how that changes with the step.
+/// One step of a rough contact in friction: the drag of each of its levels, and its derivatives by the step.
 ///
 ///     levels x >= d, dragged by u(x) with |u| <= c (x - d), c = mu K_n/K_t; u is linear between nodes
 ///     v = u + s                                        trial: all levels move by s; new ones by their share of it

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the contacts have in common whose K is -dp/dd at every pressure, and which take no interaction: Persson's, the
-/// hybrid one and that of a map's own summits. With it each of them is a Contact (contact/contact_concept.hpp).
+/// Common part of the contacts whose K is -dp/dd at every pressure, and which take no interaction: Persson's, the
+/// hybrid one and that of the summits of a map. With it each of them is a Contact (contact/contact_concept.hpp).
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact of a map's own summits: a sum over them in place of the integral over a distribution.
+/// Contact of the summits of a map: a sum over them in place of the integral over a distribution.
 ///
 ///     p = E/A0 sum c_i (z_i - d)^(3/2)         K = E/A0 sum (3/2) c_i (z_i - d)^(1/2)
 ///     A/A0 = 1/A0 sum pi a b                   n = number of z_i > d, over A0

@@ -105,7 +105,7 @@ struct LegendreNodes {
 };
 
 /// The error of a Legendre rule of n nodes from the \p terms that it sums: their Legendre coefficients fall from n/2 to
-/// n, and at least as far again to 2n: so for a power, further for what is smooth.
+/// n, and at least as far again to 2n: as for a power, further for smooth functions.
 template <Real T>
 EIGEN_DONT_INLINE T legendre_error(const std::array<TensorLanes<T>, 8>& terms, int n) {
     const T* node = LegendreNodes<T>::at_least(n).node;
@@ -202,7 +202,7 @@ struct TensorTable {
     }
 };
 
-/// Eight rows: what they need of the density, whatever the law.
+/// Factors of the density for eight rows, for any law.
 template <Real T = double>
 struct TensorRows {
     TensorLanes<T> t, weight;

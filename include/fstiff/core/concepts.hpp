@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The scalar that every template of fstiff is written for: no other is let through, such as __float128, which
-/// std::floating_point holds for in gnu++20, or std::float16_t of C++23.
+/// Scalar type of every template of fstiff. Others are rejected, such as __float128, for which std::floating_point
+/// holds in gnu++20, or std::float16_t of C++23.
 
 #include <fstiff/core/config.hpp>
 

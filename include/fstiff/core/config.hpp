@@ -35,7 +35,7 @@
 
 #include <version>
 
-// Of functions that are rarely called, and of such that a program should hold once: a hint to compilers that know it.
+// Marks functions that are rarely called, or that a program should hold once: a hint to compilers that support it.
 #if __has_cpp_attribute(gnu::cold)
 #define FSTIFF_COLD [[gnu::cold]]
 #define FSTIFF_COLD_OUT_OF_LINE [[gnu::cold, gnu::noinline]]

@@ -6,9 +6,9 @@
 ///     domain_error    an argument or a datum that the model or the method does not allow
 ///     file_error      a file that cannot be opened, read or written
 ///
-/// Arguments are checked at the public border only. What is thrown has fields (parameter, value, what is allowed, place
-/// in a file), of which its sentence is composed, so that a command can print it as it is, or put a place or the name
-/// of one of its options into it:
+/// Arguments are checked at the public border only. An exception has fields (parameter, value, what is allowed, place
+/// in a file), and its sentence is composed from them. A command can print it, or add a place or the name of one of its
+/// options:
 ///
 ///     <file>, line <line>: <key>: <parameter> = <value>: must be <allowed>
 ///
@@ -33,7 +33,7 @@ struct Place {
     std::string key{};                    ///< in the file, as in a scene: "surface.rms_height"
     const char* before_line = ", line ";  ///< between file and line; of static storage
 
-    /// "<file>, line <line>: <key>"; empty for a place that names nothing.
+    /// "<file>, line <line>: <key>"; empty for a place without names.
     [[nodiscard]] FSTIFF_COLD std::string text() const {
         std::string text = file;
         if (line > 0) text += before_line + std::to_string(line);
@@ -63,7 +63,7 @@ constexpr std::string_view part(std::string_view text, std::size_t begin,
 class domain_error : public std::domain_error {
 public:
     explicit domain_error(const parts::Refusal& refusal) : domain_error(Sentence(refusal)) {}
-    /// A plain sentence, for what has no parameter.
+    /// A plain sentence, for a refusal without a parameter.
     template <std::convertible_to<std::string_view> Text>  // no template takes the braces that a Refusal has
     explicit domain_error(const Text& reason) : domain_error(parts::Refusal{.reason = reason}) {}
 

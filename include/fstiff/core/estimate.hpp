@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A computed number with what is known of its error and its cost.
+/// A computed number with its error and its cost.
 
 #include <fstiff/core/concepts.hpp>
 

@@ -12,7 +12,7 @@
 namespace fstiff::inline v0_1 {
 
 /// Called with the name of the part that runs and how much of it is done: \p done of \p all, done < all; from the
-/// thread that computes, a few hundred times or more. What it throws ends the computation and reaches the caller.
+/// thread that computes, a few hundred times or more. An exception from it ends the computation and reaches the caller.
 /// Empty: not called. Where one part ends and the next begins, \p what changes or \p done falls.
 using ProgressHook = std::function<void(std::string_view what, std::size_t done, std::size_t all)>;
 

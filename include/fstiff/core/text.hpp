@@ -28,7 +28,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// float or double: what can be read back.
+/// float or double: the types that can be read back.
 template <class T>
 concept ReadableReal = Real<T> && !std::is_same_v<T, long double>;
 
@@ -45,7 +45,7 @@ inline bool begins_number(const char* first, const char* last, bool hexadecimal)
 }
 
 #if defined(_LIBCPP_VERSION) || defined(__MINGW32__)
-template <class T>  // of a long double libc++ writes the double nearest to it, MinGW the decimal comma of the locale
+template <class T>  // for a long double libc++ writes the nearest double, MinGW the decimal comma of the locale
 inline constexpr bool has_to_chars = FSTIFF_HAS_FLOAT_TO_CHARS && !std::is_same_v<T, long double>;
 #else
 template <class T>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What is computed of a profile or a map in double, compiled once, in the library fstiff::double: files that include
-/// this are quick to compile, and need no optimisation of their own.
+/// Computations for a profile or a map in double, compiled once, in the library fstiff::double. Files that include this
+/// are quick to compile and need no optimisation.
 
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/measured/height_shape.hpp>

@@ -5,8 +5,8 @@
 ///
 ///     dK/du = [8 (K(u+h) - K(u-h)) - (K(u+2h) - K(u-2h))]/(12 h)        u the fitted variable, h = 0.004
 ///
-/// h of an offset is a share of each pressure. The data see a combination of parameters where its singular value of the
-/// scaled derivatives is above 1e-5 of the largest, instead of the 1e-7 of exact ones.
+/// h of an offset is a share of each pressure. The data determine a combination of parameters if its singular value of
+/// the scaled derivatives is above 1e-5 of the largest, instead of the 1e-7 of exact ones.
 ///
 /// Reference   Abramowitz and Stegun, 25.3.6
 /// Units       SI

@@ -56,9 +56,9 @@ namespace parts {
     return concern == FitConcern::singular || concern == FitConcern::not_converged || concern == FitConcern::at_bound;
 }
 
-/// True if the model does not describe the data, or only some of them, or with values that are unexpected or
-/// known to a factor of 100 at best: the fit is not to be used before somebody has looked at it. What is neither this
-/// nor fatal is about the errors of the values.
+/// True if the model does not describe the data, or only some of them, or with values that are unexpected or known to a
+/// factor of 100 at best: the fit needs a look before it is used. Concerns that are neither this nor fatal are about
+/// the errors of the values.
 [[nodiscard]] constexpr bool is_doubtful(FitConcern concern) {
     return concern == FitConcern::misfit || concern == FitConcern::scattered || concern == FitConcern::outlier ||
            concern == FitConcern::far_from_start || concern == FitConcern::unresolved;

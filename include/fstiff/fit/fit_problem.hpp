@@ -72,7 +72,7 @@ struct Wave {
 
 namespace detail {
 
-/// dK/dx of \p parameter; an offset adds to the pressure. 0 for what peaks of an asperity law do not have.
+/// dK/dx of \p parameter; an offset adds to the pressure. 0 for parameters that peaks of an asperity law do not have.
 template <Real T>
 T slope_of(const Sensitivity<T>& s, Parameter parameter) {
     const std::array slopes{s.rms_height, s.peak_radius, s.peak_density,      s.fractal_dimension,
@@ -93,7 +93,7 @@ void require_observations(const std::vector<Observation<T>>& data, bool is_refle
         const auto& o = data[i];
         check(is_positive(o.pressure), i, "pressure", o.pressure, positive);
         check(is_positive(o.value), i, is_reflection ? "reflection" : "stiffness", o.value, positive);
-        // R a little above 1 is what noise makes of light loads; left out, it would bias the rest
+        // noise makes R a little above 1 at light loads; to leave such points out would bias the rest
         check(!is_reflection || o.value < 2, i, "reflection", o.value, "at most 1, but for noise");
         check(!errors_known || is_positive(o.error), i, "error", o.error,
               "finite and greater than 0, or 0 in every point when it is not known");

@@ -38,8 +38,8 @@ template <Real T = double>
 struct IdentifiedParameter {
     Parameter parameter{};
     T value{}, standard_error{};
-    T low{}, high{};        ///< of the 95 % interval
-    T null_share = 0;       ///< when singular: its share in the combination that the data do not see, of the largest
+    T low{}, high{};   ///< of the 95 % interval
+    T null_share = 0;  ///< when singular: its share in the combination that the data do not determine, of the largest
     bool at_bound = false;  ///< came to the end of its range
 };
 
@@ -84,8 +84,8 @@ bool is_at_bound(Parameter parameter, T x, T step, T deviation) {
            (deviation > useless_error<T> && chart.slope(x) * deviation < T(0.1) * range);
 }
 
-/// The parameter that the data do not hold, though they would if it were alone or it has the whole of its range to be
-/// in: that of the largest \p deviation; -1 when there is none.
+/// Index of the parameter that the data do not determine, although they would if it were alone or may be anywhere in
+/// its range: that of the largest \p deviation; -1 without one.
 template <Real T, class Vector, class Matrix>
 Eigen::Index lost_parameter(const std::vector<Parameter>& wanted, const Vector& deviation, const Matrix& jacobian,
                             T scale) {

@@ -73,8 +73,9 @@ public:
     /// The contact under \p pressure [Pa], whatever was solved before. \throws domain_error unless 0 < pressure, < H.
     [[nodiscard]] parts::BoundaryElementState<T> at_pressure(T pressure);
 
-    /// The last one on the grid half as fine, from which it began. \throws domain_error before at_pressure() and where
-    /// there is no such grid: of less than 16 points along the shorter side, and of heights that all cancel on it.
+    /// State of the last solution on the grid half as fine, from which it began. \throws domain_error before
+    /// at_pressure() and without such a grid: for less than 16 points along the shorter side, and for heights that all
+    /// cancel on it.
     [[nodiscard]] parts::BoundaryElementState<T> on_coarser_grid();
 
     /// Pressures of the last solution [Pa], mirrored rows and columns left out.
@@ -92,7 +93,7 @@ private:
     Found solve(T nominal, T tolerance);
     /// Sets and conjugate gradients for p of the mean \p nominal (over E).
     Found solve_sets(T nominal, T tolerance);
-    /// Points leave and join the set: whether none did.
+    /// Lets points leave and join the set. \return true if none did.
     [[nodiscard]] bool is_set_kept(parts::SetGradients<T>& gradients, T nominal);
     /// The same with p <= H, by projected gradients with the step of Barzilai and Borwein: most points in contact are
     /// bound then.

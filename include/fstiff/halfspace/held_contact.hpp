@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The stiffness of a set of points that are held together on an elastic half space, and of the highest points of a
-/// map.
+/// Stiffness of a set of points that are held together on an elastic half space, such as the highest points of a map.
 ///
 ///     u[t] = 1/K on the set, t = 0 elsewhere, mean t = 1
 ///
-/// It is a linear problem, solved by conjugate gradients: no contact is searched for. 1/K is the mean of t u[t], which
-/// is least there, so that its error is a square. The highest points of area p/H are what
-/// a rigid flat leaves of peaks that flow at the hardness H; their K is that of unloading.
+/// The problem is linear and is solved by conjugate gradients, without a search for the contact. 1/K is the mean of t
+/// u[t], which has its minimum there, so that its error is a square. A rigid flat leaves the highest points of area p/H
+/// of peaks that flow at the hardness H; their K is that of unloading.
 ///
 /// Reference   halfspace/boundary_elements.hpp; Stanley, Kato, J. Tribol. 119 (1997) 481
 /// Units       heights [m], K [Pa/m]
@@ -65,7 +64,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<Eigen::Index>& points() const { return points_; }
-    /// Mean gap on the set, and the rms of what is more or less than it.
+    /// Mean gap on the set, and the rms deviation from it.
     [[nodiscard]] T level() const { return level_; }
     [[nodiscard]] T scatter() const { return std::sqrt(gap_.square().sum() / T(gap_.size())); }
 
@@ -102,7 +101,7 @@ private:
         gap_ -= level_;
     }
 
-    /// The pressures that would close the gaps were all points in the set, of mean 0 on it: the operator is 1/|q|, so
+    /// Pressures that would close the gaps if all points were in the set, of mean 0 on it: the operator is 1/|q|, so
     /// that |q| leaves few different eigenvalues.
     [[nodiscard]] Values preconditioned() {
         const T scale = gap_.abs().maxCoeff();

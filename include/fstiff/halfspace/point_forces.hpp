@@ -40,14 +40,14 @@ struct FineSplit {
     static constexpr double reach = 4.2;  ///< a r_c
     static constexpr double waves = 7.4;  ///< over a: up to this wave number the window is resolved twice
 };
-/// The same for what is iterated, in a fifth of the time: 2e-4 of the largest deflection.
+/// The same for iterations, in a fifth of the time: 2e-4 of the largest deflection.
 struct QuickSplit {
     static constexpr int window = 5;
     static constexpr double reach = 2.6;
     static constexpr double waves = 4.8;
 };
 
-/// The points of one cell and what forces on them do to each other.
+/// Points of one cell and their deflections by forces on each other.
 template <Real T = double, class Split = FineSplit>
 class PointForces {
     using Values = Eigen::Array<T, Eigen::Dynamic, 1>;

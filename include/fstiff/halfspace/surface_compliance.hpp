@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How a pressure on a grid deflects an elastic half space that goes on beyond the grid: by repeating it, or mirrored
-/// at its edges.
+/// Deflection of an elastic half space by a pressure on a grid, which repeats itself or is mirrored at its edges.
 ///
 ///     u_k = 2/(E |q_k|) p_k      for every wave but the mean, which moves the whole body: u_0 = 0
 ///

@@ -38,7 +38,7 @@ struct TruthOptions {
 
 }  // namespace parts
 
-/// One pressure.
+/// Result of boundary elements at one pressure.
 template <Real T = double>
 struct TruthPoint {
     parts::BoundaryElementState<T> state{};

@@ -18,7 +18,7 @@ namespace fstiff::inline v0_1::math {
 template <Real T>
 using Accumulator = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
-/// A sum as rounded, and what the rounding took.
+/// A sum as rounded, and its rounding error.
 template <Real T = double>
 struct RoundedSum {
     T sum{}, error{};
@@ -46,7 +46,7 @@ private:
     T sum_{}, error_{};
 };
 
-/// The greatest power of two that is not above \p size > 0; 1 for 0. To divide by it rounds nothing.
+/// The greatest power of two that is not above \p size > 0; 1 for 0. Division by it is exact.
 template <Real T>
 [[nodiscard]] T power_of_two_below(T size) {
     int exponent = 1;

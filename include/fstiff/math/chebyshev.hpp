@@ -90,7 +90,7 @@ private:
     std::array<T, capacity> c_{};
 };
 
-/// A function that one series would not serve: a series for each section of the interval.
+/// A function that needs more than one series: one for each section of the interval.
 template <Real T = double>
 class ChebyshevSections {
 public:

@@ -10,7 +10,7 @@
 /// Reference   Golub, Van Loan, Matrix Computations, 4th ed. (2013), algorithms 5.4.1, 8.5.3, section 8.6.3
 /// Units       those of the caller
 /// Valid       finite elements, squares within the range of numbers; PivotedQr, singular_vectors: rows >= columns
-/// Accuracy    backward stable: of well-conditioned matrices a few ulp per row (tests/math/decompositions_test.cpp)
+/// Accuracy    backward stable: for well-conditioned matrices a few ulp per row (tests/math/decompositions_test.cpp)
 
 #include <fstiff/core/concepts.hpp>
 

@@ -4,7 +4,7 @@
 /// Discrete Fourier transforms, on the kissfft that comes with Eigen.
 ///
 ///     Z_k = sum over j of z_j exp(-2 pi i j k / M),  k = 0 ... M/2,  of z padded with zeros to M points
-///     z_j = 1/M sum over all k of Z_k exp(2 pi i j k / M)               of real data the other half is the conjugate
+///     z_j = 1/M sum over all k of Z_k exp(2 pi i j k / M)               for real data the other half is the conjugate
 ///
 /// Fastest where M is 2^a 3^b 5^c and a multiple of 4. A length with a prime factor above 50 is a convolution of
 /// chirps, by transforms of a fast length of 2M or more, so that every length takes O(M log M).

@@ -69,7 +69,7 @@ private:
     static std::size_t reach(std::size_t size, T width) {
         require_positive("numbers to smooth", static_cast<T>(size));
         require_positive("width", width);
-        // before the conversion to a whole number, which a huge width would leave the range of
+        // before the conversion to a whole number, whose range a huge width would leave
         return T(1.66) * width >= static_cast<T>(size - 1)
                    ? size - 1
                    : (std::min)(size - 1, static_cast<std::size_t>(T(1.66) * width) + 1);

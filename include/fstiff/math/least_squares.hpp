@@ -31,7 +31,7 @@ struct LeastSquaresOptions {
     T tolerance = T(1e-7);        ///< a step below this times the standard errors ends the search
     T residual_floor = T(1e-11);  ///< a change of the residuals that counts as none
     /// Least singular value of the scaled J, over the largest, that counts as a direction: well above the rounding of
-    /// J, which would otherwise pass for knowledge.
+    /// J, which would otherwise count as information.
     T singular_value = (std::max)(T(1e-7), T(1e4) * std::numeric_limits<T>::epsilon());
 };
 
@@ -63,7 +63,7 @@ struct LeastSquaresFit {
     FitStatus status = FitStatus::not_converged;
     Vector parameters, residuals;
     Matrix covariance;      ///< empty when singular
-    Vector null_direction;  ///< when singular: the direction that the data do not see, of length 1 in scaled parameters
+    Vector null_direction;  ///< when singular: the undetermined direction, of length 1 in scaled parameters
     T sum_of_squares{};
     int evaluations = 0;
 };
@@ -89,7 +89,7 @@ template <Real T>
     return PivotedQr<T>(std::move(stacked)).solve(std::move(right));
 }
 
-/// Covariance and status of a search that \p ended, or the direction that \p jacobian does not see.
+/// Covariance and status of a search that \p ended, or the direction that \p jacobian does not determine.
 template <Real T>
 void set_covariance(LeastSquaresFit<T>& fit, const typename LeastSquaresFit<T>::Matrix& jacobian, bool ended,
                     T least_singular_value) {

@@ -7,8 +7,8 @@
 ///     BinaryPieces    eight equal pieces to each power of 2: the leading bits of x name the piece, the others are s
 ///     UniformPieces   equal pieces of [begin, end], s in [-1, 1]
 ///
-/// Rows are kept in a std::vector, since the alignment of Eigen's storage depends on compiler flags. four_at_once:
-/// whether four rows are transposed in registers (AVX for double, any for float).
+/// Rows are kept in a std::vector, since the alignment of Eigen's storage depends on compiler flags. four_at_once is
+/// true if four rows are transposed in registers (AVX for double, any for float).
 ///
 /// Valid       BinaryPieces: 0 < low <= x <= high, normal numbers. UniformPieces: begin <= x <= end. contains()
 ///             compares integers and is false for a NaN under any compiler flag

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What profiles and maps share of robust filtering: Tukey's weights, the iteration by them, and the rule for spikes.
+/// Robust filtering of profiles and maps: Tukey's weights, the iteration with them, and the rule for spikes.
 ///
 ///     delta(r) = (1 - (r/c)^2)^2 for |r| < c, else 0;   c = 3 * 1.4826 median |r| = 4.4478 median |r|
 ///
@@ -94,8 +94,8 @@ Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool
     return repair;
 }
 
-/// Robust means of \p z, 0 where \p exists(i) is false. \p sum(delta, delta z) forms the weighted sums, of which \p
-/// weight(i) and \p value(i) are the weight left and the mean; both iterate until the scale of the weights changes by
+/// Robust means of \p z, 0 where \p exists(i) is false. \p sum(delta, delta z) forms the weighted sums, with \p
+/// weight(i) and \p value(i) as the weight left and the mean; both iterate until the scale of the weights changes by
 /// less than 1e-4. A point with less than \p least_share of its first weight keeps its last mean.
 template <Real F, class Exists, class Sum, class Weight, class Value>
 [[nodiscard]] RobustWaviness<std::vector<F>> robust_means(const std::vector<F>& z, F least_share, const Exists& exists,

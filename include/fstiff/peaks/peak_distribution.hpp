@@ -35,7 +35,7 @@ public:
     }
 
     /// Distribution from the autocorrelation of the profile at one and at two sampling steps.
-    /// \throws domain_error unless -1 < rho1 < 1 and 2 rho1^2 - 1 < rho2 < 1: what three ordinates allow.
+    /// \throws domain_error unless -1 < rho1 < 1 and 2 rho1^2 - 1 < rho2 < 1, as three ordinates allow.
     static PeakDistribution from_autocorrelation(T rho1, T rho2) {
         require(rho1 > -1 && rho1 < 1, "rho1", rho1, "between -1 and 1, both excluded");
         require(rho2 > 2 * rho1 * rho1 - 1 && rho2 < 1, "rho2", rho2, "between 2 rho1^2 - 1 and 1, both excluded");
@@ -45,7 +45,7 @@ public:
     }
 
     /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta). \throws domain_error unless pi/4
-    /// <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as the end).
+    /// <= theta <= pi/3, as rho2 = rho1^2 allows (a rounding beyond an end counts as the end).
     static PeakDistribution exponential(T theta) {
         constexpr T pi = numbers::pi_v<T>;
         constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
@@ -56,7 +56,7 @@ public:
     }
 
     /// The peaks of an isotropic surface of Nayak's alpha, measured at a vanishing step: r = 1/sqrt(alpha) and theta =
-    /// 0.001, next to its limit 0 by 1e-6 of the density. \throws domain_error unless alpha > 1.
+    /// 0.001, whose density is within 1e-6 of that of the limit 0. \throws domain_error unless alpha > 1.
     static PeakDistribution isotropic(T alpha) {
         require(alpha > 1 && std::isfinite(alpha), "Nayak's alpha", alpha, "finite and greater than 1");
         return {1 / std::sqrt(alpha), T(1e-3)};

@@ -36,7 +36,7 @@ template <>
 inline constexpr auto names<parts::LongWaves> = name_list<parts::LongWaves>({{parts::LongWaves::plateau, "plateau"},
                                                                              {parts::LongWaves::none, "none"}});
 
-/// Which self-affine surface is made.
+/// Parameters of a self-affine surface.
 template <Real T = double>
 struct SelfAffineOptions {
     T hurst{};                ///< H

@@ -29,7 +29,7 @@ namespace detail {
 /// Phases of the waves.
 enum class Phases { random, zero };
 
-/// Which waves the profile of Weierstrass and Mandelbrot has.
+/// Waves of the profile of Weierstrass and Mandelbrot.
 template <Real T = double>
 struct WeierstrassMandelbrotOptions {
     T longest_wavelength{};   ///< lambda_0 [m]

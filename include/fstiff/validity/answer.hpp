@@ -32,7 +32,7 @@ namespace fstiff::inline v0_1::parts {
 /// p* to which hybrid and persson were compared (tests/contact/hybrid_of_band_test.cpp); beyond it the contact is
 /// closed.
 inline constexpr double max_compared_pressure = 0.75;
-/// Points of the grid in contact from which boundary elements know a contact and not the pixel.
+/// Points of the grid in contact from which boundary elements resolve a contact and not the pixel.
 inline constexpr double min_points_in_contact = 20;
 /// H/(E g) below which peaks flow enough to change K.
 inline constexpr double flowing_hardness = 0.7;
@@ -63,20 +63,20 @@ template <Real T>
     throw domain_error("no law answers: the surface must have a height and a gradient, or a map");
 }
 
-/// Why K may be another than what is printed.
+/// Causes of a K that differs from the printed one.
 enum class Cause {
     measurement,  ///< errors of the measured parameters: another piece of the same surface
     cut_offs,     ///< choice of lambda_s and of the form
-    shape,        ///< shape of the heights, which the measurement does not know
+    shape,        ///< shape of the heights, which the measurement does not show
     prior,        ///< parameters that were not measured
-    lay,          ///< a profile does not know how far ridges reach
+    lay,          ///< a profile does not show the length of ridges
     law,          ///< the law by itself
     contacts,     ///< few contacts on the nominal area
-    long_waves    ///< waves longer than what was measured
+    long_waves    ///< waves longer than the measured piece
 };
 inline constexpr std::size_t cause_count = 8;
 
-/// The ends of a band, or what one cause makes of it, as ln of K over the value: low at most 0, high at least 0.
+/// Ends of a band, or the part of one cause, as ln of K over the value: low at most 0, high at least 0.
 template <Real T = double>
 using CauseSpread = LawError<T>;
 /// One spread for each Cause.

@@ -48,7 +48,7 @@ template <Real T>
 inline constexpr T max_elastic_plasticity_index = T(1);  ///< psi above which the peaks yield at first loading
 
 template <Real T>
-inline constexpr T min_contacts = T(10);  ///< on the nominal area, below which a mean over peaks means little
+inline constexpr T min_contacts = T(10);  ///< on the nominal area, below which a mean over peaks is of little use
 
 /// psi for the yield strength Y [Pa] of the softer body. \throws domain_error naming what is not positive.
 template <Real T>
@@ -153,8 +153,8 @@ template <Real T>
     return {std::sqrt(2 * moments.m2), std::sqrt(2 * (r > T(0) ? r : T(0.5)) * surface.rms_height * curvature)};
 }
 
-/// The check of \p gradients of one surface, which are given, measured or implied_gradients(): the limit is the one
-/// that is broken, 1 where none is; violations are gradients.
+/// The check of \p gradients of one surface, which are given, measured or implied_gradients(): the limit is the
+/// violated one, else 1; violations are gradients.
 template <Real T>
 [[nodiscard]] Check<T> check_gradients(std::span<const T> gradients) {
     Check<T> made{.concern = Concern::implausible_gradient, .limit = max_plausible_gradient<T>};
