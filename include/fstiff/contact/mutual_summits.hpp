@@ -180,7 +180,7 @@ private:
         }
     }
 
-    /// Opens the lower one of two contacts that could each carry alone.
+    /// Opens the lower one of two contacts that could each carry alone: g_ij^2 k_i k_j >= E^2.
     static void part(Newton& at, T threshold, bool reopen) {
         const Values k = at.slopes();
         for (Eigen::Index i = 0; i < k.size(); ++i) {

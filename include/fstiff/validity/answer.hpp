@@ -51,7 +51,8 @@ struct AnswerQuestion {
     }
 };
 
-/// The law that answers. \throws domain_error where none of them is available.
+/// The law that answers: boundary elements of the map if min_points_in_contact touch, else plastic if peaks flow,
+/// hybrid, hertz, greenwood_williamson. \throws domain_error where none of them is available.
 template <Real T>
 [[nodiscard]] LawName answering_law(const AnswerQuestion<T>& question) {
     if (question.can(LawName::boundary_elements) && question.points_in_contact >= T(min_points_in_contact))

@@ -60,7 +60,8 @@ template <Real T>
            std::sqrt(surface.rms_height / surface.peak_radius);
 }
 
-/// g_rms of the surface; none for r = 0, where the slopes are of another scale than heights and curvatures.
+/// g_rms = sqrt(2 r sigma sigma_kappa) of the surface; none for r = 0, where the slopes are of another scale than
+/// heights and curvatures.
 template <Real T>
 [[nodiscard]] std::optional<T> rms_gradient(const Roughness<T>& surface, const PeakDistribution<T>& peaks,
                                             CurvatureScale scale = {}) {

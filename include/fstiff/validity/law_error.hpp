@@ -60,7 +60,7 @@ using LawErrorTable = std::array<int, law_error_pressures.size()>;
 /// Errors of one law.
 // clang-format off
 struct LawErrorRow { LawErrorTable low, high; };
-/// a to e of a trace and of numbers.
+/// a to e of docs/theory.md, section 15, for a trace and for numbers.
 struct ShapeErrors { LawErrorTable skewed, worn_low, worn_high, tails, blunt; };
 inline constexpr ShapeErrors errors_of_traces{{30, 30, 35, 35, 30, 25, 15}, {}, {140, 140, 105, 75, 40, 25, 15},
                                               {20, 20, 20, 25, 15, 5, 5}, {100, 90, 75, 50, 25, 10, 10}},
