@@ -236,7 +236,7 @@ def glossary(root):
 PROSE = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "paper/*.md", "include/**/*.h*", "src/**/*.[hc]pp",
          "python/**/*.py", "python/**/*.cpp", "tools/*.py", "tests/**/*.[hc]pp", "bench/**/*.[hc]pp", "examples/**/*.[hc]pp")
 COMMENT = re.compile(r"""//[^\n]*|/\*.*?\*/|(?:^[ \t]*|(?<=  ))\#[ ][^\n]*|\"{3}.*?\"{3}|"(?:\\.|[^"\\\n])*\"""", re.S | re.M)
-NO_PROSE = re.compile(r"^```.*?^```$|`[^`\n]+`|\]\([^)]*\)|^(?: {4,}|\t).*$", re.S | re.M)  # of a document
+NO_PROSE = re.compile(r"^```.*?^```$|`[^`\n]+`|\]\([^)]*\)|^(?: {4,}|\t)[^\n]*$", re.S | re.M)  # of a document
 
 
 def prose(path, name):

@@ -204,7 +204,7 @@ public:
         const T to_elastic = rms_height() / elastic_.rms_height();
         const parts::LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);
         const auto [share, change] = cut_.share_above(eta * rms_height());
-        require(share > 0, "eta", eta, "where a part of the surface stands above the separation");
+        require(share > 0, "eta", eta, "where a part of the surface is above the separation");
         const T cut = std::log(share * hardness_), apart = loading_exponent * (elastic.log - cut);
         const T of_elastic = 1 / (1 + std::exp(apart));  // its part in the sum of the inverse powers
         const T slope = of_elastic * elastic.slope * to_elastic + (1 - of_elastic) * change / share * rms_height();

@@ -71,7 +71,7 @@ void require_more_than_rounding(const std::string& surface, std::string_view for
                                 std::size_t count, T resolution) {
     if (is_rounding(heights, rest, count, resolution))
         throw domain_error(surface + " of constant height once its form (" + std::string(form) +
-                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
+                           ") is removed, or of one step: the rest cannot be distinguished from rounding of its "
                            "heights; must be of varying height");
 }
 
