@@ -30,7 +30,7 @@ namespace fstiff::inline v0_1 {
 ///                          surface: sigma is valid for this length
 ///     few_peaks            R and D_p come from fewer than 30 peaks: their errors are rough
 ///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
-///     no_densest_level     the island density is greatest at the lowest or the highest level, which is no maximum: R and
+///     no_densest_level     the island density is greatest at the lowest or the highest level, no maximum: R and
 ///                          D_p must not be used as a pair
 ///     parameter_unknown    the standard error of sigma, R, D_p, D, r or theta exceeds half the value; sigma, r only
 ///                          without long_waves, which implies it

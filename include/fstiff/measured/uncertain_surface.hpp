@@ -78,12 +78,12 @@ struct SurfaceParameters {
     detail::Repetition<T> repetition{};  ///< of a profile
     T texture_aspect_ratio{1};           ///< Str of a map
     bool curved{};                       ///< no clean power law in the window
-    std::size_t peaks_counted{};         ///< behind R and D_p
+    std::size_t peaks_counted{};         ///< number of peaks for R and D_p
     std::size_t blocks{};                ///< independent parts that the errors come from
     T block_length{};                    ///< of a profile [m]
     std::uint64_t seed{};
-    std::optional<FractalFit<T>> profile_fit;  ///< fit of D and G of a profile; else see why_no_dimension
-    std::optional<DirectionalFit<T>> map_fit;  ///< same for a map; without x and y where neither can be fitted
+    std::optional<FractalFit<T>> profile_fit;         ///< fit of D and G of a profile; else see why_no_dimension
+    std::optional<DirectionalFit<T>> map_fit;         ///< same for a map; without x and y where neither can be fitted
     std::optional<RepresentativeIslands<T>> islands;  ///< source of R and D_p of a map, PeakSource::islands
 
     /// Pointer to the parameter \p which; null where it is not known, or is no parameter of a surface.

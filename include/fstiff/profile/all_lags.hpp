@@ -164,7 +164,7 @@ private:
         if (pairs[n - 1] > 0 && !(error <= wanted * sum[n - 1])) inaccurate_lags_.push_back(n);
     }
 
-    /// Sum over the pairs of lag \p n that begin at \p from or later, in short runs so that rounding does not accumulate.
+    /// Sum over the pairs of lag \p n that begin at \p from or later, in short runs so that rounding does not add up.
     F directly(std::size_t n, std::size_t from) const {
         constexpr std::size_t run = 1024;
         using Map = Eigen::Map<const Eigen::Array<F, Eigen::Dynamic, 1>>;
@@ -184,8 +184,8 @@ private:
         return all;
     }
 
-    /// Sums of lags 1 ... \p to in segments of the profile, by cross-correlations of x, the beginnings of the pairs, and
-    /// y, their ends. Returns which lags are settled.
+    /// Sums of lags 1 ... \p to in segments of the profile, by cross-correlations of x, the beginnings of the pairs,
+    /// and y, their ends. Returns which lags are settled.
     std::vector<char> in_segments(std::size_t to) {
         std::vector<char> settled(to + 1);
         math::RealFft<F> fft(math::fast_fft_size(16 * to));

@@ -66,8 +66,8 @@ template <Real T>
 
 namespace parts {
 
-/// Ral: lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or where a lag before
-/// has no pair. \throws domain_error unless 0 < threshold < 1.
+/// Ral: lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or where a lag
+/// before has no pair. \throws domain_error unless 0 < threshold < 1.
 template <Real T>
 [[nodiscard]] std::optional<T> autocorrelation_length(const Autocorrelation<T>& correlation,
                                                       std::type_identity_t<T> threshold = T(0.2)) {

@@ -119,8 +119,8 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
 }  // namespace parts
 
 /// D and G of a profile after removal of its form and before its filters, from lags between its lambda_s and lambda_c.
-/// \throws domain_error for a profile or an option out of range, a window with too few lags, when no half decade of lags
-/// follows a power law, or when D is not between 1 and 2.
+/// \throws domain_error for a profile or an option out of range, a window with too few lags, when no half decade of
+/// lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const parts::LevelledProfile<T>& levelled,
                                         const parts::FractalFitOptions<T>& options = {}) {
@@ -332,7 +332,7 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     const F log_gamma = std::log(static_cast<F>(options.gamma));
     std::optional<detail::LineFitter<F>> fitter;
     detail::LogFit<F> line;
-    for (int round = 0; round < 4; ++round) {  // covariance, filter and ends of the band hang on the slope, weakly
+    for (int round = 0; round < 4; ++round) {  // covariance, filter and band ends depend weakly on the slope
         const bool band_ends = range.first > 0 && log.slope[0] > power + F(0.3);  // S2 is steeper at shorter lags
         fitter.emplace(log, covariance_of(log, power), power, log_gamma, band_ends);
         line = fitter->fit(range, range);

@@ -6,8 +6,8 @@
 ///     row: the first whose Ra, measured with its own lambda_c, is in its range
 ///     among those that the profile can contain: 5 lambda_c <= length, 5 steps <= lambda_c, 30 lambda_s <= lambda_c
 ///
-/// Ra grows with lambda_c, so that the Ra of the first such row is above the ranges of the rows before it: the choice is
-/// consistent in the sense of the standard. Without such a row the longest lambda_c of the profile is used.
+/// Ra grows with lambda_c, so that the Ra of the first such row is above the ranges of the rows before it: the choice
+/// is consistent in the sense of the standard. Without such a row the longest lambda_c of the profile is used.
 ///
 /// Reference   ISO 4288:1996, 7.2 and Table 1, which ISO 21920-3:2021 keeps as its last resort.
 /// Units       [m]

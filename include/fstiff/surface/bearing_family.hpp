@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Bearing curves from few numbers: Sk, Spk, Svk, Smr1, Smr2 (three straight lines), or skewness and kurtosis (Johnson).
+/// Bearing curves from few numbers: Sk, Spk, Svk, Smr1, Smr2 (three lines), or skewness and kurtosis (Johnson).
 ///
 ///     core     zeta_2 = Phi^-1(1 - Smr2) to zeta_1 = Phi^-1(1 - Smr1), rise Sk
 ///     tails    int_0^Smr1 (f - u) dt = Spk Smr1/2:  slope Spk Smr1/2/(phi(zeta_1) - zeta_1 Smr1); the same below
@@ -11,7 +11,7 @@
 /// Derivation  docs/theory.md, section 2
 /// Reference   ISO 25178-2:2021 (Sk ...); Johnson, Biometrika 36 (1949) 149 (S_U, S_B)
 /// Units       heights in any unit; skewness and kurtosis dimensionless, the latter 3 for a Gaussian
-/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, least_kurtosis(skewness) <= kurtosis <= 100
+/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, least_kurtosis() <= kurtosis <= 100
 /// Accuracy    areas and moments 1e-8 over knots 1/128 apart in zeta, from -8 to 8
 ///             (tests/surface/bearing_family_test.cpp)
 
@@ -29,7 +29,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Curve with the upper end of the core at height u = 0. \throws domain_error naming the parameter that is out of range.
+/// Curve with the upper end of the core at height u = 0. \throws domain_error naming the parameter out of range.
 template <Real T>
 [[nodiscard]] BearingSlope<T> bearing_of_core(const MaterialRatio<T>& core) {
     require_positive("Sk", core.core_height);

@@ -47,7 +47,8 @@ public:
             sorted, [](std::size_t, std::size_t, T) {}, spacing);
     }
 
-    /// Curve of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of equal
+    /// Curve of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of
+    /// equal ones.
     /// ones.
     template <class Use>
     [[nodiscard]] static BearingSlope of_sorted(std::span<const T> sorted, const Use& use, T spacing = T(1) / 512) {

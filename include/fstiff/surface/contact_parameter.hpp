@@ -3,7 +3,7 @@
 /// \file
 /// Parameters of a contact: name, units, range, and form of variation.
 ///
-/// Measured surfaces and their errors, bands, fits, scenes and documents all read the table below; a new parameter is an
+/// Measured surfaces and their errors, bands, fits, scenes and documents read the table below; a new parameter is an
 /// enumerator and its row. Variation of a parameter x about a value v, with z a standard normal number:
 ///
 ///     as_it_is   any finite x         fitted as u = x                      drawn as x = v + error z

@@ -67,8 +67,8 @@ template <Real T>
     return nesting_index(T(2.5) * tip_radius);
 }
 
-/// Shortest waves that a measurement of \p step contains: the smallest index of five steps and of the \p resolution, and
-/// that of the tip; 0 for unknown ones. \throws domain_error for lengths out of range.
+/// Shortest waves that a measurement of \p step contains: the smallest index of five steps and of the \p resolution,
+/// and that of the tip; 0 for unknown ones. \throws domain_error for lengths out of range.
 template <Real T>
 [[nodiscard]] T shortest_lambda_s(T step, T resolution = 0, T tip_radius = 0) {
     require_positive("step", step);

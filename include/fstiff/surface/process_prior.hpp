@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Usual ranges (5, 50, 95 %) of the surface parameters that a drawing leaves open, by the process that made the surface.
+/// Usual ranges (5, 50, 95 %) of surface parameters that a drawing leaves open, by the process that made the surface.
 ///
 ///     Ra/Rq                   Gaussian heights 0.798, cusps of a round tool 0.861, plateaus with scratches less
 ///     g = slope sqrt(sigma)   g the rms gradient of the surface, sigma in um
@@ -47,7 +47,7 @@ struct ProcessPrior {
 // clang-format off
 /// Table of the processes, in the order of Process.
 inline constexpr std::array<ProcessPrior, 9> process_priors{{
-    //                  lay    Ra/Rq               slope                alpha         H                  skewness             tail
+    //                  lay    Ra/Rq               slope                alpha        H                skewness      tail
     {Process::unknown,  false, {0.74, 0.80, 0.86}, {0.067, 0.20, 0.60}, {2, 8, 50},  {0.5, 0.8, 1.0}, {-0.4,  0.0, 0.4}, {-0.3,  0.0, 0.6}},
     {Process::ground,   true,  {0.74, 0.79, 0.82}, {0.080, 0.20, 0.50}, {3, 10, 50}, {0.5, 0.8, 1.0}, {-0.8, -0.2, 0.3}, {-0.3,  0.1, 1.0}},
     {Process::turned,   true,  {0.79, 0.84, 0.90}, {0.030, 0.10, 0.35}, {3, 15, 80}, {0.5, 0.8, 1.0}, {-0.1,  0.4, 0.9}, {-0.8, -0.4, 0.4}},
@@ -74,7 +74,7 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
     return {slope.low * root / beyond, slope.middle * root, slope.high * root * beyond};
 }
 
-/// Rms gradient of a surface over the rms slope of its profile: sqrt(2) for an isotropic one, 1 to sqrt(2) across a lay.
+/// Rms gradient of a surface over the rms slope of its profile: sqrt(2) if isotropic, 1 to sqrt(2) across a lay.
 [[nodiscard]] inline PriorRange gradient_of_slope(const ProcessPrior& prior) {
     const double root = numbers::sqrt2_v<double>;
     return prior.has_lay ? PriorRange{1, std::sqrt(root), root} : PriorRange{root, root, root};
@@ -89,8 +89,8 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
     return {1.3 * rice, 2.3 * rice, 4.4 * rice};
 }
 
-/// Rms gradient of a surface whose R [m] and D_p [1/m^2] are those of islands: the geometric mean of both formulae, each
-/// known to 10 %, with half of the logarithm of their ratio as a standard error.
+/// Rms gradient of a surface whose R [m] and D_p [1/m^2] are those of islands: the geometric mean of both formulae,
+/// each known to 10 %, with half of the logarithm of their ratio as a standard error.
 /// \throws domain_error unless all are finite and positive.
 [[nodiscard]] inline PriorRange gradient_of_islands(double rms_height, double peak_radius, double peak_density) {
     require_positive("rms_height", rms_height);

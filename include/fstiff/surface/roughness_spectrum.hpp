@@ -79,7 +79,7 @@ struct BandSpectrum {
     [[nodiscard]] T rms_gradient() const { return std::sqrt(2 * m2()); }
 };
 
-/// A spectrum in shells of |q|: what the modes of a map between two wave numbers add up to. In ascending order of |q|.
+/// Spectrum in shells of |q|, in ascending order: sums over the modes of a map between two wave numbers.
 template <Real T = double>
 struct SpectrumShells {
     /// One ring of wave vectors.
