@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written, the reader must give back; what a file cannot hold is refused.
+// The reader returns the written data; data that a file cannot hold are refused.
 #include <fstiff/io/write.hpp>
 #include "io/sdf.hpp"
 
@@ -34,7 +34,7 @@ HeightMap<double> rough_map() {
 
 }  // namespace
 
-TEST_CASE("What is written comes back bit for bit, text and binary") {
+TEST_CASE("Written text and binary files are read back bit for bit") {
     const bool binary = GENERATE(true, false);
     const HeightMap<double> map = rough_map();
     std::ostringstream output;
@@ -66,7 +66,7 @@ TEST_CASE("A profile is written as a file of one profile, a long side as version
     CHECK(back.map.dx == 1e-7);
 }
 
-TEST_CASE("What a file cannot hold is not written") {
+TEST_CASE("Data that a file cannot hold are not written") {
     HeightMap<double> map = rough_map();
     std::ostringstream output;
     const auto refused = [&](const io::SdfOptions& options) {

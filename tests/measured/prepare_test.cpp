@@ -164,7 +164,7 @@ TEST_CASE("A profile is cropped, masked, freed of spikes and filled, in this ord
     Profile<double> cleaned = profile;
     const parts::CleaningReport report = parts::clean(cleaned, how);
     CHECK(report.columns_read == 100);
-    CHECK(report.columns == 71);  // 10 to 80: a bound a rounding beside a point takes it
+    CHECK(report.columns == 71);  // 10 to 80: a bound within rounding of a point includes it
     CHECK(report.rows == 1);
     CHECK(report.masked == 1);
     CHECK(report.spikes == 1);

@@ -45,7 +45,7 @@ TEST_CASE("The mean square of second differences is that of each of them") {
     }
 }
 
-TEST_CASE("Of a periodic profile it is four times S less S of twice the lag") {
+TEST_CASE("For a periodic profile it is four times S less S of twice the lag") {
     const std::size_t period = 64;
     const auto wave = random_walk(period, 2);
     Profile<double> profile{{}, 1e-6};

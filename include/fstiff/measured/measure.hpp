@@ -38,7 +38,7 @@ struct Surface : parts::SurfaceParameters<T> {
     /// Ratio of the largest to the smallest wave number of the surface: from its length, or lambda_c, to two steps, or
     /// lambda_s.
     T widest_band = std::numeric_limits<T>::infinity();
-    std::shared_ptr<const parts::PreparedProfile<T>> profile{};  ///< what was measured; null for a map
+    std::shared_ptr<const parts::PreparedProfile<T>> profile{};  ///< the measured profile; null for a map
     std::shared_ptr<const parts::PreparedMap<T>> map{};  ///< null for a profile, and for a neighbour without keep_maps
     std::vector<Surface> neighbours{};                   ///< with a shorter and a longer lambda_s, without errors
     std::vector<Surface> parts{};                        ///< that were pooled (measured/pooled_surface); empty for one

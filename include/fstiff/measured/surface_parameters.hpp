@@ -194,7 +194,7 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     const S unit = height_scale(profile), mean = static_cast<S>(mean_height(profile));
     const S step = static_cast<S>(profile.spacing);
 
-    // How long heights stay correlated: until S reaches 1 - 1/e of where it ends.
+    // correlation length: S reaches 1 - 1/e of its end value
     const StructureFunction<T> s = structure_function(profile);
     const T sigma = rms_height(profile);
     std::size_t correlated = size / 4;

@@ -107,7 +107,7 @@ struct FractalFit {
     std::uint64_t seed{};
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
     StructureFunction<T> second_differences;  ///< S2, which is fitted, at all its lags
-    StructureFunction<T> fitted;  ///< what the fit gives for S2 at the lags of the window, ends of the band included
+    StructureFunction<T> fitted;              ///< S2 of the fit at the lags of the window, ends of the band included
 };
 
 }  // namespace fstiff::inline v0_1

@@ -25,7 +25,7 @@ enum class CutOffReason {
     length,      ///< Ra belongs to a longer one, which the length does not hold
     step,        ///< Ra belongs to a shorter one, which the step or lambda_s does not allow
     too_short,   ///< none: five of the shortest do not fit the length
-    too_coarse,  ///< none: what fits the length is too short for the step or lambda_s
+    too_coarse,  ///< none: those that fit the length are too short for the step or lambda_s
     given,       ///< requested, or no filter requested; no outcome of roughness_cut_off()
     form_alone   ///< none: the form alone bounds the long waves; no outcome of roughness_cut_off()
 };

@@ -32,7 +32,7 @@ namespace fstiff::inline v0_1 {
 template <Real T = double>
 struct RoughFace {
     Roughness<T> roughness{};
-    SpectralMoments<T> moments{};  ///< of the spectrum; those of R and D_p where nothing else is known
+    SpectralMoments<T> moments{};                               ///< of the spectrum; else those of R and D_p
     std::optional<T> fractal_dimension{}, fractal_roughness{};  ///< G [m]
     std::optional<T> r{}, theta{};                              ///< both or none [1, rad]
 };

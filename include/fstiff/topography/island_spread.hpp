@@ -3,8 +3,8 @@
 /// \file
 /// Representative islands of a map, those at the level of the greatest density, and their spread.
 ///
-/// Of equal densities the highest level counts. The spread comes from tiles drawn with replacement: an island belongs
-/// to the tile of its highest point, and each draw has its own maximum. The standard deviation is multiplied by
+/// The highest level counts where densities are equal. The spread comes from tiles drawn with replacement: an island
+/// belongs to the tile of its highest point, and each draw has its own maximum. The standard deviation is multiplied by
 /// sqrt(n/(n-1)) for n tiles.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4; Efron, Ann. Stat. 7 (1979)
