@@ -88,7 +88,7 @@ namespace fstiff::inline v0_1::io {
 [[nodiscard]] SurfaceFormat surface_format(std::string_view name);
 /// Name of \p format, as surface_format() accepts it.
 [[nodiscard]] std::string_view surface_format_name(SurfaceFormat format);
-/// Form, other than a table of numbers, with the first bytes \p bytes; automatic where none matches.
+/// Form, other than a table of numbers, that begins like \p bytes; automatic where none matches.
 [[nodiscard]] SurfaceFormat form_of_first_bytes(std::string_view bytes);
 /// Whether fstiff::io was built with zlib and pugixml, which X3P needs.
 [[nodiscard]] bool reads_x3p();

@@ -40,6 +40,7 @@ inline constexpr auto names<io::MapForm> = name_list<io::MapForm>({{io::MapForm:
 
 namespace fstiff::inline v0_1::io {
 
+/// Writes a profile as text.
 /// \throws domain_error when the profile is not valid, file_error when the output fails.
 void write_csv(std::ostream& output, const Profile<double>& profile);
 /// Writes a map as MapForm::matrix or MapForm::triples.

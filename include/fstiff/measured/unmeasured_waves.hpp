@@ -8,7 +8,7 @@
 ///     P        posterior probability of k_r <= 1 over H and ln k_r, all A; open = min(1, P/prior)
 ///     growth   ln(sigma of a contact of side L0/sigma) = open (H ln(L0/L) + (sqrt 2 - 1) 1.645 s (1 - L/L0)), L0 > L;
 ///              s: error of ln sigma from the long waves
-///     L        root of the area of a map; length of a profile/sqrt 2
+///     L        root of the area of a map; length of a profile over sqrt 2
 ///
 /// Derivation  docs/theory.md, section 2; Reference: Sayles, Thomas, Nature 271 (1978) 431; prior: this project
 /// Units       lengths [m]; growth, H and shares dimensionless

@@ -4,7 +4,7 @@
 /// Fractal dimension D and roughness G of a profile from its second differences, with standard errors.
 ///
 ///     ln S2(tau) = (4-2D) ln tau + ln C + ln(4 - 2^(4-2D))                          eq. (2.5), of second differences
-///     error^2 = max(model, bootstrap)^2 v/(v-2) + window^2                     v = length of the profile/longest lag
+///     error^2 = max(model, bootstrap)^2 v/(v-2) + window^2      v: length of the profile over the longest lag
 ///
 /// The model is the covariance of a Gaussian self-affine profile (profile/structure_errors), the bootstrap resamples
 /// moving blocks, and the window error comes from other windows (profile/window_spread).
