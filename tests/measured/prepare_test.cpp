@@ -72,7 +72,7 @@ TEST_CASE("A profile loses its form, then lambda_s, and for Ra the lambda_c of w
     for (std::size_t i = 1; i < profile.size(); ++i)
         squares += std::pow((prepared.profile.heights[i] - prepared.profile.heights[i - 1]) / 0.5e-6, 2);
     CHECK(std::abs(prepared.rms_gradient / std::sqrt(2 * squares / 8191) - 1) < 1e-12);
-    // the test sees the order: filters before the form leave other heights
+    // the test depends on the order: filters before the form leave other heights
     CHECK_FALSE(same(
         prepared.profile,
         detail::detrend(parts::gaussian_roughness(parts::gaussian_low_pass(profile, 2.5e-6), 0.8e-3), Form::line)));

@@ -366,7 +366,7 @@ TEST_CASE("The errors stated are the scatter of many surfaces") {
             const double seen =
                 scatter.covariance(i, j) / std::sqrt(scatter.covariance(i, i) * scatter.covariance(j, j));
             const double stated = scatter.correlation(i, j) / scatter.count();
-            // islands are resampled on their own: their errors are taken for independent of those of the heights
+            // islands are resampled separately: their errors are assumed independent of those of the heights
             const bool apart = kind == 2 && ((i == 1 || i == 2) != (j == 1 || j == 2));
             CAPTURE(j, seen, stated);
             CHECK((apart ? stated == 0 : std::abs(seen - stated) <= 0.39));  // 3/sqrt(60)
@@ -438,7 +438,7 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
     const double length = units.length, height = units.height, tolerance = units.tolerance;
     const auto same = [&](const Measurement<double>& there, const Measurement<double>& here, double unit) {
         CHECK(test::relative_error(there.value / unit, here.value) <= tolerance);
-        // errors are differences between resamples: what is lost in them is 1e-2 of the value at most
+        // errors are differences between resamples: they lose 1e-2 of the value at most
         CHECK(test::relative_error(there.error / unit, here.error) <= 100 * tolerance);
     };
     const auto compare = [&](const parts::SurfaceParameters<double>& there,
@@ -649,7 +649,7 @@ TEST_CASE("The errors of islands of a real map contain the difference of its hal
         square += apart * apart / 4;  // a half has twice the variance of the whole
         stated += 0.5 * whole.peak_radius.error * whole.peak_radius.error * 2;
     }
-    // two numbers know their scatter to a factor of two or so
+    // the scatter of two numbers is known to a factor of two or so
     CAPTURE(whole.peak_radius.error / whole.peak_radius.value, std::sqrt(stated / square));
     CHECK(std::sqrt(stated / square) >= 0.5);
     CHECK(std::sqrt(stated / square) <= 4);

@@ -71,7 +71,7 @@ TEST_CASE("The fitted curve runs through the second differences in the window of
         CHECK(fit.fitted.lag[k] == s.lag[first + k]);
         const double off = std::log(s.value[first + k] / fit.fitted.value[k]);
         CAPTURE(s.lag[first + k], off);
-        // S2 is a mean over about length/lag pieces, and the line takes 0.03 for what its form misses
+        // S2 is a mean over about length/lag pieces; the line allows 0.03 for the error of its form
         CHECK(std::abs(off) < 0.06 + std::sqrt(s.lag[first + k] / length));
         mean += off / static_cast<double>(fit.lags);
     }
@@ -151,8 +151,8 @@ TEST_CASE("A bend in the structure function is flagged, a power law is not") {
 }
 
 TEST_CASE("The waves of a part do not reach the fit, and a window over a plateau is flagged or refused") {
-    // roughness of 1 nm correlated over some 5 samples, and five smooth waves of 8 nm, which second differences hardly
-    // see
+    // roughness of 1 nm correlated over some 5 samples, and five smooth waves of 8 nm, which hardly enter second
+    // differences
     std::mt19937_64 random(3);
     const std::size_t points = 20000;
     Profile<double> profile{std::vector<double>(points), 1e-6}, walk = random_walk(points, 3), wavy = walk;
@@ -189,7 +189,7 @@ TEST_CASE("A seed gives the same errors again, and the bootstrap can be left out
     CHECK(a.seed == 2014);
     const auto other = fit_fractal(profile, {.seed = 7});
     CHECK(other.bootstrap_dimension_error != a.bootstrap_dimension_error);
-    // 200 resamples know their scatter to 5 %
+    // the scatter of 200 resamples is known to 5 %
     CHECK(test::relative_error(other.bootstrap_dimension_error, a.bootstrap_dimension_error) < 0.4);
     const auto none = fit_fractal(profile, {.resamples = 0});
     CHECK(none.bootstrap_dimension_error == 0);
@@ -300,7 +300,7 @@ TEST_CASE("The interval of 95 % covers the D of 40 self-affine profiles as often
     CAPTURE(hurst, c.inside, c.by_regression, c.bias, c.scatter, c.error);
     // of 40 at 95 %, 34 and fewer come up once in 70 times, and these seeds are always the same
     CHECK(c.inside >= 35);
-    // no interval so wide that it covers anything; it holds what waves beyond the band may add, which these have not
+    // no excessively wide interval; it includes waves beyond the band, which these profiles do not have
     CHECK(c.error < 1.8 * c.scatter);
     CHECK(c.by_regression <= 24);  // ordinary least squares covers far less
     CHECK(c.refused == 0);

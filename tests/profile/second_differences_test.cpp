@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Second differences one by one, the identity with the structure function, and forms that they do not see.
+// Second differences one by one, the identity with the structure function, and forms that do not change them.
 #include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"

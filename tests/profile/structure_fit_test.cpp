@@ -66,7 +66,7 @@ TEST_CASE("The waves beyond the ends of the band are found where the window is l
     });
     const auto line = fitter(log, power).fit(all(log), all(log));
     CHECK(line.finite_band);
-    // what is expected of them before draws them towards 0, by their error over what they may be
+    // the prior draws them towards 0, by their error over the prior deviation
     CHECK(std::abs(line.slope - power) < 5e-3);
     CHECK(std::abs(line.long_waves - long_waves) < 0.02);
     CHECK(std::abs(line.short_waves - short_waves) < 0.05);
