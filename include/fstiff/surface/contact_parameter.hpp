@@ -65,7 +65,7 @@ struct ParameterRow {
     RangeEnd low{}, high{};     ///< of Variation::between
     bool low_included = false;  ///< whether the lower end is a value of the parameter
 
-    /// Symbol with the shown unit in brackets: "sigma [µm]".
+    /// Symbol with the shown unit in brackets: "sigma [um]", with a micro sign.
     [[nodiscard]] std::string heading() const;
     /// Values that the parameter can have, to follow "must be".
     [[nodiscard]] std::string range() const;
