@@ -20,9 +20,8 @@
 /// marked, the lowest number less 2 stands for them. A file that states an inversion is read as its numbers stand, with
 /// a warning.
 ///
-/// Reference   the header of the formats SUR and PRO of Digital Surf, as open programs that read it (Gwyddion,
-///             surfalize) lay it out; files of both forms that surfalize wrote are read (tests/data), none that
-///             MountainsMap wrote
+/// Reference   the header of the formats SUR and PRO of Digital Surf, as the open reader of Gwyddion lays it out; files
+///             of both forms from an open program are read (tests/data), none from MountainsMap
 /// Units       map in m
 /// Valid       one object; 2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
 /// Accuracy    number times step times unit: two roundings (tests/io/sur_test.cpp)

@@ -278,7 +278,7 @@ TEMPLATE_TEST_CASE("an asperity out of range is refused by name", "[asperity]", 
     CHECK(part(refusal([&] { (void)asperity.load(fstiff::HertzLaw<T>{}, delta * T(2.01)); }),
                "twice the asperity height") == "");
     CHECK(refusal([&] { (void)asperity.load(fstiff::HertzLaw<T>{}, delta * 2); }) == "");
-    // An approach whose asperity is larger than the type can say: (1/G)^1000.
+    // An approach whose asperity exceeds the range of the type: (1/G)^1000.
     const AsperityFamily<T> steep({T(1.9999), T(1e-8)}, T(1));
     CHECK(part(refusal([&] { (void)steep.base_diameter(T(1)); }), "range of the floating-point type") == "");
     CHECK(part(refusal([&] { (void)steep.base_diameter(T(1e-16)); }), "range of the floating-point type") == "");

@@ -38,7 +38,7 @@ Wide ulps(T computed, Wide truth) {
     return test::relative_error<Wide>(computed, truth) / std::numeric_limits<T>::epsilon();
 }
 
-// Only a shape that the concepts must tell apart: a law with a kink, no power law.
+// Only a shape that the concepts must distinguish: a law with a kink, no power law.
 struct KinkedLaw {
     double load(double omega, double radius) const { return omega > radius ? 2 * omega : omega; }
     double stiffness(double omega, double radius) const { return omega > radius ? 2 : 1; }
@@ -47,7 +47,7 @@ struct KinkedLaw {
 
 }  // namespace
 
-TEST_CASE("the concepts tell asperity laws from power laws", "[laws]") {
+TEST_CASE("the concepts distinguish asperity laws from power laws", "[laws]") {
     CHECK((AsperityLaw<HertzLaw<double>, double>));
     CHECK((AsperityLaw<FractalLaw<float>, Eigen::ArrayXf>));
     CHECK((PowerLaw<FractalConsistentLaw<long double>>));

@@ -38,7 +38,7 @@ TEST_CASE("Mindlin's ratio of unlike bodies is that of one circle, from either s
     CHECK(test::relative_error(tangential_ratio<double>({1e30, 0.1}, {1e3, 0.5}), 2.0 / 3.0) < 1e-15);
 }
 
-TEST_CASE("Mindlin's ratio refuses what no body has") {
+TEST_CASE("Mindlin's ratio refuses impossible constants") {
     CHECK(test::refusal([] {
               static_cast<void>(tangential_ratio<double>({0, 0.3}, {1, 0.3}));
           }).find("youngs_modulus") != std::string::npos);

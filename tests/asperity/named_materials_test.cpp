@@ -25,7 +25,7 @@ TEST_CASE("The modulus of a named material is that of its density and speeds of 
     }
 }
 
-TEST_CASE("Every metal conducts heat and current as Wiedemann and Franz say, and no glass conducts current") {
+TEST_CASE("Every metal conducts heat and current by the law of Wiedemann and Franz and no glass conducts current") {
     for (const auto& one : named_materials) {
         INFO(one.name);
         if (one.electrical_conductivity == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What interface_test.c compares with: numbers of the C++ library, made without the C interface and without scenes but
+// Reference of interface_test.c: numbers of the C++ library, made without the C interface and without scenes but
 // for one. Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/contact_law.hpp>

@@ -30,7 +30,7 @@ namespace structs_test {
 
 using fstiff::c::argument_error, fstiff::c::first_size, fstiff::c::give, fstiff::c::sized, fstiff::c::taken;
 
-/// What an old program has in memory, and what lies beyond it.
+/// Memory of an old program, and the bytes beyond it.
 struct Memory {
     Old old{sizeof(Old), 1};
     double beyond = 7;
@@ -70,7 +70,7 @@ TEST_CASE("a size that no version had is refused", "[c]") {
     CHECK(test::refusal([&] { sized(&grown, "it"); }).starts_with("it->size = 8: must be 16 to 24, "));
 }
 
-// Where doubles, pointers and size_t have 8 bytes. These numbers never change.
+// Sizes where doubles, pointers and size_t have 8 bytes. These numbers never change.
 TEST_CASE("the sizes of version 0.1 are taken", "[c]") {
     if (sizeof(void*) != 8) return;
     CHECK(first_size<fstiff_roughness> == 88);

@@ -97,7 +97,7 @@ void same(const A& a, const B& b, double bound) {
 
 }  // namespace
 
-TEST_CASE("a law without powers gives what its powers give") {
+TEST_CASE("a law without powers gives the results of its powers") {
     for (const auto& [r, theta] : {std::pair(0.0, 0.8), std::pair(0.5, 1.0), std::pair(0.9, 1.2)}) {
         const PeakDistribution<double> peaks(r, theta);
         INFO("r " << r);
@@ -109,9 +109,9 @@ TEST_CASE("a law without powers gives what its powers give") {
              GreenwoodWilliamson<double>(fine, modulus, heights), 1e-10);
 }
 
-TEST_CASE("a law of plain functions gives what one of arrays gives") {
+TEST_CASE("a law of plain functions gives the results of one of arrays") {
     const PeakDistribution<double> peaks(0.5, 1.0);
-    // the rule in two dimensions is told nothing of the root that the plain law has at omega = 0
+    // the rule in two dimensions has no information on the root of the plain law at omega = 0
     same(RoughContact(fine, peaks, PlainHertz{}, modulus), RoughContact(fine, peaks, HertzLaw<double>{}, modulus),
          1e-9);
 }

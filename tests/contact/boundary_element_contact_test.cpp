@@ -66,7 +66,7 @@ TEST_CASE("boundary elements as a contact have the states of the solver, bit for
     CHECK(test::relative_error(contact.at_pressure(p).stiffness.value, chord) < 1e-2);
 }
 
-TEST_CASE("boundary elements as a contact refuse what they cannot reach, and other points stand") {
+TEST_CASE("boundary elements as a contact refuse points out of reach and keep the others") {
     const HeightMap<double> map = small_map();
     const BoundaryElementContact<double> hard(map, 2, {.points = 32, .hardness = 0.5});
     CHECK(hard.point_at_pressure(0.5).reason == "pressure = 0.5: must be less than the hardness (Pa)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: the contact itself, one state a call; a contact made for the test that says where it ends.
+// Truth: the contact itself, one state a call; a contact made for the test that reports its limits.
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -27,7 +27,7 @@ bool same(const ContactState<double>& a, const ContactState<double>& b) {
            a.contact_density.value == b.contact_density.value;
 }
 
-/// K = p; knows pressures up to 10, and has numbers up to 8.
+/// K = p; accepts pressures up to 10, and has numbers up to 8.
 struct Short {
     ContactPoint<double> point_at_pressure(double pressure, Quantity) const {
         if (pressure > 10) return ContactPoint<double>::out_of_reach("pressure = 11: must be at most 10");
@@ -91,7 +91,7 @@ TEST_CASE("A point that the model does not reach leaves the others alone") {
     CHECK(sunk[0].reason.starts_with("eta_new = "));
 }
 
-TEST_CASE("What is no pressure or separation is refused before anything is computed") {
+TEST_CASE("Invalid pressures and separations are refused before any computation") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const RoughContact contact(fine, peaks, HertzLaw<double>{}, 112.6e9);
     for (const double bad : {0.0, -1.0, nan, inf})

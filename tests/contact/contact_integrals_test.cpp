@@ -25,7 +25,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// What the error estimate need not cover: four units in the last place.
+/// Margin outside of the error estimate: four units in the last place.
 template <class T>
 constexpr T floor_of_estimate = 4 * std::numeric_limits<T>::epsilon();
 
@@ -163,10 +163,9 @@ TEST_CASE(
 }
 
 TEST_CASE("where the rule itself has converged, the share of rounding in the estimate covers the error") {
-    // At the least tolerance, 50 epsilon, the share of the tolerance in the estimate is 10 epsilon. These are problems
-    // of which the error is more than that by rounding alone (15 to 21 epsilon, found among 239,000 values of random
-    // problems by the greatest error less estimate); without 8 epsilon for rounding the estimate would miss each of
-    // them.
+    // At the smallest tolerance, 50 epsilon, the share of the tolerance in the estimate is 10 epsilon. The error of
+    // these problems is larger by rounding alone (15 to 21 epsilon, found in 239,000 values of random problems by the
+    // greatest error less estimate); without 8 epsilon for rounding the estimate would miss each of them.
     for (const Point& p : {Point{0.87627108133238085, 1.5707859360724308, 5.2158317571199078},
                            Point{0.93630015615556117, 1.5707815044916262, 3.519041214002705},
                            Point{0.96618647127960899, 1.5707614176512028, 2.4585058545207334}})
@@ -253,7 +252,7 @@ TEST_CASE("regimes agree at their seams") {
     }
 }
 
-TEST_CASE("quantities together equal each alone, and what is not asked for is 0") {
+TEST_CASE("quantities together equal each alone and those not requested are 0") {
     const PeakDistribution<double> peaks(0.7, 1);
     const auto together = contact_integrals(peaks, 1.3);
     CHECK(together.load.value == contact_integrals(peaks, 1.3, Quantity::pressure).load.value);
@@ -267,7 +266,7 @@ TEST_CASE("quantities together equal each alone, and what is not asked for is 0"
     CHECK(contact_integrals(peaks, 1.3, Quantity::none).area.value == 0);
 }
 
-TEST_CASE("an integrator gives at every separation what a single call gives") {
+TEST_CASE("an integrator gives the value of a single call at every separation") {
     for (const Point& p : random_points(60)) {
         const PeakDistribution<double> peaks(p.r, p.theta);
         for (const double tolerance : {1e-3, 1e-12}) {
@@ -313,7 +312,7 @@ TEMPLATE_TEST_CASE("the far tail underflows to 0 and its logarithm goes on", "",
     CHECK(std::isfinite(contact_integral(T(1.5), T(-0.5), peaks, T(-1e6)).value));
 }
 
-TEMPLATE_TEST_CASE("nothing is NaN, infinite or negative anywhere", "", FSTIFF_TEST_SCALARS) {
+TEMPLATE_TEST_CASE("no value is NaN or infinite or negative anywhere", "", FSTIFF_TEST_SCALARS) {
     using T = TestType;
     const T tiny = std::numeric_limits<T>::min(), one_less = 1 - std::numeric_limits<T>::epsilon();
     const T half_pi = std::nextafter(std::numbers::pi_v<T> / 2, T(0));

@@ -69,7 +69,7 @@ double worst_error(const Law& law, const Contact& contact, int count = 400) {
 
 }  // namespace
 
-TEST_CASE("a tabulated law is right to 1e-10, and says how right") {
+TEST_CASE("a tabulated law is right to 1e-10 and states its error") {
     const auto check = [](const auto& contact, double low, double high, double bound) {
         const Law law = Law::tabulate(contact, {low, high});
         const double worst = worst_error(law, contact);
@@ -139,7 +139,7 @@ RandomLaws random_laws(int points) {
     const auto decades = [&](double a, double b) { return std::pow(10, uniform(a, b)); };
     RandomLaws out;
     const auto check = [&](const auto& contact, double low, double high) {
-        // what the model or the table cannot reach is refused, and another is drawn
+        // points out of reach of the model or the table are refused, and others drawn
         if (!test::refusal([&] { static_cast<void>(contact.at_pressure(high, Quantity::pressure)); }).empty()) return;
         if (contact.at_pressure(high, Quantity::pressure).eta < -20) return;  // the planes are 20 rms heights through
         const Law law = Law::tabulate(contact, {low, high});
@@ -191,9 +191,11 @@ void check_accuracy(const RandomLaws& laws) {
 
 }  // namespace
 
-TEST_CASE("no law of 400 random surfaces is further from the model than it says") { check_accuracy(random_laws(401)); }
+TEST_CASE("no law of 400 random surfaces is further from the model than its stated error") {
+    check_accuracy(random_laws(401));
+}
 
-TEST_CASE("the tangent is exactly the slope of the returned pressure, where the law says so") {
+TEST_CASE("the tangent is exactly the slope of the returned pressure where the law states it") {
     const Law consistent =
         Law::tabulate(RoughContact(fine, third, FractalConsistentLaw<double>(1.62), modulus), {1e5, 1e8});
     const Law printed = Law::tabulate(RoughContact(fine, third, FractalLaw<double>(1.62), modulus), {1e5, 1e8});
@@ -253,7 +255,7 @@ TEST_CASE("outside the range: refuse, clamp or evaluate, as asked for") {
     const auto contact = hertz();
     const Law refuse = Law::tabulate(contact, {1e5, 1e8});
     const double near = refuse.separations()[0], far = refuse.separations()[1];
-    // the value and the bounds with the digits that tell them apart
+    // the value and the bounds with the digits that distinguish them
     CHECK(test::refusal([&] { static_cast<void>(refuse.at_separation(std::nextafter(far, 1.0))); }) ==
           "separation = " + parts::shortest_text(std::nextafter(far, 1.0)) + ": must be between " +
               parts::shortest_text(near) + " and " + parts::shortest_text(far) + " m, the range of the law");
@@ -352,7 +354,7 @@ TEST_CASE("a continued law is smooth at its ends: log p linear in the separation
         const auto [low, high] = law.pressures();
         const auto light = all_at(law, far), heavy = all_at(law, near);
         const double sigma = fine.rms_height, error = law.relative_error();
-        // p, -dp/dd and K meet what they have at the end
+        // p, -dp/dd and K are continuous at the end
         for (const double end : {near, far})
             for (const double way : {-1.0, 1.0}) {
                 const auto at = all_at(law, end), beyond = all_at(law, std::nextafter(end, way));
@@ -506,7 +508,7 @@ void check_batch(const ContactLaw<T>& law, const Eigen::ArrayX<T>& pressure, con
     law.tangent_at_separation(g.segment(offset, count), p_again, slope);
     REQUIRE((p_again == p_of_separation.segment(offset, count)).all());
     for (Eigen::Index i = 0; i < k.size(); ++i) {
-        if (i < offset || i >= offset + count) {  // nothing is written beside the results
+        if (i < offset || i >= offset + count) {  // nothing is written outside the results
             REQUIRE(k[i] == -1);
             REQUIRE(p_of_separation[i] == -1);
             REQUIRE(k_of_separation[i] == -1);
@@ -563,7 +565,7 @@ TEST_CASE("a batch is the scalar calls within rounding: any length, any alignmen
     check(ContactLaw<float>::tabulate(contact_of_floats, {1e5F, 1e8F, OutsideRange::clamp}), 9e4F, 1e-6F);
 }
 
-TEST_CASE("a batch is right to the error that the law states, and does not depend on where an element stands") {
+TEST_CASE("a batch is right to the error that the law states whatever the position of an element") {
     const auto contact = hertz();
     const Law law = Law::tabulate(contact, {1e5, 1e8});
     const Eigen::Index count = 401;
@@ -592,7 +594,7 @@ TEST_CASE("a batch is right to the error that the law states, and does not depen
     }
 }
 
-TEST_CASE("a batch refuses what the scalar calls refuse: outside, NaN, arrays of different sizes") {
+TEST_CASE("a batch refuses the arguments that scalar calls refuse") {
     const auto contact = hertz();
     for (const OutsideRange outside :
          {OutsideRange::refuse, OutsideRange::clamp, OutsideRange::exact, OutsideRange::extrapolate}) {

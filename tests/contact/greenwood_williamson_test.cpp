@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("pressure and separation are each other's inverse and K is -d
     }
 }
 
-TEST_CASE("what is not asked for is 0, and bad input is refused") {
+TEST_CASE("quantities that are not requested are 0 and bad input is refused") {
     const GreenwoodWilliamson<double> contact(fine, modulus);
     CHECK(contact.at_pressure(1e6, Quantity::stiffness).real_area_fraction.value == 0);
     CHECK(contact.at_pressure(1e6, Quantity::stiffness).stiffness.value == contact.at_pressure(1e6).stiffness.value);

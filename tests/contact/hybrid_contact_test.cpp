@@ -95,7 +95,7 @@ TEST_CASE("the separation of the hybrid law is the integral of 1/K, and is undon
     }
 }
 
-TEST_CASE("Of a map's own summits and its bearing curve hybrid is near boundary elements of other code") {
+TEST_CASE("hybrid of a map's own summits and bearing curve is near boundary elements of other code") {
     const test::Table bem("bem_maps.csv");
     double least = 2, largest = 0;
     for (std::size_t row = 0; row < bem.size(); ++row) {
@@ -146,7 +146,7 @@ TEST_CASE(
         CHECK(test::relative_error(taller.stiffness(2 * x), hybrid.stiffness(x)) < 1e-9);
 }
 
-TEST_CASE("Mirror images change K of persson of maps that repeat themselves as little as docs/scene.md says") {
+TEST_CASE("Mirror images change K of persson of maps that repeat themselves as little as docs/scene.md states") {
     const auto rms = [](double longest, std::initializer_list<double> hursts) {
         double squares = 0;
         int points = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: boundary elements of tests/data/broad.csv (bench/broad.cpp, tools/make_broad.py), of which the seeds 1 and 3
-// were fitted, and of tests/data/bem.csv; published molecular dynamics; the parts of the law, put together anew.
+// Truth: boundary elements of tests/data/broad.csv (bench/broad.cpp, tools/make_broad.py; the seeds 1 and 3 were
+// fitted) and of tests/data/bem.csv; published molecular dynamics; the parts of the law, combined anew.
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 
@@ -196,7 +196,7 @@ TEST_CASE("the hybrid contact of numbers is put together from its parts") {
     CHECK(test::relative_error(law.stiffness(p), joined) < law.relative_error() + 1e-9);
 }
 
-TEST_CASE("nothing is cut from a narrow band, and K hardly depends on the shortest wave of a broad one") {
+TEST_CASE("a narrow band is not cut and K hardly depends on the shortest wave of a broad one") {
     const auto narrow = band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 5.9), 0.7);
     CHECK(parts::cut_at_bandwidth(narrow, 6.0).q2 == narrow.q2);
     // q2 doubled again and again: the same waves, and more of them
@@ -234,7 +234,7 @@ TEST_CASE("real area of the hybrid contact of numbers: boundary elements on two 
     CHECK(compared == 24);
 }
 
-TEST_CASE("beyond 0.75 E g the hybrid contact of numbers says that it is closed") {
+TEST_CASE("beyond 0.75 E g the hybrid contact of numbers reports that it is closed") {
     const auto contact = hybrid_of_band(band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 50.0), 0.7), 1e11);
     const double most = 0.75e10;
     CHECK(contact.at_pressure(0.999 * most).stiffness.value > 0);

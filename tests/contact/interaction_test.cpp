@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lengths of an interaction; what it does to a contact is tested in rough_contact_test.cpp.
+// The lengths of an interaction; rough_contact_test.cpp tests its effect on a contact.
 #include <fstiff/contact/interaction.hpp>
 
 #include "support/accuracy.hpp"

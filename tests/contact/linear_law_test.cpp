@@ -26,7 +26,7 @@ TEST_CASE("The linear law is the slope of an exponential load, and of no scale")
     CHECK(test::ulps(parts::linear_stiffness(1e7, 1e9 * sigma) * 1e9, parts::linear_stiffness(1e7, sigma)) <= 4);
 }
 
-TEST_CASE("The linear law refuses what has no stiffness") {
+TEST_CASE("The linear law refuses arguments without a stiffness") {
     CHECK(test::refusal([] { (void)parts::linear_stiffness(-1.0, 1e-6); }) ==
           "pressure = -1: must be finite and not negative");
     CHECK(test::refusal([] { (void)parts::linear_stiffness(1.0, 0.0); }).starts_with("rms_height = 0: must be"));

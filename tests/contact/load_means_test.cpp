@@ -69,7 +69,7 @@ TEST_CASE("load-weighted a/R: peaks of one radius in one dimension, and pi a^2 =
           std::string::npos);
 }
 
-TEST_CASE("a law that knows omega_c needs no other") {
+TEST_CASE("a law with its own omega_c needs no other") {
     const PlasticMaterial<double> steel{112.6e9, 400e6, 0.3, 1.12e9};
     const KogutEtsionLaw<double> law(steel);
     const RoughContact contact(test::sand_blasted_fine.roughness(), PeakDistribution<double>::exponential(0.8), law,

@@ -51,7 +51,7 @@ TEST_CASE("the mean over shifts is the mean, and its error holds the scatter of 
     CHECK(test::relative_error(mean.rms_height(), 0.8e-6) < 1e-15);
 }
 
-TEST_CASE("of one contact the mean is that contact, of none there is none, and a point that one lacks is lacking") {
+TEST_CASE("the mean of one contact is that contact and a point missing in one is missing in the mean") {
     const One alone = contacts()[0];
     const MeanOverShifts<One> mean({alone});
     CHECK(mean.at_pressure(1e6).stiffness.value == alone.at_pressure(1e6).stiffness.value);

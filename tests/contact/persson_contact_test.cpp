@@ -148,7 +148,7 @@ TEST_CASE("float is the rounding of double") {
         CHECK(test::relative_error(static_cast<double>(contact.stiffness(p)), exact.stiffness(double(p))) < 2e-7);
 }
 
-TEST_CASE("what Persson's law does not allow is refused") {
+TEST_CASE("arguments that Persson's law does not allow are refused") {
     const BandSpectrum<double> band{1, 0.8, 8, 8, 64};
     for (const double gamma : {0.0, -1.0, 1.1, std::nan("")})
         CHECK(test::refusal([&] { PerssonContact<double>(band, 1.0, gamma); }).find("gamma") == 0);

@@ -61,7 +61,7 @@ void with_law(int i, const Scene& s, const Check& check) {
     if (i % 4 == 3) check(PlasticLaw{s.hardness});
 }
 
-/// The mean of f(omega, R) over all peaks, by (4.4) and (4.10) as they stand.
+/// The mean of f(omega, R) over all peaks, by (4.4) and (4.10) as printed.
 template <class F>
 double mean_over_peaks(const Scene& s, const F& f) {
     const double sigma = s.surface.rms_height, curvature = 3 * std::sqrt(pi) / (8 * s.surface.peak_radius);
@@ -87,7 +87,7 @@ double mean_over_heights(const Scene& s, parts::Heights heights, const F& f) {
     });
 }
 
-/// p, K, A/A0 and n/A0 of \p state against means over the peaks; the stated errors cover what is left.
+/// p, K, A/A0 and n/A0 of \p state against means over the peaks; the stated errors cover the difference.
 template <class Law, class Mean>
 void check_state(const ContactState<double>& state, const Scene& s, const Law& law, const Mean& mean) {
     const double density = s.surface.peak_density;

@@ -149,7 +149,7 @@ TEST_CASE("the paper's conclusions in figures") {
     }
 }
 
-TEST_CASE("only what is asked for is computed, and equals what all gives") {
+TEST_CASE("only requested quantities are computed and equal those of a full call") {
     const auto c = contact(HertzLaw<double>{});
     const auto all = c.at_pressure(1e7);
     const auto one = c.at_pressure(1e7, Quantity::stiffness);
@@ -160,7 +160,7 @@ TEST_CASE("only what is asked for is computed, and equals what all gives") {
     CHECK(c.at_separation(1e-6, Quantity::real_area_fraction).stiffness.value == 0);
 }
 
-TEST_CASE("nothing dimensionless depends on the unit of length") {
+TEST_CASE("no dimensionless value depends on the unit of length") {
     for (const double unit : {1e-9, 1e9}) {
         // a length of 1 m is 1/unit units; the modulus is a pressure, Pa = N/m^2, with the unit of force kept
         Roughness<double> scaled = fine;
@@ -299,7 +299,7 @@ TEST_CASE("parameters and points out of reach are refused in one sentence") {
 }
 
 TEST_CASE("a separation that a pressure gave is taken, with interaction however long") {
-    // the upper end of the bracket was beyond what the integrals take
+    // the upper end of the bracket was beyond the range of the integrals
     const RoughContact contact(Roughness<double>{0.1e-6, 1e-6, 1e11}, PeakDistribution<double>(0.3, 0.9),
                                HertzLaw<double>{}, 112.6e9,
                                {.interaction = {InteractionReading::effective_separation, 0.1}});

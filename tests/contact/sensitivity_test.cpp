@@ -208,7 +208,7 @@ void same(const A& found, const B& truth, double pressure, double bound) {
 
 }  // namespace
 
-TEST_CASE("a law without powers is differentiated to 1e-8, as its powers say") {
+TEST_CASE("a law without powers is differentiated to 1e-8 like one with powers") {
     const Roughness<double> fine = test::sand_blasted_fine.roughness();
     const RoughContactOptions<double> patch{.interaction = {InteractionReading::effective_separation, 1e-4}};
     for (const auto& [r, theta] : {std::pair(0.2, 0.4), std::pair(0.6, 1.1), std::pair(0.9, 1.3)})
@@ -228,7 +228,7 @@ TEST_CASE("a law without powers is differentiated to 1e-8, as its powers say") {
         same(RoughContact(fine, peaks, PlasticByUser{}, 112.6e9), RoughContact(fine, peaks, PlasticByPowers{}, 112.6e9),
              1e6, 1e-8);
     }
-    // neither says how it depends on D
+    // neither states its dependence on D
     CHECK(std::isnan(sensitivity(RoughContact(fine, PeakDistribution<double>(0.5, 1), PlasticByPowers{}, 112.6e9), 1e6)
                          .fractal_dimension));
 }

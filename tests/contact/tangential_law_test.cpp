@@ -103,7 +103,7 @@ TEST_CASE("an exponential law slips in closed form") {
     CHECK(friction.cycle(d, 1).loss_factor < 4 / std::numbers::pi);
 }
 
-TEST_CASE("unloading and reloading follow Masing's rule, and a closed loop loses what the closed form says") {
+TEST_CASE("unloading and reloading follow Masing's rule and a closed loop loses the energy of the closed form") {
     const Friction friction(hertz(), mu, ratio);
     const double d = friction.normal().separation(1e7), most = 1e-7;
     SlipState<double, 1> state{.separation = d};
@@ -241,7 +241,7 @@ TEST_CASE("a contact in friction never gives energy back, and a straight path lo
     CHECK(lost > 0);
 }
 
-TEST_CASE("the tangent is the derivative of what is returned") {
+TEST_CASE("the tangent is the derivative of the returned value") {
     const Friction friction(hertz(), mu, ratio);
     const Law& law = friction.normal();
     const double u0 = 1e7 / law.stiffness(1e7), h = 1e-6 * u0;

@@ -80,7 +80,7 @@ double outer_integrand(double t, void* data) {
 
 namespace {
 
-/// The same law for the kernel, which is told where the kink is.
+/// The same law for the kernel, with the position of the kink.
 struct Kinked {
     static double critical(double t) { return 0.7 / t; }
     Eigen::Array<double, 8, 1> operator()(const Eigen::Array<double, 8, 1>& excess, double t) const {
@@ -337,7 +337,7 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
         INFO("row " << row + 2 << " error " << test::relative_error(j.value, truth) << " estimate " << j.error / truth);
         CHECK(std::abs(j.value - truth) <= j.error);
     }
-    // the ridge of the density is narrower than the points are apart: the rule sees nothing of it
+    // the ridge of the density is narrower than the distance of the points: the rule misses it
     const PeakDistribution<double> narrow(0.999999999, 1.57);
     const auto missed = fstiff::parts::paper_integral(0.0, -1.0, narrow, 5.0);
     const auto truth = fstiff::contact_integral(0.0, -1.0, narrow, 5.0);

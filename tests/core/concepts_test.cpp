@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which types are scalars of fstiff.
+// Types that are scalars of fstiff.
 #include <fstiff/core/concepts.hpp>
 
 #include "support/catch.hpp"

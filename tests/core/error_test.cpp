@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two exceptions: what they are, what they say, their fields, and that no locale changes them. Sentences are
+// The two exceptions: their types, texts and fields, and that no locale changes them. Sentences are
 // written out.
 #include <fstiff/core/error.hpp>
 
@@ -32,7 +32,7 @@ struct GlobalLocale {
 
 }  // namespace
 
-TEST_CASE("what is refused names the parameter, its value and what is allowed", "[error]") {
+TEST_CASE("a refusal names the parameter and its value and the allowed range", "[error]") {
     CHECK(test::refusal([] { fstiff::require(false, "theta", 1.75, "between 0 and pi/2"); }) ==
           "theta = 1.75: must be between 0 and pi/2");
     CHECK(test::refusal([] { fstiff::require(true, "theta", 1.75, "between 0 and pi/2"); }) == "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The constants: those of the standard library in float and double, what its functions return in long double.
+// The constants: those of the standard library in float and double, those of its functions in long double.
 #include <fstiff/core/numbers.hpp>
 
 #include "support/accuracy.hpp"

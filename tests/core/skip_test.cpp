@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What support/skip.hpp prints. Both cases are hidden: tests/CMakeLists.txt runs each and looks at what it says.
+// Output of support/skip.hpp. Both cases are hidden: tests/CMakeLists.txt runs each and checks its output.
 #include "support/skip.hpp"
 
 namespace skip_test {

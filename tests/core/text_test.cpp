@@ -141,7 +141,7 @@ TEST_CASE("reading is rounded once and takes no more than the number", "[text]")
     CHECK(hexadecimal<double>("ap1").value == 20);
 }
 
-TEST_CASE("what is no number is not read", "[text]") {
+TEST_CASE("text without a number is not read", "[text]") {
     for (const std::string text : {"", " 1", "+1", "-", ".", "-.", "e5", "inf", "nan", "-inf", "INF", ",5", "um"}) {
         INFO(text);
         const auto read = decimal<double>(text);
@@ -151,7 +151,7 @@ TEST_CASE("what is no number is not read", "[text]") {
     CHECK(hexadecimal<double>("p1").error == std::errc::invalid_argument);
 }
 
-TEST_CASE("a number beyond the range of its type says so", "[text]") {
+TEST_CASE("a number beyond the range of its type is reported", "[text]") {
     for (const std::string text : {"1e400", "-1e400", "1e-400", "0.0001e-400", "1e99999999999999999999"}) {
         INFO(text);
         const auto read = decimal<double>(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The version is written as numbers, as one number, as text, and once more for C: all say the same.
+// The version is written as numbers, as one number, as text, and again for C: all are equal.
 #include <fstiff/core/version.hpp>
 constexpr int version_of_headers = FSTIFF_VERSION;
 #undef FSTIFF_VERSION

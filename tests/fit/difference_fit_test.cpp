@@ -141,7 +141,7 @@ TEST_CASE("sigma and g of hybrid lie in their 95 % intervals in 95 of 100 runs, 
     }
 }
 
-TEST_CASE("what a curve by differences cannot tell is singular, and out of reach is refused") {
+TEST_CASE("parameters that a curve by differences cannot separate are singular and points out of reach are refused") {
     using enum Parameter;
     const parts::CurveOfParameters<double> curve = hybrid;
     const Points data = points_of(curve, 8);

@@ -11,7 +11,7 @@ using namespace fstiff;
 
 namespace {
 
-/// Two parameters, 10 degrees of freedom, nothing to say against it.
+/// A fit of two parameters with 10 degrees of freedom and no concerns.
 Identification<double> good() {
     Identification<double> fit;
     fit.status = math::FitStatus::converged;
@@ -109,7 +109,7 @@ TEST_CASE("Points far from the model, one far from the others and a value far fr
     }
 }
 
-TEST_CASE("What the data do not see stands alone, and is fatal") {
+TEST_CASE("A parameter without effect on the data is the only concern and is fatal") {
     auto fit = good();
     fit.status = math::FitStatus::singular;
     fit.chi_squared = 1e6;
@@ -127,7 +127,7 @@ TEST_CASE("What the data do not see stands alone, and is fatal") {
     CHECK(name_of(FitConcern::correlated) == "correlated");
 }
 
-TEST_CASE("R and D_p of K(p) cannot be told apart, sigma alone has nothing against it") {
+TEST_CASE("R and D_p of K(p) cannot be separated sigma alone has no concerns") {
     const ContactParameters<double> truth{0.832e-6, 40e-6, 500e6, 1.62, 112.6e9, 0.6, 1.1, 0};
     const auto hertz = [](double) { return HertzLaw<double>{}; };
     const RoughContact contact(Roughness<double>{truth.rms_height, truth.peak_radius, truth.peak_density, 0},

@@ -33,7 +33,7 @@ struct Plastic {
     static double area_factor() { return 6.28; }
 };
 
-/// What the model says of \p parameters at \p count pressures from 0.5 to 50 MPa.
+/// Values of the model with \p parameters at \p count pressures from 0.5 to 50 MPa.
 template <class Law>
 std::vector<Observation<double>> curve(const ContactParameters<double>& x, const Law& law, int count,
                                        const Wave<double>* as = nullptr,
@@ -210,7 +210,7 @@ TEST_CASE("parameters that K(p) holds in combination only are called singular, b
     CHECK(identify(data, {fractal_dimension}, true_contact, hertz).status == math::FitStatus::singular);
 }
 
-TEST_CASE("a fit that runs to the end of a range says at_bound, and one that only noise tells apart says singular") {
+TEST_CASE("a fit that runs to the end of a range reports at_bound and one that only noise separates reports singular") {
     using enum Parameter;
     // sigma, D_p and theta of 12 points with 1 % of noise: too many, whatever the noise makes of them
     ContactParameters<double> start = true_contact;
@@ -306,7 +306,7 @@ TEST_CASE("identify refuses data and starting values that no model has") {
     refused({rms_height, offset}, start, "starting values");
     data[1].error = 1;
     refused({rms_height}, true_contact, "data[0].error = 0");
-    // neither is a way to say that the errors are not known
+    // neither value denotes unknown errors
     for (auto& o : data) o.error = std::nan("");
     refused({rms_height}, true_contact, "data[0].error = nan: must be finite and greater than 0, or 0 in every point");
     for (auto& o : data) o.error = -1;

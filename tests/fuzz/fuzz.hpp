@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the fuzz targets share: a reader returns something valid or throws domain_error with a printable sentence.
+// Common part of the fuzz targets: a reader returns something valid or throws domain_error with a printable sentence.
 #include "io/reading.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Archives of Sensofar. Bytes that are no archive are taken for index.xml, and those behind its end for the heights,
-// both stored in an archive here.
+// Archives of Sensofar. Bytes that are no archive are taken as index.xml, and those after its end as the heights, both
+// stored in an archive here.
 #include "io/plux.hpp"
 
 #include "../support/stored_archive.hpp"

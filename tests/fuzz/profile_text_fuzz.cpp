@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Profiles as delimited text: as it is, with units, with a column chosen; what is read is written and read again.
+// Profiles as delimited text: as it is, with units, with a column chosen; the result is written and read again.
 #include <fstiff/io/write.hpp>
 
 #include "fuzz.hpp"

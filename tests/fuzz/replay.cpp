@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gives every file of a folder to a fuzz target, and every file cut short: the corpus without a fuzzer.
 //     replay TARGET FOLDER
-// All targets are compiled here together, as what they read with is mostly the same.
+// All targets are compiled here together, because they share most of the readers.
 #define LLVMFuzzerTestOneInput fuzz_al3d
 #include "al3d_fuzz.cpp"
 #undef LLVMFuzzerTestOneInput

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surface data files, text and binary; what is read is written in both forms and comes back.
+// Surface data files, text and binary; the result is written in both forms and read back.
 #include <fstiff/io/write.hpp>
 #include "io/sdf.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// X3P files. Damaged archives seldom get past their check sums: bytes that are no archive are taken for main.xml, and
-// those behind its end for the heights, both put into an archive here.
+// X3P files. Damaged archives seldom pass their check sums: bytes that are no archive are taken as main.xml, and
+// those after its end as the heights, both put into an archive here.
 #include "io/x3p.hpp"
 
 #include "fuzz.hpp"

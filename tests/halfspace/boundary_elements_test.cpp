@@ -109,7 +109,7 @@ TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer c
     CHECK(test::refusal([&] { (void)plastic.at_pressure(H); }).find("less than the hardness") != std::string::npos);
 }
 
-TEST_CASE("what was solved before does not matter, to the last digit") {
+TEST_CASE("previous solutions do not matter to the last digit") {
     const HeightMap<double> map = parts::coarsened(test::half_space_map("gaussian"), 64);
     for (const double hardness : {0.0, 0.003}) {
         BoundaryElements<double> twice(map, 1.0, {.hardness = hardness}), once(map, 1.0, {.hardness = hardness});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The theorem behind contact/tangential_law on a rough map, point by point: mu times a difference of two normal states.
+// The theorem of contact/tangential_law on a rough map, point by point: mu times a difference of two normal states.
 #include <fstiff/halfspace/boundary_elements.hpp>
 
 #include "support/catch.hpp"
@@ -38,7 +38,7 @@ TEST_CASE("mu times the difference of two normal states sticks where the lighter
                     forward = std::max(forward, behind), ++slipped;
             }
         CHECK(uneven < 1e-6 * scale);
-        CHECK(forward < 1e-6 * scale);  // what slips lags behind
+        CHECK(forward < 1e-6 * scale);  // slipping points move less
         CHECK(above < 1e-6 * p.maxCoeff());
         CHECK(slipped > 50);
     }

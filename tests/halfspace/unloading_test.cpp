@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a contact of flowed peaks loses in a tangential cycle, by its unloading in boundary elements.
+// Energy that a contact of yielded peaks loses in a tangential cycle, from its unloading in boundary elements.
 #include <fstiff/contact/microslip.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 

@@ -79,7 +79,7 @@ TEST_CASE("A column that numbers the points is neither positions nor heights", "
         CHECK(read(counted("Nr.;X [um];Z [um]\n"), options).profile().spacing == truth.spacing);
 }
 
-TEST_CASE("Numbers of points are positions where they are chosen or say so", "[index]") {
+TEST_CASE("Numbers of points are positions where they are chosen or named so", "[index]") {
     const std::string text = counted("Nr.;X [um];Z [um]\n");
     CHECK(test::relative_error(read(text, {.units = "mm,um", .column = 3, .x_column = 1}).profile().spacing, 1e-3) <
           1e-12);
@@ -144,7 +144,7 @@ TEST_CASE("Which columns number the points follows from titles and numbers", "[i
     CHECK(index_of(text("", 1, 0)) == none);
 }
 
-TEST_CASE("Triples may stand next to a column that numbers them", "[index]") {
+TEST_CASE("Triples may be next to a column that numbers them", "[index]") {
     std::string plain = "x [um],y [um],z [nm]\n", numbered = "Nr.,x [um],y [um],z [nm]\n";
     for (int i = 0; i < 60; ++i) {
         const std::string row =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that other programs wrote, against what yet other programs read in them (tests/data/README.md).
+// Files that other programs wrote, against the values that third programs read from them (tests/data/README.md).
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"
@@ -12,7 +12,7 @@ namespace format_files_test {
 
 using namespace fstiff;
 
-TEST_CASE("Files of other programs hold what other readers find in them, number for number") {
+TEST_CASE("Files of other programs have the values of other readers number for number") {
     const test::Table table("formats_expected.csv");
     REQUIRE(table.size() == 19);
     for (std::size_t row = 0; row < table.size(); ++row) {

@@ -87,7 +87,7 @@ TEST_CASE("A channel of Gwyddion is read among components of every type, which a
     CHECK(read(file(channel(0)) + "more").record.said("trailer") == "4 bytes, not read");
 }
 
-TEST_CASE("The lowest channel in lengths is read, or the one that is named, and the others are told") {
+TEST_CASE("The lowest or the named channel in lengths is read and the others are reported") {
     Field tilted;
     tilted.values = {1, 2, 3, 4, 5, 7};
     const std::string bytes =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What headers state, read by eye.
+// Contents of headers, read by eye.
 #include "io/header.hpp"
 
 #include "support/accuracy.hpp"

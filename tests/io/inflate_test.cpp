@@ -30,7 +30,7 @@ TEST_CASE("A stream that holds more or fewer bytes, is cut short or damaged is r
     CHECK(inflated(stored, 0) == "refused");
     for (std::size_t size = 0; size < stored.size(); ++size) CHECK(inflated(stored.substr(0, size), 3) == "refused");
     std::string damaged = stored;
-    damaged[8] = 'x';  // the sum tells
+    damaged[8] = 'x';  // the check sum differs
     CHECK(inflated(damaged, 3) == "refused");
 }
 

@@ -19,7 +19,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-TEST_CASE("A binary file is called what its first bytes say, with the way out") {
+TEST_CASE("A binary file is named by its first bytes with a way to convert it") {
     const std::pair<std::string, const char*> files[] = {{"\x89PNG\r\n\x1A\n\0\0"s, "PNG"},
                                                          {"\xFF\xD8\xFF\xE0"s, "JPEG"},
                                                          {"II*\0"s, "TIFF"},

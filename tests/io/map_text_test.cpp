@@ -132,7 +132,7 @@ TEST_CASE("An export of SPIP has its lengths in nm, and its heights in a unit or
               "\"x-length\" has no unit"));
 }
 
-TEST_CASE("A comma in the lengths of a header is decimal, unless it may stand before thousands") {
+TEST_CASE("A comma in the lengths of a header is decimal unless it may separate thousands") {
     const std::string lengths = "# Breite: 10,0 um\n# H\xC3\xB6he: 800,00 nm\n# Einheiten: nm\n";
     check_map(read(lengths + matrix("\t")), 2e-6, 200e-9, 1e-9);
     const std::string three = "# Breite: 10,000 um\n# H\xF6he: 800,000 nm\n# Einheiten: nm\n";
@@ -140,7 +140,7 @@ TEST_CASE("A comma in the lengths of a header is decimal, unless it may stand be
     CHECK(has(refusal(three + matrix("\t")), "states no physical size"));
 }
 
-TEST_CASE("Options replace what the header of a matrix says") {
+TEST_CASE("Options replace the header of a matrix") {
     check_map(read(gwyddion + matrix("\t"), {.units = "mm", .dx = 3e-6, .dy = 4e-6}), 3e-6, 4e-6, 1e-3);
 }
 
@@ -289,7 +289,7 @@ TEST_CASE("Words for missing points are the same in every form of a map", "[miss
         }
 }
 
-TEST_CASE("Options that contradict the header of a map are used, and said", "[contradiction]") {
+TEST_CASE("Options that contradict the header of a map are used and reported", "[contradiction]") {
     const auto found = read(gwyddion + matrix("\t"), {.units = "mm", .dx = 3e-6, .height = 1.6e-6});
     check_map(found, 3e-6, 4e-7, 1e-3);
     CHECK(found.record.warnings ==

@@ -108,7 +108,7 @@ TEST_CASE("Axes without a unit, and one axis alone, are refused", "[axes]") {
     CHECK(read(profiles, {.units = "um", .column = 3}).profile().size() == 20);
 }
 
-TEST_CASE("Options that contradict the axes win, and say so", "[axes]") {
+TEST_CASE("Options that contradict the axes are used and reported", "[axes]") {
     const io::Surface found = read(matrix("y\\x [um]", 0.5, 0.25), {.units = "nm", .dx = 2e-6});
     check(found, 2e-6, 0.25e-6, 1e-9);
     REQUIRE(found.record.warnings.size() == 1);
@@ -128,7 +128,7 @@ TEST_CASE("A header that counts the columns of the whole table denies axes", "[a
     CHECK(has(refusal(head + "cols: 7\n" + matrix("0", 0.5, 0.25), {.units = "um,nm"}), "disagrees with the axes"));
 }
 
-TEST_CASE("Of x, y, z and more the heights are z", "[axes]") {
+TEST_CASE("The heights in columns x and y and z and more are z", "[axes]") {
     const auto text = [](const std::string& head, const char* format, int count = 60) {
         std::string all = head;
         for (int i = 0; i < count; ++i) {

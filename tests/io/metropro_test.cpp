@@ -22,7 +22,7 @@ std::string refusal(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("A map of MetroPro is numbers times wavelength and factors, behind its intensities") {
+TEST_CASE("A map of MetroPro is numbers times wavelength and factors after its intensities") {
     const std::string whole = test::sample("metropro/map.dat");
     test::check_sample(read(whole), double(0.5e-6F), double(0.5e-6F), step * wavelength, true);
     CHECK(read(whole).record.resolution == step * wavelength);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which numbers are suspected of standing for missing points: small lists, judged by eye.
+// Numbers that are suspected to denote missing points: small lists, judged by eye.
 #include "io/missing_values.hpp"
 
 #include "support/catch.hpp"

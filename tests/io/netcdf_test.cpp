@@ -18,7 +18,7 @@ std::string refusal(const std::string& bytes) {
     return test::refusal([&] { (void)read(bytes); });
 }
 std::string whole() { return test::sample("netcdf/map.nc"); }
-/// The sample with \p field \p after bytes behind the first \p name.
+/// The sample with \p field \p after bytes after the first \p name.
 std::string with(const std::string& name, std::size_t after, const std::string& field) {
     return put(whole(), whole().find(name) + name.size() + after, field);
 }

@@ -150,7 +150,7 @@ TEST_CASE("Headers of versions 2 and 3, keys in any order, and a trailer are rea
     CHECK(has(refusal(file(header("<f4"), data, 4)), "version = 4: must be 1, 2 or 3"));
 }
 
-TEST_CASE("Damaged headers are refused with what is wrong, before memory is taken") {
+TEST_CASE("Damaged headers are refused with the reason before memory is allocated") {
     const std::string data = bytes_of<double>({1, 2, 3, 4, 5, 6});
     for (const char* type : {"<f2", "<c8", "|S3", "|O", "<f16", "=f8", "|f8", "f8", "<i3", "", "<u8x"})
         CHECK(!refusal(file(header(type), data)).empty());

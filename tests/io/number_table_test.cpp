@@ -35,7 +35,7 @@ TEST_CASE("the header ends at the first row of numbers, whose signs hold for all
     CHECK(record.sentences() == std::vector<std::string>{"separator: semicolon, decimal comma", "header: 2 lines"});
 }
 
-TEST_CASE("cells at the end of a row may be left out where the rules say so", "[number_table]") {
+TEST_CASE("cells at the end of a row may be left out where the rules allow it", "[number_table]") {
     const NumberTable table = table_of("1,\n2,3,\n4\n", padded);
     CHECK(table.columns == 2);
     CHECK(table.at(1, 1) == 3);

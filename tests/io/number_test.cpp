@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of text. Truth: the digits are counted by eye, the numbers are what the compiler makes of the same literal.
+// Cells of text. Truth: the digits are counted by eye, the numbers are those of the same literal in the compiler.
 #include "io/number.hpp"
 
 #include "support/catch.hpp"
@@ -36,7 +36,7 @@ TEST_CASE("a column is printed to decimals or to significant digits, whichever i
     CHECK(significant.resolution() == 1.0);
 }
 
-TEST_CASE("what a message shows of a cell is short and printable", "[number]") {
+TEST_CASE("the excerpt of a cell in a message is short and printable", "[number]") {
     CHECK(shown_cell("a\tb\x9F") == "\"a?b?\"");
     CHECK(shown_cell("\xC2\xB5m \xE2\x84\xAB") == "\"\xC2\xB5m \xE2\x84\xAB\"");  // micro, angstrom
     CHECK(shown_cell("\xB5m") == "\"\xC2\xB5m\"");                                // the same in CP1252

@@ -16,7 +16,7 @@ io::Reading read(const std::string& bytes) { return io::read_opd(bytes, "file.op
 std::string refusal(const std::string& bytes) {
     return test::refusal([&] { (void)read(bytes); });
 }
-/// Where the entry of block \p index of the directory begins, and where the first array does.
+/// Beginning of the entry of block \p index of the directory, and of the first array.
 constexpr std::size_t entry(std::size_t index) { return 2 + 24 * index; }
 constexpr std::size_t array = entry(8);
 

@@ -163,7 +163,7 @@ TEST_CASE("A file without a unit is refused, whatever looks like one") {
     CHECK(has(refusal(plain, {.units = "um,nm,mm"}), "units = "));
 }
 
-TEST_CASE("Positions printed with few digits are equally spaced as far as they tell") {
+TEST_CASE("Positions printed with few digits are equally spaced within their digits") {
     // steps of 0.156 printed to 0.1: 0.0 0.2 0.3 0.5 0.6 0.8 0.9 1.1
     std::string coarse, coarser;
     for (int i = 0; i < 200; ++i) {
@@ -206,7 +206,7 @@ TEST_CASE("Unequal steps are seen through the digits, and a missing row in whole
             CHECK(has(gap, "line " + std::to_string(missing + 2)));
             CHECK(has(gap, "equally spaced"));
         }
-    // what rounding does to equal steps is no gap: decimals, six significant digits, powers of ten
+    // rounded equal steps are no gap: decimals, six significant digits, powers of ten
     for (const char* format : {"%.0f", "%.1f", "%g", "%.4e"})
         for (const double step : {0.15625, 1.03, 7.77}) {
             INFO(format << ' ' << step);
@@ -247,7 +247,7 @@ TEST_CASE("A column may be chosen among many, and more than two need a choice") 
     check_rows(two, 1e-6, 1e-9);
 }
 
-TEST_CASE("Bad input is refused in one sentence with file, line, value and what is allowed") {
+TEST_CASE("Bad input is refused in one sentence with file and line and value and allowed range") {
     const SurfaceOptions units{.units = "um,nm"};
     const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
     CHECK(has(refusal(""), "file.txt: is empty"));
@@ -277,14 +277,14 @@ TEST_CASE("Bad input is refused in one sentence with file, line, value and what 
     const std::string missing = test::refusal([] { (void)read(std::filesystem::path("no/such/file.csv")); });
     CHECK(has(missing, "file.csv: cannot be opened"));
     CHECK(has(test::refusal([] { (void)read(std::filesystem::temp_directory_path()); }), "folder"));
-    // what a message shows of a file is short and printable
+    // the excerpt of a file in a message is short and printable
     const std::string strange = refusal(plain + "10.0," + std::string(5000, '\x1b') + "\n", units);
     CHECK(strange.size() < 300);
     CHECK(strange.find('\x1b') == std::string::npos);
     CHECK(has(refusal(std::string((1 << 20) + 1, '1') + "\n", units), "longer than"));
 }
 
-TEST_CASE("No damaged file makes the reader crash, hang or return what is no number") {
+TEST_CASE("No damaged file makes the reader crash or hang or return a NaN") {
     // every prefix of a file, and the file with each byte replaced by one of a few nasty ones
     const std::string file = "# made up\r\nx (\xB5m);z (nm)\r\n" +
                              rows([](auto x, auto z) { return with_commas(x + ";" + z) + ";;\r\r\n"; });
@@ -351,7 +351,7 @@ TEST_CASE("Missing points are words, in profiles as in maps", "[missing]") {
     }
 }
 
-TEST_CASE("Titles behind a comment sign keep their units, angstrom and exponents of Fortran are read") {
+TEST_CASE("Titles after a comment sign keep their units and angstrom and exponents of Fortran are read") {
     const auto text = [](const std::string& header, const char* separator, const char* exponent) {
         std::string all = header + "\n";
         for (int i = 0; i < 20; ++i)
@@ -371,7 +371,7 @@ TEST_CASE("Titles behind a comment sign keep their units, angstrom and exponents
     for (const char* header : {"A,B", "A,A", "x [um],sensor A"}) CHECK(has(refusal(text(header, ",", "")), "no unit"));
 }
 
-TEST_CASE("Unequal steps are refused beside the option that resamples them") {
+TEST_CASE("Unequal steps are refused with the option that resamples them") {
     // z = 3 x + 2 lies on its own straight lines: the answer is exact
     std::string text = "x [um],z [um]\n", kinked = text;
     std::vector<double> x(40);
@@ -398,14 +398,14 @@ TEST_CASE("Unequal steps are refused beside the option that resamples them") {
     CHECK(test::said(even, "spacing") == "from mean step of the positions");
 }
 
-TEST_CASE("A position that leaps forth is named itself, not the one behind it") {
+TEST_CASE("A position that leaps forth is named itself instead of the one after it") {
     std::string text = "x [um],z [um]\n";
     for (int i = 0; i < 20; ++i)
         text += (i == 7 ? std::string("70") : std::to_string(i)) + "," + std::to_string(i % 3) + "\n";
     CHECK(has(refusal(text), "line 9: position 70 um stands between 6 and 8 um"));
 }
 
-TEST_CASE("A number that stands for missing points is told, or refused with the option that tells it", "[missing]") {
+TEST_CASE("A number that denotes missing points is reported or refused with the option that states it", "[missing]") {
     const auto text = [](const std::string& header, const std::string& missing) {
         std::string all = header + "x [um],z [nm]\n";
         for (int i = 0; i < 40; ++i)
@@ -488,7 +488,7 @@ TEST_CASE("Heads of Hommel and Mitutoyo give the spacing and the unit", "[header
     check_rows(read("# Punktabstand: 0,5 um\n# Einheit: nm\n" + with_commas(one)), 1e-6, 1e-9);
 }
 
-TEST_CASE("Options that contradict what the file states are used, and said", "[contradiction]") {
+TEST_CASE("Options that contradict the file are used and reported", "[contradiction]") {
     const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
     const auto warnings = [](const io::Surface& found) { return found.record.warnings; };
     const auto units = read("x [um],z [nm]\n" + plain, {.units = "mm,um"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heights of one row are a profile; and what a record says of them.
+// Heights of one row are a profile; the entries of its record.
 #include "io/reading.hpp"
 
 #include "support/accuracy.hpp"
@@ -48,7 +48,7 @@ TEST_CASE("heights of one row become a profile, of more rows a map", "[reading]"
         for (int i = 0; i < 4; ++i) CHECK(of_rows.heights(j, i) == (4 * j + i) * (4 * j + i) % 7);
 }
 
-TEST_CASE("a record says its entries in their order, and counts what is missing", "[reading]") {
+TEST_CASE("a record lists its entries in their order and counts missing points", "[reading]") {
     RawMap map = map_of(3, 4);
     map.heights[5] = std::numeric_limits<double>::quiet_NaN();
     io::Record record;

@@ -65,7 +65,7 @@ std::string text(const std::string& data, const std::string& version = "aISO-1.0
            "DataType = " + type + end + "CheckType = 0" + end + "*" + end + data + end + "*" + end;
 }
 
-/// Heights 1 to 5 halved behind a first one.
+/// Heights 1 to 5 halved, after a first one.
 void check_heights(const io::Reading& found) {
     REQUIRE(found.map.rows == 2);
     REQUIRE(found.map.columns == 3);
@@ -134,7 +134,7 @@ TEST_CASE("Text of BCR has names for codes, comments, and the largest number for
 }
 
 TEST_CASE("Declared sizes are compared with the bytes before memory is taken") {
-    // were they believed, 2^64 doubles would be asked for, and std::bad_alloc would not be a domain_error
+    // without the check 2^64 doubles would be allocated, and std::bad_alloc is no domain_error
     CHECK(has(refusal(Header{.version = "bISO-2.0", .points = 0xFFFFFFFF, .profiles = 0xFFFFFFFF}.bytes() + six(1.0)),
               "declares 4294967295 x 4294967295 heights"));
     CHECK(has(refusal(Header{.points = 65535, .profiles = 65535}.bytes() + six(1.0)), "declares 65535 x 65535"));

@@ -107,7 +107,7 @@ TEST_CASE("A check sum is compared modulo 65535 and 65536, and one that fits nei
     CHECK(read(other.bytes()).record.said("check sum") == "agrees");
 }
 
-TEST_CASE("Words stand for missing points of a profile in records") {
+TEST_CASE("Words denote missing points of a profile in records") {
     Smd gap;
     gap.data.replace(0, 4, "BAD");
     const io::Reading found = read(gap.bytes());

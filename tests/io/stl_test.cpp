@@ -17,7 +17,7 @@ io::Reading read(const std::string& bytes) { return io::read_stl(bytes, "file.st
 std::string refusal(const std::string& bytes) {
     return test::refusal([&] { (void)read(bytes); });
 }
-/// Where corner \p corner of triangle \p triangle stands in a binary file.
+/// Position of corner \p corner of triangle \p triangle in a binary file.
 constexpr std::size_t place(std::size_t triangle, std::size_t corner) { return 84 + 50 * triangle + 12 + 12 * corner; }
 
 }  // namespace

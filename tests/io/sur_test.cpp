@@ -71,7 +71,7 @@ struct File {
 
 }  // namespace
 
-TEST_CASE("Surfaces of 16 and 32 bits and both byte orders are read, behind a comment and a private zone") {
+TEST_CASE("Surfaces of 16 and 32 bits and both byte orders are read after a comment and a private zone") {
     const int bits = GENERATE(16, 32), order = GENERATE(0, 257);
     const std::string comment = GENERATE("", "a comment");
     CAPTURE(bits, order, comment);
@@ -91,7 +91,7 @@ TEST_CASE("Surfaces of 16 and 32 bits and both byte orders are read, behind a co
     CHECK(found.record.warnings.empty());
 }
 
-TEST_CASE("The lowest number less 2 is missing where the header says that missing points are marked") {
+TEST_CASE("The lowest number less 2 is missing where the header marks missing points") {
     const File marked{.marked = 1, .lowest = 2, .numbers = {0, 2, 3, 0, 5, 6}};
     CHECK(read(marked.bytes()).record.missing == 2);
     CHECK(std::isnan(read(marked.bytes()).map.at(1, 0)));
@@ -144,14 +144,14 @@ TEST_CASE("A file of Digital Surf is known by its first bytes, one row is a prof
 
 namespace {
 
-/// Stands for zlib: a stream is its bytes, each turned over.
+/// Replacement of zlib: a stream is its bytes, each inverted.
 bool turn_over(std::string_view stream, std::span<char> out) {
     if (stream.size() != out.size()) return false;
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<char>(~stream[i]);
     return true;
 }
 
-/// A compressed file of streams of the sizes \p parts (the last has what is left); \p declare(i, size) may lie about
+/// A compressed file of streams of the sizes \p parts (the last has the rest); \p declare(i, size) may lie about
 /// them.
 std::string compressed(const File& file, std::vector<std::size_t> parts,
                        const std::function<std::size_t(std::size_t, std::size_t)>& declare = {}) {

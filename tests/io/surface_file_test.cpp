@@ -45,7 +45,7 @@ std::string grid() {
 
 }  // namespace
 
-TEST_CASE("Measured files equal what independent readers find, number for number") {
+TEST_CASE("Measured files equal the values of independent readers number for number") {
     const test::Table table("surfaces_expected.csv");
     if (!std::filesystem::exists(FSTIFF_SURFACES))
         SKIP_CASE("there is no folder of measured surfaces " FSTIFF_SURFACES);
@@ -111,7 +111,7 @@ TEST_CASE("Measured files equal what independent readers find, number for number
     }
 }
 
-TEST_CASE("Text without units is refused, and says how to give them") {
+TEST_CASE("Text without units is refused with the way to give them") {
     CHECK(has(refusal(grid()), "states no units"));
     CHECK(has(refusal(profile_rows()), "states no unit"));
     const std::filesystem::path folder = FSTIFF_SURFACES;
@@ -134,7 +134,7 @@ TEST_CASE("The form of a text follows from its columns") {
           "format: triples, from three columns, the first two of which form a grid");
 }
 
-TEST_CASE("What could be two things is refused, and the option format decides") {
+TEST_CASE("Ambiguous files are refused and the option format decides") {
     CHECK(
         has(refusal(columns_of_numbers(3), {.units = "um"}), "format = triples, format = matrix, or format = profile"));
     const std::string sized = "Width: 3 um\nHeight: 3 um\nunit: nm\n";
@@ -192,7 +192,7 @@ TEST_CASE("Formats have names") {
               "stl, netcdf, opdx"));
 }
 
-TEST_CASE("What the readers of text warn of is told of the surface") {
+TEST_CASE("Warnings of the text readers are reported with the surface") {
     CHECK(read("x [um] z [nm]\n" + profile_rows(), {.units = "mm"}).record.warnings.size() == 2);
     CHECK(
         read("Width: 3 um\nHeight: 3 um\nunit: nm\n" + columns_of_numbers(3), {.width = 9e-6}).record.warnings.size() ==

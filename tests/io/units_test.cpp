@@ -59,12 +59,12 @@ TEST_CASE("Inches in thousands and millionths, and words in other languages, are
     CHECK(test::ulps(io::unit_factor("inches", Dimension::length), 25.4e-3) <= 1);
     for (const char* unit : {"Mikrometer", "mikrometer", "microm\xC3\xA8tre", "Microm\xC3\xA8tres"})
         CHECK(io::unit_factor(unit, Dimension::length) == 1e-6);
-    // what is refused names every unit that is read
+    // the message lists every unit that is read
     const std::string why = test::refusal([] { (void)io::unit_factor("parsec", Dimension::length); });
     CHECK(why.find("allowed are m, km, cm, mm, um, nm, angstrom, pm, in, mil, uin") != std::string::npos);
 }
 
-TEST_CASE("Any blank may stand between a number and its unit") {
+TEST_CASE("Any blank may separate a number and its unit") {
     for (const std::string blank : {" ", "\t", "\xC2\xA0", "\xE2\x80\x89", "\xE2\x80\xAF", "\xE2\x80\x87",
                                     "\xE3\x80\x80", "\xA0", " \xC2\xA0 "}) {
         CAPTURE(blank);

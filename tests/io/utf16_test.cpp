@@ -59,7 +59,7 @@ TEST_CASE("Halves of characters are refused at their byte") {
     CHECK(has(refusal("\xFE\xFF\0\x4D\x04"s), "byte 5 begins no whole character"));
 }
 
-TEST_CASE("A text in UTF-16 is read as its twin in UTF-8 is, and says so") {
+TEST_CASE("A text in UTF-16 is read like its twin in UTF-8 and its record reports it") {
     const bool big = GENERATE(false, true);
     const std::u16string text = rows(u"x [\u00B5m]\tz [nm]");
     std::string narrow;

@@ -36,7 +36,7 @@ TEST_CASE("A map of Keyence is numbers times the step of its settings") {
     test::check_sample(read(put(narrow, image + 8, little(8, 4))), 0.5e-6, 0.25e-6, 1e-10, false);
 }
 
-TEST_CASE("Of several images of heights the first is read, and the others are told") {
+TEST_CASE("The first of several images of heights is read and the others are reported") {
     const std::string whole = put(test::sample("vk4/map.vk4"), 40, little(300, 4));
     CHECK(read(whole).record.said("other images of heights") == "1, not read");
     test::check_sample(read(put(put(whole, 40, little(image, 4)), 36, little(0, 4))), 0.5e-6, 0.25e-6, 1e-10, false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written, the reader must give back; what a file cannot hold is refused.
+// The reader returns the written data; data that a file cannot hold are refused.
 #include <fstiff/io/write.hpp>
 #include "io/sdf.hpp"
 
@@ -21,7 +21,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-TEST_CASE("What is written comes back bit for bit, text and binary") {
+TEST_CASE("Written text and binary files are read back bit for bit") {
     const bool binary = GENERATE(true, false);
     const HeightMap<double> map = test::rough_map();
     std::ostringstream output;

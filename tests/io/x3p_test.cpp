@@ -177,7 +177,7 @@ TEST_CASE("Every damaged archive is refused with a sentence") {
         CAPTURE(size);
         REQUIRE(!refusal(bytes.substr(0, size)).empty());
     }
-    // one bit of the heights: the CRC knows
+    // one bit of the heights: the CRC differs
     std::string stored = zipped({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}}, false);
     const std::size_t place = stored.find(heights<double>());
     REQUIRE(place != std::string::npos);
@@ -206,7 +206,7 @@ TEST_CASE("Descriptions that cannot be read are refused with element, value and 
     CHECK(has(refusal(Main{}, infinite), "height 1 is infinite"));
 }
 
-TEST_CASE("An increment beside heights of floating point is said, and may be ignored") {
+TEST_CASE("An increment with heights of floating point is reported and may be ignored") {
     const std::string bytes = zipped({{"main.xml", Main().text()}, {"bindata/data.bin", heights<double>()}});
     const auto reading = [&](io::X3pIncrement increment) {
         return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment});
@@ -227,7 +227,7 @@ TEST_CASE("An increment beside heights of floating point is said, and may be ign
                   .record.warnings.empty());
 }
 
-TEST_CASE("An archive that is no X3P file is called what it is") {
+TEST_CASE("An archive that is no X3P file is named by its type") {
     CHECK(refusal(zipped({{"xl/workbook.xml", "x"}})).find("Excel workbook (.xlsx)") != std::string::npos);
     CHECK(refusal(zipped({{"LAYER_0.raw", "x"}, {"index.xml", "x"}})).find("Sensofar") != std::string::npos);
     CHECK(refusal(zipped({{"heights.npy", "x"}})).find("NumPy") != std::string::npos);

@@ -38,7 +38,8 @@ const std::string unreadable = "\"a\" has no readable entry; must be a whole X3P
 
 }  // namespace
 
-TEST_CASE("Files of an archive are read, stored or deflated, with sizes of 32 or 64 bits, a comment behind it or not") {
+TEST_CASE(
+    "Stored and deflated files of an archive are read with sizes of 32 or 64 bits and with or without a comment") {
     const bool deflate = GENERATE(true, false), sizes64 = GENERATE(true, false);
     std::string bytes = zipped(two, deflate, {.sizes64 = sizes64});
     if (GENERATE(true, false)) {
@@ -53,7 +54,7 @@ TEST_CASE("Files of an archive are read, stored or deflated, with sizes of 32 or
     CHECK(!archive.find("c"));
 }
 
-TEST_CASE("Empty files and empty archives are what they are") {
+TEST_CASE("Empty files and empty archives are read") {
     CHECK(first(zipped({{"a", ""}}, GENERATE(true, false))).empty());
     CHECK(io::detail::ZipArchive(zipped({}), "file", {}).names().empty());
 }
@@ -116,7 +117,7 @@ TEST_CASE("Sizes and places outside of the file are refused") {
 TEST_CASE("Encrypted files and other methods are refused") {
     CHECK(refused({.flags = 1}, "\"a\" is encrypted; must not be"));
     CHECK(refused({.method = 12}, "\"a\" cannot be inflated; must be deflated or stored"));
-    CHECK(first(zipped(two, true, {.flags = 8})) == text);  // sizes behind the bytes too; those of the directory count
+    CHECK(first(zipped(two, true, {.flags = 8})) == text);  // sizes after the bytes too; those of the directory count
 }
 
 }  // namespace zip_archive_test

@@ -19,7 +19,7 @@ TEST_CASE("two_sum gives the rounding of a sum, whichever is larger") {
     }
 }
 
-TEST_CASE("A compensated sum keeps what a plain one loses") {
+TEST_CASE("A compensated sum keeps the digits that a plain one loses") {
     math::CompensatedSum<double> sum;
     double plain = 0;
     for (const double term : {1.0, 0x1p100, 1.0, -0x1p100}) {

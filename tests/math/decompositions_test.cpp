@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decompositions of small matrices against what defines them, and matrices whose rank is known.
+// Decompositions of small matrices against their definitions, and matrices whose rank is known.
 #include <fstiff/math/decompositions.hpp>
 
 #include "support/catch.hpp"
@@ -49,8 +49,8 @@ bool is_rounding(T error) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("what a least-squares solution leaves is normal to the columns", "[decompositions]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("the residual of a least-squares solution is normal to the columns", "[decompositions]", float,
+                   double, long double) {
     using T = TestType;
     std::mt19937 generator(1);
     for (const Eigen::Index columns : {1, 2, 5, 10})

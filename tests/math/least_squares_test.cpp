@@ -70,7 +70,7 @@ TEST_CASE("the valley of Rosenbrock leads to its end, around what is outside") {
     CHECK(std::abs(fit.parameters(1) - 1) < 1e-10);
 }
 
-TEST_CASE("what the residuals do not depend on is called singular, with the direction") {
+TEST_CASE("parameters without effect on the residuals are singular and have the direction") {
     const Vector x = Vector::LinSpaced(5, 1, 2);
     const auto fit = math::least_squares<double>(Vector::Ones(3), 5, [&](const Vector& p, Vector& f, Matrix& j) {
         const Eigen::ArrayXd value = p(0) + p(1) * p(2) * x.array();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rests of forms that are known: rounding of the scalar, of steps, and what is more than either.
+// Residuals of known forms: rounding of the scalar, of steps, and more than either.
 #include <fstiff/math/rounding.hpp>
 
 #include "support/catch.hpp"
@@ -12,7 +12,7 @@ using fstiff::math::is_rounding;
 
 namespace {
 
-/// What rounding a line of \p slope to steps of \p step, and \p wave on it, leave of it, by the line itself.
+/// Residual of a line of \p slope with \p wave on it, rounded to steps of \p step, from the line itself.
 bool rounding(double slope, double step, double wave, double resolution, double unit) {
     std::vector<double> z(400), rest(400);
     for (std::size_t i = 0; i < z.size(); ++i) {
@@ -27,7 +27,7 @@ bool rounding(double slope, double step, double wave, double resolution, double 
 
 }  // namespace
 
-TEST_CASE("Rounding is told from roughness, in every unit of length") {
+TEST_CASE("Rounding is distinguished from roughness in every unit of length") {
     for (const double unit : {1.0, 1e-9, 1e12}) {
         INFO(unit);
         CHECK(rounding(1. / 3, 0, 0, 0, unit));           // of the scalar
@@ -38,7 +38,7 @@ TEST_CASE("Rounding is told from roughness, in every unit of length") {
         CHECK_FALSE(rounding(0.3, 1, 2, 0, unit));      // steps of something rough
         CHECK_FALSE(rounding(7, 0.001, 0.1, 0, unit));  // steep and smooth to many digits
         CHECK_FALSE(rounding(7, 0, 0.1, 0, unit));
-        CHECK(rounding(1. / 3, 1e-6, 0, 1e-6, unit));  // of steps that the digits tell
+        CHECK(rounding(1. / 3, 1e-6, 0, 1e-6, unit));  // of steps that the digits show
         CHECK_FALSE(rounding(1. / 3, 1e-6, 1e-5, 1e-6, unit));
     }
     const std::vector<double> two{0, 1, 1, 0, 0, 1, 0, 1}, rest{-.5, .5, .5, -.5, -.5, .5, -.5, .5};

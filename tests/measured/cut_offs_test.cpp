@@ -93,7 +93,7 @@ TEST_CASE("lambda_s by the tables stays below a given lambda_c") {
     CHECK(form.why_s == parts::LambdaSReason::not_below_lambda_c);
 }
 
-TEST_CASE("What is given is taken, and none is none") {
+TEST_CASE("Given cut-offs are used and none means no filter") {
     const auto profile = line(0.5e-6, 16384);
     const auto given =
         parts::choose_cut_offs(profile, {.lambda_s = 3e-6, .lambda_c = 0.3e-3, .filter = CutOffFilter::robust});

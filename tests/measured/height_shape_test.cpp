@@ -121,7 +121,7 @@ TEST_CASE("Maps and several traces are one surface") {
     CHECK(rows.share() < skewed.share());
 }
 
-TEST_CASE("What counts of a shape lies between a Gaussian one and the whole") {
+TEST_CASE("The counted part of a shape lies between a Gaussian one and the whole") {
     const auto half = parts::counted_shape(1.0, 5.0, 0.5);
     CHECK(half.skewness == 0.5);
     CHECK(half.kurtosis == 4);

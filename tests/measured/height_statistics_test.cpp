@@ -44,7 +44,7 @@ TEST_CASE("skewness, kurtosis and gradient of a profile are plain sums about the
     CHECK(std::abs(found.kurtosis.value - 9) < 4 * found.kurtosis.error);
 }
 
-TEST_CASE("of a map the moments are those of its areal statistics") {
+TEST_CASE("the moments of a map are those of its areal statistics") {
     const auto map = self_affine_map<double>({.hurst = 0.8, .rms = 1e-7, .longest_wavelength = 3e-5, .seed = 5}, 128,
                                              96, 1e-6, 1.5e-6);
     const auto found = height_statistics(map);

@@ -51,7 +51,7 @@ TEST_CASE("A profile across grooves repeats itself with their period, whatever t
     }
 }
 
-TEST_CASE("A cosine repeats itself to 1 less what the last quarter lacks of pairs") {
+TEST_CASE("A cosine repeats itself to 1 less the pairs missing in the last quarter") {
     Profile<double> wave{{}, 1e-6};
     for (int i = 0; i < 4096; ++i) wave.heights.push_back(std::cos(2 * numbers::pi_v<double> * i / 64));
     const detail::Repetition<double> found = detail::repetition(wave);
@@ -59,7 +59,7 @@ TEST_CASE("A cosine repeats itself to 1 less what the last quarter lacks of pair
     CHECK(std::abs(found.period - 64e-6) < 1e-18);
 }
 
-TEST_CASE("Of 400 profiles without a lay at most 4 repeat themselves") {
+TEST_CASE("At most 4 of 400 profiles without a lay repeat themselves") {
     int said = 0;
     for (const double hurst : {0.2, 0.5, 0.8, 0.95})
         for (const double longest : {2048e-6, 512e-6, 128e-6, 32e-6})
@@ -69,7 +69,7 @@ TEST_CASE("Of 400 profiles without a lay at most 4 repeat themselves") {
     CHECK(said <= 4);
 }
 
-TEST_CASE("Str tells a map with grooves and a stretched one from an isotropic one") {
+TEST_CASE("Str distinguishes a map with grooves and a stretched one from an isotropic one") {
     HeightMap<double> map = self_affine_map(rough(0.8, 40e-6, 5), 128, 128, 1e-6, 1e-6);
     const double isotropic = detail::texture_aspect_ratio(map);
     CHECK(isotropic > 0.5);

@@ -70,7 +70,7 @@ TEST_CASE("Waves of unlike numbers of periods make the share and the error of th
         }
         CHECK(test::relative_error(detail::variance_of_power_law(long_ones / all, false), 2 * squares / (all * all)) <
               1e-3);
-        // of eight periods and more nothing is said
+        // waves of eight periods and more are not covered
         const auto shorter = detail::long_waves<double>(wave(rows, columns, 16, 0), 1);
         CHECK(shorter.share < 1e-20);
         CHECK(shorter.error < 1e-20);

@@ -52,7 +52,7 @@ TEST_CASE("A measured profile has the parameters of its steps taken by hand") {
     const Surface<double> surface = measure(profile);
     const parts::LevelledProfile<double> flat = parts::level(profile, Form::line, {}, 0, 2.5e-6);
     CHECK(surface.cut_offs.lambda_s == 2.5e-6);
-    CHECK_FALSE(surface.cut_offs.lambda_c);  // a contact feels all waves but the form
+    CHECK_FALSE(surface.cut_offs.lambda_c);  // a contact depends on all waves except the form
     CHECK(surface.cut_offs.why_c == parts::CutOffReason::form_alone);
     parts::SurfaceParameterOptions<double> how;
     how.fit.lambda_s = 2.5e-6;
@@ -128,7 +128,7 @@ TEST_CASE("The neighbours are the surface with a shorter and a longer lambda_s, 
     CHECK(map.neighbours[0].size == map.size);
 }
 
-TEST_CASE("What is left out leaves all else as it is") {
+TEST_CASE("Omitted parts leave all others unchanged") {
     const HeightMap<double> map = some_map();
     const Surface<double> whole = measure(map, {.lambda_s = 2e-6});
     const Surface<double> lean = measure(map, {.lambda_s = 2e-6, .neighbour_dimensions = false});
@@ -148,7 +148,7 @@ TEST_CASE("What is left out leaves all else as it is") {
     CHECK(measure(map, {.texture = false, .neighbours = false}).texture_aspect_ratio == 1);
 }
 
-TEST_CASE("Concerns are told, and each by what it is about") {
+TEST_CASE("Concerns are reported each with its cause") {
     CHECK_FALSE(has(measure(trace(), {.neighbours = false}), MeasuredConcern::implausible_gradient));
     CHECK(has(measure(trace(30e-6), {.neighbours = false}), MeasuredConcern::implausible_gradient));
     auto ridges = trace();
@@ -190,7 +190,7 @@ TEST_CASE("A surface is cleaned before it is measured, and options reach their s
     CHECK(of_map.rms_height.value < 1e-6);
 }
 
-TEST_CASE("What does not fit a surface is refused") {
+TEST_CASE("Options that do not fit a surface are refused") {
     CHECK_THROWS_AS(measure(trace(), {.peaks = parts::PeakSource::summits}), domain_error);
     CHECK_THROWS_AS(measure(some_map(), {.tip_radius = 1e-6}), domain_error);
     CHECK_THROWS_AS(measure(trace(), {.lambda_s = 0.9e-6}), domain_error);

@@ -42,7 +42,7 @@ TEST_CASE("A sound fit has no concerns") {
     CHECK(concerns_of(sound_fit(), levelled, std::optional(spectrum)).empty());
 }
 
-TEST_CASE("A fit tells each concern beyond its limit") {
+TEST_CASE("A fit reports each concern beyond its limit") {
     auto fit = sound_fit();
     fit.curved = true;
     CHECK(concerns_of(fit) == Concerns{curved});
@@ -70,7 +70,7 @@ TEST_CASE("A fit tells each concern beyond its limit") {
     CHECK(concerns_of(sound_fit(), {}, std::optional(spectrum)).empty());
 }
 
-TEST_CASE("A surface tells each concern beyond its limit") {
+TEST_CASE("A surface reports each concern beyond its limit") {
     parts::SurfaceParameters<double> surface;
     surface.peak_radius = {1e-6, 0.299e-6};
     surface.peak_density = {1e9, 0.299e9};
@@ -91,8 +91,8 @@ TEST_CASE("A surface tells each concern beyond its limit") {
 }
 
 TEST_CASE(
-    "A parameter with an error above half its value is not known, and R and D_p of islands densest at an end are "
-    "nothing") {
+    "A parameter with an error above half its value is not known and islands with maximum density at an end give no R "
+    "and D_p") {
     parts::SurfaceParameters<double> surface;
     surface.peaks_counted = 30;
     surface.rms_height = {1e-6, 0.5e-6};
@@ -100,7 +100,7 @@ TEST_CASE(
     CHECK(concerns_of(surface).empty());
     surface.r->error = 0.2001;
     CHECK(concerns_of(surface) == Concerns{parameter_unknown});
-    surface.long_wave_share = 0.751;  // which says why, and is no doubt of its own
+    surface.long_wave_share = 0.751;  // which gives the reason, and is no separate doubt
     CHECK(concerns_of(surface) == Concerns{long_waves});
     surface.long_wave_share = 0.75;
     surface.r.reset();
@@ -127,7 +127,7 @@ TEST_CASE(
            !parts::is_fatal(radius_uncertain)));
 }
 
-TEST_CASE("A map that is stretched is told to be anisotropic") {
+TEST_CASE("A map that is stretched is reported as anisotropic") {
     auto map = self_affine_map<double>({.hurst = 0.6, .rms = 1e-6, .seed = 3}, 256, 256, 1e-6, 1e-6);
     map.dx *= 4;
     const Concerns found = concerns_of(parts::surface_parameters(parts::level(map, MapForm::plane)));

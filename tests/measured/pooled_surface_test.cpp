@@ -65,7 +65,7 @@ TEST_CASE("unlike measurements: means of the spectra, and the scatter is the err
     CHECK_THROWS_AS(pooled(std::vector<Surface<double>>{}), domain_error);
 }
 
-TEST_CASE("a concern of every measurement is one of the whole, and what is not known of one may be of all") {
+TEST_CASE("a concern of every measurement is one of the whole and values missing in one may be known for all") {
     using enum MeasuredConcern;
     auto a = one_of(1e-6, 2e-5, 1e9, 0.4, 1e-3);
     a.r->error = a.theta->error = 0.01;

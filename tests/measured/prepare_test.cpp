@@ -72,7 +72,7 @@ TEST_CASE("A profile loses its form, then lambda_s, and for Ra the lambda_c of w
     for (std::size_t i = 1; i < profile.size(); ++i)
         squares += std::pow((prepared.profile.heights[i] - prepared.profile.heights[i - 1]) / 0.5e-6, 2);
     CHECK(std::abs(prepared.rms_gradient / std::sqrt(2 * squares / 8191) - 1) < 1e-12);
-    // the test sees the order: filters before the form leave other heights
+    // the test depends on the order: filters before the form leave other heights
     CHECK_FALSE(same(
         prepared.profile,
         detail::detrend(parts::gaussian_roughness(parts::gaussian_low_pass(profile, 2.5e-6), 0.8e-3), Form::line)));
@@ -164,7 +164,7 @@ TEST_CASE("A profile is cropped, masked, freed of spikes and filled, in this ord
     Profile<double> cleaned = profile;
     const parts::CleaningReport report = parts::clean(cleaned, how);
     CHECK(report.columns_read == 100);
-    CHECK(report.columns == 71);  // 10 to 80: a bound a rounding beside a point takes it
+    CHECK(report.columns == 71);  // 10 to 80: a bound within rounding of a point includes it
     CHECK(report.rows == 1);
     CHECK(report.masked == 1);
     CHECK(report.spikes == 1);

@@ -24,7 +24,7 @@ const auto both = [](const auto& x) { return std::vector<double>{x[0], x[3]}; };
 
 }  // namespace
 
-TEST_CASE("The band of a parameter is that of its distribution, within what so many surfaces tell") {
+TEST_CASE("The band of a parameter is that of its distribution within the error of so many surfaces") {
     const double s = std::sqrt(std::log1p(0.04));
     int outside = 0;
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
@@ -42,7 +42,7 @@ TEST_CASE("The band of a parameter is that of its distribution, within what so m
     CHECK(outside >= 1);
 }
 
-TEST_CASE("The same seed gives the same band, and what is not a number is counted apart") {
+TEST_CASE("The same seed gives the same band and values that are no numbers are counted separately") {
     std::vector<std::size_t> done;
     const auto hook = [&](std::string_view what, std::size_t i, std::size_t all) {
         CHECK((what == "surfaces" && all == 30));

@@ -99,13 +99,13 @@ TEST_CASE("D along x and along y is 2 - H, and isotropic maps are not called ani
     }
     CAPTURE(warned, maps, std::sqrt(claimed), std::sqrt(scatter));
     CHECK(warned <= 2);  // of 39: three standard errors, twice a map
-    // 78 values, of which the two of a map are not independent: the ratio is known to some 12 %
+    // 78 values; the two of a map are not independent: the ratio is known to some 12 %
     CHECK(std::sqrt(claimed / scatter) > 0.6);
     CHECK(std::sqrt(claimed / scatter) < 1.8);  // it holds what waves beyond the band may add as well
 }
 
 TEST_CASE("Isotropic maps whose windows fall apart are not called anisotropic") {
-    // small maps of waves no longer than half their side: the windows of some directions stand at the short end, of
+    // small maps of waves no longer than half their side: the windows of some directions are at the short end, of
     // others at the long one, and D of each by itself differed by up to 0.3
     int apart = 0, warned = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -181,7 +181,7 @@ TEST_CASE("Seed and resamples of the rows are those asked for") {
     CHECK((same.colwise() - same.col(0)).cwiseAbs().maxCoeff() <= 1e-12);
 }
 
-TEST_CASE("Maps without sections to fit say why") {
+TEST_CASE("Maps without sections to fit give the reason") {
     const auto map = self_affine(0.5, 64, 64, 1);
     CHECK(test::refusal([&] { (void)parts::fit_directions(map, {.tip_radius = 1e-6}); }).find("tip radius = ") == 0);
     CHECK(test::refusal([&] { (void)parts::fit_directions(map, {.resamples = -1}); }).find("resamples = -1") == 0);

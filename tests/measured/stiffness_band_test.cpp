@@ -91,7 +91,7 @@ TEST_CASE("The band over the error of the density of peaks is that of its quanti
         }
 }
 
-TEST_CASE("Surfaces that do not reach a pressure are left out there, and what cannot be is refused") {
+TEST_CASE("Surfaces that do not reach a pressure are left out there and impossible ones are refused") {
     parts::SurfaceParameters<double> s = surface();
     s.rms_height.error = 0.2e-6;
     const auto at =

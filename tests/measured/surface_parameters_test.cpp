@@ -46,7 +46,7 @@ struct Spectrum {
     [[nodiscard]] double density() const { return m4 / (6 * pi * std::sqrt(3.0) * m2); }  // Nayak
 };
 
-/// What synthetic/self_affine.hpp says that it makes, added up on its own.
+/// Sums over the spectrum that synthetic/self_affine.hpp documents, computed independently.
 Spectrum spectrum_of(const SelfAffineOptions<double>& o, int columns, int rows, double step) {
     Spectrum s;
     const bool map = rows > 1;
@@ -83,7 +83,7 @@ HeightMap<double> short_map(double hurst, std::uint64_t seed, Eigen::Index side 
     return {self_affine_map<double>(options, n, n, 1e-6, 1e-6).heights.topLeftCorner(side, side), 1e-6, 1e-6};
 }
 
-/// Points and triples of neighbours in the rows, in long double; what is missing is left out.
+/// Points and triples of neighbours in the rows, in long double; missing points are left out.
 struct PlainSums {
     long double points{}, mean{}, variance{}, highest{}, triples{}, slope{}, curvature{}, peaks{};  // steps of 1
 
@@ -116,7 +116,7 @@ struct PlainSums {
     }
 };
 
-/// Estimates of many surfaces: their scatter beside the errors stated.
+/// Estimates of many surfaces: their scatter and the stated errors.
 struct Scatter {
     std::vector<Eigen::Array<double, 6, 1>> values;  // sigma, R, D_p, R_p, r, theta
     Eigen::Array<double, 6, 1> stated = Eigen::Array<double, 6, 1>::Zero();
@@ -144,7 +144,7 @@ struct Scatter {
     [[nodiscard]] double ratio(Eigen::Index i) const { return stated[i] / count() / std::sqrt(covariance(i, i)); }
 };
 
-/// What must hold of every result.
+/// Conditions for every result.
 void check_sound(const parts::SurfaceParameters<double>& s) {
     for (const auto& one : {s.rms_height, s.peak_radius, s.peak_density, s.max_peak_height}) {
         CHECK((std::isfinite(one.value) && one.value > 0));
@@ -161,7 +161,7 @@ void check_sound(const parts::SurfaceParameters<double>& s) {
         for (std::size_t j = 0; j < parts::surface_parameter_count; ++j) {
             CHECK(s.correlation[i][j] == s.correlation[j][i]);
             CHECK(std::abs(s.correlation[i][j]) <= 1);
-            // no noise of rounding: either nothing, or what resamples of a surface can tell from nothing
+            // no noise of rounding: either 0, or a value that resamples of a surface distinguish from 0
             CHECK((s.correlation[i][j] == 0 || std::abs(s.correlation[i][j]) > 1e-9));
         }
 }
@@ -190,7 +190,7 @@ TEST_CASE("A profile of known spectrum gives back sigma, R, D_p, r and theta") {
     CHECK(deviations(*found.theta, truth.theta()) <= 4);
     const double ratio = truth.theta() / pi / profile.spacing;  // peaks per length, (4.3)
     CHECK(deviations(found.peak_density, 2 * pi / (3 * std::sqrt(3.0)) * ratio * ratio) <= 4);
-    // what those are worth as R and D_p of the surface itself: the shortest wave has 16 samples
+    // accuracy of these as R and D_p of the surface itself: the shortest wave has 16 samples
     CHECK(test::relative_error(truth.radius(), 3 * std::sqrt(pi) / (8 * std::sqrt(truth.m4))) <= 0.015);
     CHECK(test::relative_error(2 * pi / (3 * std::sqrt(3.0)) * ratio * ratio, truth.density()) <= 0.015);
     // 30000 samples are some 1900 of the shortest waves and 60 of the longest
@@ -306,7 +306,7 @@ TEST_CASE("A Weierstrass-Mandelbrot profile has the mean squares of its waves, a
     }
     const auto found = parts::surface_parameters(wm.sample(30000, step));
     check_sound(found);
-    // 30 of the longest waves, of which the products of different ones average out as 1/30
+    // 30 of the longest waves; the products of different ones average out as 1/30
     CHECK(test::relative_error(found.rms_height.value, truth.sigma()) <= 0.02);
     CHECK(test::relative_error(found.peak_radius.value, truth.radius()) <= 0.01);
     CHECK(test::relative_error(found.r->value, truth.r()) <= 0.02);
@@ -354,7 +354,7 @@ TEST_CASE("The errors stated are the scatter of many surfaces") {
                                     {.peaks = kind == 1 ? parts::PeakSource::summits : parts::PeakSource::islands}));
     Eigen::Array<double, 6, 1> least, most;
     least << 0.7, 0.7, 0.7, 0.3, 0.7, 0.7;
-    // r carries what the long waves leave open of sigma, of the long side of chi^2
+    // r has the uncertainty of sigma from the long waves, on the long side of chi^2
     most << 1.4, 1.4, kind == 2 ? 1.9 : 1.4, 0.9, 1.7, 1.4;
     for (Eigen::Index i = 0; i < 6; ++i) {
         CAPTURE(kind, hurst, i, scatter.ratio(i));
@@ -366,7 +366,7 @@ TEST_CASE("The errors stated are the scatter of many surfaces") {
             const double seen =
                 scatter.covariance(i, j) / std::sqrt(scatter.covariance(i, i) * scatter.covariance(j, j));
             const double stated = scatter.correlation(i, j) / scatter.count();
-            // islands are resampled on their own: their errors are taken for independent of those of the heights
+            // islands are resampled separately: their errors are assumed independent of those of the heights
             const bool apart = kind == 2 && ((i == 1 || i == 2) != (j == 1 || j == 2));
             CAPTURE(j, seen, stated);
             CHECK((apart ? stated == 0 : std::abs(seen - stated) <= 0.39));  // 3/sqrt(60)
@@ -374,7 +374,7 @@ TEST_CASE("The errors stated are the scatter of many surfaces") {
     }
 }
 
-TEST_CASE("Waves longer than the profile: the errors of sigma and r hold what one profile cannot show") {
+TEST_CASE("The errors of sigma and r include waves longer than the profile") {
     Scatter scatter;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const auto z = self_affine_profile<double>({.hurst = 0.8,
@@ -438,7 +438,7 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
     const double length = units.length, height = units.height, tolerance = units.tolerance;
     const auto same = [&](const Measurement<double>& there, const Measurement<double>& here, double unit) {
         CHECK(test::relative_error(there.value / unit, here.value) <= tolerance);
-        // errors are differences between resamples: what is lost in them is 1e-2 of the value at most
+        // errors are differences between resamples: they lose 1e-2 of the value at most
         CHECK(test::relative_error(there.error / unit, here.error) <= 100 * tolerance);
     };
     const auto compare = [&](const parts::SurfaceParameters<double>& there,
@@ -494,7 +494,7 @@ TEST_CASE("The seed decides the errors, and nothing else") {
     CHECK(test::relative_error(a.peak_radius.error, c.peak_radius.error) <= 0.15);  // 400 draws know it to 3.5 % each
 }
 
-TEST_CASE("The correlation of islands with the heights is nothing, not the rounding of constant columns") {
+TEST_CASE("The correlation of islands with the heights is 0 and not the rounding of constant columns") {
     const auto found = parts::surface_parameters(short_map(0.5, 9));
     check_sound(found);
     for (const Parameter island : {Parameter::peak_radius, Parameter::peak_density})
@@ -534,7 +534,7 @@ TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is 
 }
 
 TEST_CASE("Small maps have the errors of their summits") {
-    // tiles of 2 x 2 points: summits need neighbours in the tiles beside
+    // tiles of 2 x 2 points: summits need neighbours in the next tiles
     const auto map = self_affine_map<double>({.hurst = 0.2, .rms = 1e-6}, 8, 8, 1e-6, 1e-6);
     const auto found = parts::surface_parameters(map, {.peaks = parts::PeakSource::summits});
     check_sound(found);
@@ -543,7 +543,7 @@ TEST_CASE("Small maps have the errors of their summits") {
     CHECK(found.peak_density.error > 0.1 * found.peak_density.value);
 }
 
-TEST_CASE("Surfaces without what it takes are refused in a sentence") {
+TEST_CASE("Surfaces without the necessary points are refused in a sentence") {
     const auto of_profile = [](Profile<double> profile, const parts::SurfaceParameterOptions<double>& how = {}) {
         return test::refusal([&] { (void)parts::surface_parameters(profile, how); });
     };
@@ -619,7 +619,7 @@ TEST_CASE("Surfaces without what it takes are refused in a sentence") {
     }
 }
 
-TEST_CASE("A profile of one peak has that peak, and says how little it knows of the density") {
+TEST_CASE("A profile of one peak has that peak and a large error of the density") {
     Profile<double> one{{}, 1e-6};
     for (int i = 0; i < 64; ++i) one.heights.push_back(1e-6 / (1 + 0.01 * (i - 30) * (i - 30)));
     const auto found = parts::surface_parameters(one);
@@ -649,13 +649,13 @@ TEST_CASE("The errors of islands of a real map contain the difference of its hal
         square += apart * apart / 4;  // a half has twice the variance of the whole
         stated += 0.5 * whole.peak_radius.error * whole.peak_radius.error * 2;
     }
-    // two numbers know their scatter to a factor of two or so
+    // the scatter of two numbers is known to a factor of two or so
     CAPTURE(whole.peak_radius.error / whole.peak_radius.value, std::sqrt(stated / square));
     CHECK(std::sqrt(stated / square) >= 0.5);
     CHECK(std::sqrt(stated / square) <= 4);
 }
 
-TEST_CASE("The fits and the islands behind the numbers are kept, and are those of their own functions") {
+TEST_CASE("The fits and the islands of the numbers are kept and are those of their own functions") {
     parts::SurfaceParameterOptions<double> how;
     how.fit.resamples = 20;
     how.resamples = 20;

@@ -55,7 +55,7 @@ TEST_CASE("errors of a sum of two faces are those of its derivatives") {
     CHECK(sum.theta);
 }
 
-TEST_CASE("beside a face that is nearly smooth the errors stay") {
+TEST_CASE("with a face that is nearly smooth the errors stay") {
     const auto a = face(1e-6, 2e-5, 1e9, 1.3, 0.05);
     auto b = face(1e-15, 2e4, 1e9, 1.3, 0.05);
     const auto sum = sum_of(a, b);

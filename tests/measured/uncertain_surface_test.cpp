@@ -21,7 +21,7 @@ std::size_t place(Parameter which) { return static_cast<std::size_t>(which); }
 /// The parameter \p i of \p s, which is known.
 auto& at(auto& s, std::size_t i) { return *s.find(static_cast<Parameter>(i)); }
 
-/// Everything known, errors of 5 % and so small beside the ranges that nothing is cut off, a correlation of each kind.
+/// All parameters, errors of 5 %, too small to reach the ends of the ranges, and a correlation of each kind.
 parts::SurfaceParameters<double> surface() {
     parts::SurfaceParameters<double> s;
     s.set(Parameter::rms_height, {1e-6, 5e-8});
@@ -46,7 +46,7 @@ std::vector<Draw> draws(const parts::SurfaceParameters<double>& s, int count, st
     return all;
 }
 
-/// What is normal in a draw: ln of sigma, R, D_p; the others themselves.
+/// Normal variables of a draw: ln of sigma, R, D_p; the others themselves.
 double normal_part(const Draw& draw, std::size_t i) {
     return i < place(Parameter::fractal_dimension) ? std::log(draw[i]) : draw[i];
 }
@@ -150,7 +150,7 @@ TEST_CASE("Draws stay in the range of every parameter, however large the errors"
     CHECK(std::abs(below - 0.5) <= 4 * 0.5 / std::sqrt(count));  // the median stays
 }
 
-TEST_CASE("Errors of 0 give the values, and what is not known stays 0") {
+TEST_CASE("Errors of 0 give the values and unknown ones stay 0") {
     auto s = surface();
     for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) at(s, i).error = 0;
     for (const auto& draw : draws(s, 10)) CHECK(draw == s.values());
@@ -203,7 +203,7 @@ TEST_CASE("The unit of length leaves the draws alone") {
     }
 }
 
-TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
+TEST_CASE("Surfaces that cannot be sampled are refused in a sentence") {
     const auto with = [](auto change) {
         auto s = surface();
         change(s);
@@ -279,7 +279,7 @@ TEST_CASE("A surface has its parameters by name and by Parameter") {
           }) == "offset: is no parameter of a surface; must be one that SurfaceParameters holds");
 }
 
-TEST_CASE("A quantile lies between the values that stand beside it") {
+TEST_CASE("A quantile lies between its neighbouring values") {
     const std::vector<double> values{1, 2, 4, 8, 16};
     const std::span<const double> sorted(values);
     CHECK(math::sorted_quantile(sorted, 0.0) == 1);

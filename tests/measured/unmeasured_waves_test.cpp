@@ -11,7 +11,7 @@ using namespace fstiff;
 
 namespace {
 
-/// How many of several pieces have a known whole in their band, and the mean growth that they foretell.
+/// Number of pieces with a known whole in their band, and their mean predicted growth.
 struct Coverage {
     static constexpr int wholes = 20;     // of four pieces each, which share what the whole scatters
     int pieces{}, rougher{}, smoother{};  ///< wholes above and below the band of 90 %

@@ -38,7 +38,7 @@ double stiffness_of(const parts::SurfaceParameters<double>& surface, double pres
 
 }  // namespace
 
-TEST_CASE("Unknowns widen a band by squares, those of one kind by squares too, and the greatest is told") {
+TEST_CASE("Unknowns widen a band by squares as do those of one kind and the greatest is reported") {
     const double k = 2e14;
     const auto curves = [](parts::Unknown which, double low, double high) {
         return parts::UnknownCurves<double>{which, {std::exp(low)}, {std::exp(high)}};
@@ -88,7 +88,7 @@ TEST_CASE("A band is widened by squares, and its parts are logarithms over K") {
     CHECK(parts.window_low == 0);
 }
 
-TEST_CASE("Neighbours on one side widen that side, and a band of no surface stays none") {
+TEST_CASE("Neighbours on one side widen that side and a band of 0 surfaces stays empty") {
     parts::SampledBand<double> band{0.9, 1, 1.1, 0};
     const std::vector<double> above{1.2, 1.3};
     const auto parts = parts::widen(band, 1.0, std::span<const double>(above));

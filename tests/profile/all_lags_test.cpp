@@ -175,7 +175,7 @@ TEST_CASE("All lags scale with the unit of length") {
     }
 }
 
-TEST_CASE("Profiles without pairs, of few points or with an infinite height are told apart") {
+TEST_CASE("Profiles without pairs of few points or with an infinite height have separate messages") {
     CHECK(parts::structure_function_at_all_lags(Profile<double>{{missing, missing, 1.0}, 1.0}).size() == 0);
     CHECK(parts::structure_function_at_all_lags(Profile<double>{{missing, missing}, 1.0}).size() == 0);
     const auto two = parts::structure_function_at_all_lags(Profile<double>{{1.0, 4.0}, 1.0});

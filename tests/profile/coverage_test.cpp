@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How often D +- 1.96 errors covers the D that a self-affine profile was made with, at every 1st to 16th of its points:
-// whole, cut from one four times as long, or of a spectrum that turns flat.
+// Frequency with which D +- 1.96 errors covers the D of the generator of a self-affine profile, at every 1st to 16th of
+// its points: whole, cut from one four times as long, or of a spectrum that turns flat.
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
@@ -17,7 +17,7 @@ struct Covered {
     double scatter = 0, error = 0;
 };
 
-/// Of \p seeds profiles of 8192 points, cut from \p lengths as long, of which every \p step th point is kept; their
+/// \p seeds profiles of 8192 points, cut from \p lengths as long, with every \p step th point kept; their
 /// spectrum turns flat at \p longest [m], 0: nowhere, and lags below \p lambda_s [m] are left out.
 Covered covered(double hurst, std::size_t step, std::size_t lengths, int seeds, double longest = 0,
                 double lambda_s = 0) {

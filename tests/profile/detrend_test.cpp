@@ -49,7 +49,7 @@ std::vector<double> slow(const Profile<double>& profile, std::size_t terms) {
 
 }  // namespace
 
-TEST_CASE("Removing a form leaves what the normal equations in long double leave") {
+TEST_CASE("Removing a form leaves the residual of the normal equations in long double") {
     const double tilt = GENERATE(0.0, 1.0, 1e6);
     const bool gaps = GENERATE(false, true);
     const int terms = GENERATE(1, 2, 3);
@@ -67,7 +67,7 @@ TEST_CASE("Removing a form leaves what the normal equations in long double leave
         REQUIRE(std::isnan(residual[i]) == std::isnan(profile.heights[i]));
         if (!std::isnan(residual[i])) worst = std::max(worst, std::abs(residual[i] - truth[i]));
     }
-    CHECK(worst <= 4e-16 * 1e-6 * (1 + terms * tilt));  // what the header says, of the largest height
+    CHECK(worst <= 4e-16 * 1e-6 * (1 + terms * tilt));  // the bound of the header, relative to the largest height
 }
 
 TEMPLATE_TEST_CASE("A polynomial leaves nothing but rounding", "", float, double, long double) {

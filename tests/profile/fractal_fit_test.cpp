@@ -44,11 +44,11 @@ TEST_CASE("D and G of a Weierstrass-Mandelbrot profile come back within their er
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         CAPTURE(d, shortest, seed);
         const auto fit = fit_fractal(wm_profile({d, 1.2e-10}, 65536, seed, shortest));
-        CHECK(std::abs(fit.fractal.dimension - d) < 0.02);  // as the header says; the requirement is 0.03
+        CHECK(std::abs(fit.fractal.dimension - d) < 0.02);  // as in the header; the requirement is 0.03
         CHECK(std::abs(fit.fractal.dimension - d) < 3 * fit.dimension_error);
         CHECK(std::abs(std::log(fit.fractal.roughness / 1.2e-10)) < std::log(1.5));
         CHECK(std::abs(std::log(fit.fractal.roughness / 1.2e-10)) < 3 * fit.log_roughness_error);
-        CHECK(fit.dimension_error < 0.05);  // an error bar that says nothing would pass anything
+        CHECK(fit.dimension_error < 0.05);  // an excessive error bar would pass any value
         CHECK(fit.automatic_window);
         CHECK(fit.window.to / fit.window.from > 100);
     }
@@ -71,7 +71,7 @@ TEST_CASE("The fitted curve runs through the second differences in the window of
         CHECK(fit.fitted.lag[k] == s.lag[first + k]);
         const double off = std::log(s.value[first + k] / fit.fitted.value[k]);
         CAPTURE(s.lag[first + k], off);
-        // S2 is a mean over about length/lag pieces, and the line takes 0.03 for what its form misses
+        // S2 is a mean over about length/lag pieces; the line allows 0.03 for the error of its form
         CHECK(std::abs(off) < 0.06 + std::sqrt(s.lag[first + k] / length));
         mean += off / static_cast<double>(fit.lags);
     }
@@ -151,8 +151,8 @@ TEST_CASE("A bend in the structure function is flagged, a power law is not") {
 }
 
 TEST_CASE("The waves of a part do not reach the fit, and a window over a plateau is flagged or refused") {
-    // roughness of 1 nm correlated over some 5 samples, and five smooth waves of 8 nm, which second differences hardly
-    // see
+    // roughness of 1 nm correlated over some 5 samples, and five smooth waves of 8 nm, which hardly enter second
+    // differences
     std::mt19937_64 random(3);
     const std::size_t points = 20000;
     Profile<double> profile{std::vector<double>(points), 1e-6}, walk = random_walk(points, 3), wavy = walk;
@@ -189,7 +189,7 @@ TEST_CASE("A seed gives the same errors again, and the bootstrap can be left out
     CHECK(a.seed == 2014);
     const auto other = fit_fractal(profile, {.seed = 7});
     CHECK(other.bootstrap_dimension_error != a.bootstrap_dimension_error);
-    // 200 resamples know their scatter to 5 %
+    // the scatter of 200 resamples is known to 5 %
     CHECK(test::relative_error(other.bootstrap_dimension_error, a.bootstrap_dimension_error) < 0.4);
     const auto none = fit_fractal(profile, {.resamples = 0});
     CHECK(none.bootstrap_dimension_error == 0);
@@ -242,7 +242,7 @@ TEST_CASE("Sixteen points are enough to try, fewer are not") {
     CHECK(test::refusal([&] { (void)fit_fractal(few); }).find("15 points: must be at least 16") != std::string::npos);
 }
 
-TEST_CASE("A window or an option out of range is refused with what it may be") {
+TEST_CASE("A window or an option out of range is refused with its valid range") {
     const auto profile = random_walk(1000, 15);
     const auto refusal = [&](parts::FractalFitOptions<double> options) {
         return test::refusal([&] { (void)fit_fractal(profile, options); });
@@ -269,7 +269,7 @@ struct Coverage {
     double bias = 0, scatter = 0, error = 0;
 };
 
-/// How often D +- 1.96 standard deviations covers the D of fractional Brownian profiles of 4096 points.
+/// Frequency with which D +- 1.96 standard deviations covers the D of fractional Brownian profiles of 4096 points.
 Coverage coverage(double hurst, int profiles, Form form) {
     Coverage result;
     double square = 0;
@@ -294,13 +294,13 @@ Coverage coverage(double hurst, int profiles, Form form) {
 
 }  // namespace
 
-TEST_CASE("The interval of 95 % covers the D of 40 self-affine profiles as often as it says") {
+TEST_CASE("The interval of 95 % covers the D of 40 self-affine profiles as often as stated") {
     const double hurst = GENERATE(0.3, 0.5, 0.8);
     const Coverage c = coverage(hurst, 40, Form::none);
     CAPTURE(hurst, c.inside, c.by_regression, c.bias, c.scatter, c.error);
     // of 40 at 95 %, 34 and fewer come up once in 70 times, and these seeds are always the same
     CHECK(c.inside >= 35);
-    // no interval so wide that it covers anything; it holds what waves beyond the band may add, which these have not
+    // no excessively wide interval; it includes waves beyond the band, which these profiles do not have
     CHECK(c.error < 1.8 * c.scatter);
     CHECK(c.by_regression <= 24);  // ordinary least squares covers far less
     CHECK(c.refused == 0);
@@ -319,7 +319,7 @@ TEST_CASE("The interval of 95 % covers the D of 200 self-affine profiles between
     CHECK(c.refused == 0);
 }
 
-TEST_CASE("Resolution and tip leave out the lags below them, and the window says so") {
+TEST_CASE("Resolution and tip exclude the lags below them and the window reports it") {
     const auto profile = random_walk(20000, 21);  // steps of 1e-8 m over 1e-6 m: a curvature of some 1e4 / m, 4 sigma
     const auto plain = fit_fractal(profile);
     CHECK(plain.begins == parts::WindowEnd::sampling);
@@ -353,7 +353,7 @@ TEST_CASE("Resolution and tip leave out the lags below them, and the window says
         CHECK_FALSE(parts::describe(end).empty());
 }
 
-TEST_CASE("When tip or resolution leave no half decade, the refusal says which") {
+TEST_CASE("A message names tip or resolution when it leaves no half decade") {
     const auto profile = random_walk(4096, 22);
     const auto refusal = [&](parts::FractalFitOptions<double> options) {
         return test::refusal([&] { (void)fit_fractal(profile, options); });
@@ -368,8 +368,8 @@ TEST_CASE("When tip or resolution leave no half decade, the refusal says which")
     CHECK(refusal({.resolution = std::numeric_limits<double>::quiet_NaN()}).find("resolution") == 0);
 }
 
-TEST_CASE("A window before a plateau is preferred to the waviness behind it") {
-    // a walk that forgets after 33 samples: S saturates at some 100; a wave rises behind
+TEST_CASE("A window before a plateau is preferred to the waviness after it") {
+    // a walk with a memory of 33 samples: S saturates at some 100; a wave rises later
     std::mt19937_64 random(5);
     Profile<double> profile{std::vector<double>(20000), 1e-6};
     double height = 0;

@@ -51,7 +51,7 @@ TEST_CASE("A wave passes by the closed form, half of it at the cut-off") {
             const auto waviness = parts::gaussian_waviness(profile, samples * 1e-6);
             const std::size_t middle = 2000;  // a crest, far from the ends
             const double passed = waviness.heights[middle] / 2e-9;
-            // the sum over samples stands for an integral: its alias is exp(-ln 2 (5 (1 - 1/10))^2) = 8e-7 at most
+            // the sum over samples approximates an integral: its alias is exp(-ln 2 (5 (1 - 1/10))^2) = 8e-7 at most
             CHECK(std::abs(passed - parts::gaussian_transmission(length, samples)) < (samples < 10 ? 1e-6 : 1e-13));
         }
     }

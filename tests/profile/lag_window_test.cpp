@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Structure functions that are made of pieces: the window is the piece that is a power law, and says why it ends.
+// Structure functions made of pieces: the window is the piece with a power law, and has the reason of its ends.
 #include <fstiff/profile/lag_window.hpp>
 
 #include "support/accuracy.hpp"
@@ -66,7 +66,7 @@ TEST_CASE("The window ends where S saturates, becomes smooth, or bends") {
     }
 }
 
-TEST_CASE("Behind a plateau there is a window only where none stands before it") {
+TEST_CASE("After a plateau there is a window only where none is before it") {
     const auto log = bent(0.0, 0.9, 20);
     const auto chosen = parts::automatic_range<double>(log, 1e-6, {});
     CHECK(chosen.behind_plateau);
@@ -100,7 +100,7 @@ TEST_CASE("A window that was given holds the lags between its ends") {
                          " lags; must hold at least 4 and half a decade, between 1e-06 m and 0.009999 m");
 }
 
-TEST_CASE("Lags below the resolution are left out, and a refusal says so") {
+TEST_CASE("Lags below the resolution are left out and the message reports it") {
     parts::ReliableLags<double> reliable{4e-6, parts::WindowEnd::resolution};
     CHECK(reliable.holds(4e-6));
     CHECK_FALSE(reliable.holds(3e-6));

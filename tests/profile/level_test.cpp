@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is levelled against the steps it is made of; the mark that a fit makes up for.
+// Levelled profiles against the single steps; a fit compensates the removed line.
 #include <fstiff/profile/fractal_fit.hpp>
 
 #include "support/accuracy.hpp"
@@ -20,7 +20,7 @@ Profile<double> rough() {
 
 }  // namespace
 
-TEST_CASE("A levelled profile is the detrended one, and knows the form") {
+TEST_CASE("A levelled profile is the detrended one and contains the form") {
     const auto profile = rough();
     for (const Form form : {Form::none, Form::mean, Form::line, Form::parabola}) {
         const auto flat = parts::level(profile, form);

@@ -12,7 +12,7 @@ namespace repair_test {
 using namespace fstiff;
 
 /// A neighbour of a spike may go with it where the roughness is smooth: its median has the spike among four.
-TEST_CASE("Spikes that were put into a profile are taken out, and hardly a point besides") {
+TEST_CASE("Spikes that were put into a profile are taken out and hardly any other point") {
     for (const double hurst : {0.2, 0.5, 0.8}) {
         Profile<double> profile{test::fractional_brownian(4096, hurst, 11), 1e-6};
         const auto clean = profile.heights;
@@ -27,7 +27,7 @@ TEST_CASE("Spikes that were put into a profile are taken out, and hardly a point
     }
 }
 
-TEST_CASE("Of Gaussian and of self-affine roughness less than 1e-4 is taken for spikes") {
+TEST_CASE("Less than 1e-4 of Gaussian and of self-affine roughness counts as spikes") {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     Profile<double> noise{std::vector<double>(100000), 1e-6};

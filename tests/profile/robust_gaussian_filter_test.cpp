@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust filter against sums and normal equations point by point, and what it is for: grooves and spikes.
+// The robust filter against sums and normal equations point by point, and its purpose: grooves and spikes.
 
 #include <fstiff/profile/gaussian_filter.hpp>
 
@@ -123,7 +123,7 @@ TEST_CASE("Spikes and grooves hardly move the robust mean line, and move the Gau
           40e-9);
 }
 
-TEST_CASE("Of order 2 a parabola has no roughness, at its ends as well") {
+TEST_CASE("A parabola has no roughness with order 2 even at its ends") {
     Profile<double> parabola{std::vector<double>(500), 1e-6};
     for (std::size_t i = 0; i < parabola.size(); ++i) {
         const double x = static_cast<double>(i) / 100;

@@ -45,7 +45,7 @@ TEST_CASE("Waviness does not lengthen lambda_c, roughness that Ra(lambda_c) show
     CHECK(parts::roughness_cut_off(wavy, 2.5e-6).lambda_c == 0.25e-3);
 }
 
-TEST_CASE("What the length or the step does not allow is told") {
+TEST_CASE("A length or a step that does not allow lambda_c is reported") {
     const auto shorter = parts::roughness_cut_off(sine(1e-6, 1.3e-3), 2.5e-6);  // five of 0.25 mm, not of 0.8
     CHECK(shorter.lambda_c == 0.25e-3);
     CHECK(shorter.reason == parts::CutOffReason::length);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Second differences one by one, the identity with the structure function, and forms that they do not see.
+// Second differences one by one, the identity with the structure function, and forms that do not change them.
 #include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"
@@ -37,7 +37,7 @@ TEST_CASE("The mean square of second differences is that of each of them") {
     }
 }
 
-TEST_CASE("Of a periodic profile it is four times S less S of twice the lag") {
+TEST_CASE("For a periodic profile it is four times S less S of twice the lag") {
     const std::size_t period = 64;
     const auto wave = test::random_walk(period, 2);
     Profile<double> profile{{}, 1e-6};

@@ -41,7 +41,7 @@ TEST_CASE("The moments of a sampled sine are those of its finite differences") {
         CAPTURE(period);
         Profile<double> profile{std::vector<double>(20 * period + 1), h};
         const double phase = 2 * pi / static_cast<double>(period);
-        // whole periods for the slopes, and for the mean but one point, which stands at 0
+        // whole periods for the slopes, and for the mean except one point at 0
         for (std::size_t i = 0; i < profile.size(); ++i)
             profile.heights[i] = a * std::sin(phase * static_cast<double>(i % period));
         const auto moments = parts::spectral_moments(profile);

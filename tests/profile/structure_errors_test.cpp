@@ -72,7 +72,7 @@ TEST_CASE("The closed-form covariance of ln S2 is that of simulated random walks
     for (int w = 0; w < walks; ++w) {
         const auto s = parts::second_differences(test::random_walk(points, static_cast<std::uint64_t>(w + 1)),
                                                  std::span<const std::size_t>(lags));
-        // relative deviations from the exact mean 2 n sigma^2 of a walk: what the formula is about
+        // relative deviations from the exact mean 2 n sigma^2 of a walk: the quantity of the formula
         for (int k = 0; k < 3; ++k)
             samples(k, w) = s.value[static_cast<std::size_t>(k)] /
                                 (2e-16 * static_cast<double>(lags[static_cast<std::size_t>(k)])) -

@@ -28,7 +28,7 @@ parts::LogStructure<double> made(double level, double power, std::size_t longest
     return log;
 }
 
-/// Only what is expected of the waves below the first lag before the fit.
+/// Prior share of the waves below the first lag, without a fit.
 double expected(double x) { return -0.45 * detail::share_of_short_waves(0.8) * std::exp(-0.8 * x); }
 
 parts::IndexRange all(const parts::LogStructure<double>& log) { return {0, log.lag.size() - 1}; }
@@ -66,13 +66,13 @@ TEST_CASE("The waves beyond the ends of the band are found where the window is l
     });
     const auto line = fitter(log, power).fit(all(log), all(log));
     CHECK(line.finite_band);
-    // what is expected of them before draws them towards 0, by their error over what they may be
+    // the prior draws them towards 0, by their error over the prior deviation
     CHECK(std::abs(line.slope - power) < 5e-3);
     CHECK(std::abs(line.long_waves - long_waves) < 0.02);
     CHECK(std::abs(line.short_waves - short_waves) < 0.05);
 }
 
-TEST_CASE("S2 of waves no shorter than the first lag lacks what the integral over the others gives") {
+TEST_CASE("S2 of waves no shorter than the first lag lacks the integral over the others") {
     const double power = GENERATE(0.4, 1.0, 1.6);
     double with = 0, without = 0;
     const double step = 1e-4, pi = 3.14159265358979;
@@ -85,7 +85,7 @@ TEST_CASE("S2 of waves no shorter than the first lag lacks what the integral ove
     CHECK(test::relative_error(detail::share_of_short_waves(power), (without + rest) / (with + rest)) < 1e-3);
 }
 
-TEST_CASE("The rows tell how slope and level move with each value of ln S2") {
+TEST_CASE("The rows give the change of slope and level with each value of ln S2") {
     auto log = made(-3.0, 0.8, 400, [](double x) { return 0.01 * std::sin(9 * x); });
     const auto line = fitter(log, 0.8).fit(all(log), all(log));
     const double small = 1e-3;  // the line is linear in the values

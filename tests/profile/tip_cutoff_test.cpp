@@ -15,7 +15,7 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// What a parabolic tip draws: the least height of its apex at which it stays above the surface.
+/// Trace of a parabolic tip: the least height of its apex at which it stays above the surface.
 std::vector<double> dilated(const std::vector<double>& z, double spacing, double radius) {
     std::vector<double> trace(z.size());
     for (std::size_t i = 0; i < z.size(); ++i) {
@@ -42,7 +42,7 @@ TEST_CASE("The least curvature of a sine is -(a/h^2) 4 sin^2(pi n h/lambda) n^-2
     }
 }
 
-TEST_CASE("What a parabolic tip has drawn is at no scale sharper than the tip") {
+TEST_CASE("The trace of a parabolic tip is at no scale sharper than the tip") {
     const double spacing = 1e-9, radius = 40e-9;
     auto z = test::fractional_brownian(2048, 0.5, 3);
     for (double& v : z) v *= 1e-9;  // far sharper than the tip at one sample
@@ -79,7 +79,7 @@ TEST_CASE("A blunt tip leaves nothing, a point everything, and the unit of lengt
     }
 }
 
-TEST_CASE("Missing points drop their triples, and what is out of range is refused") {
+TEST_CASE("Missing points drop their triples and arguments out of range are refused") {
     const Profile<double> profile{{0, 1, 0, missing, 5, 0}, 1.0};
     CHECK(*detail::min_curvature(profile, 1) == -2.0);
     CHECK(*detail::min_curvature(profile, 2) == 1.25);  // 0, 0, 5 over 2^2

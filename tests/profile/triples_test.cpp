@@ -10,7 +10,7 @@ namespace triples_test {
 
 using namespace fstiff;
 
-TEST_CASE("Triples give slopes, curvatures and peaks, and leave out what is missing") {
+TEST_CASE("Triples give slopes and curvatures and peaks and leave out missing points") {
     const double missing = std::numeric_limits<double>::quiet_NaN();
     parts::TripleSums<double> plain, part;
     parts::TripleSums<double, math::CompensatedSum<double>> compensated;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a computed number is from the truth: relative, and in units in the last place. Never Approx, which accepts
+// Distance of a computed number from the truth: relative, and in units in the last place. Never Approx, which accepts
 // five digits.
 #include <fstiff/core/error.hpp>
 
@@ -24,7 +24,7 @@ T ulps(T computed, T truth) {
     return relative_error(computed, truth) / std::numeric_limits<T>::epsilon();
 }
 
-/// What the call throws as a fstiff::domain_error or a fstiff::file_error, or "" when it does not throw.
+/// Text of the fstiff::domain_error or fstiff::file_error that the call throws, or "" when it does not throw.
 template <class Call>
 std::string refusal(const Call& call) {
     try {

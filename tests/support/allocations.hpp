@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How often the heap was asked for memory: the one test file of a binary that includes this replaces operator new.
+// Number of heap allocations: the one test file of a binary that includes this replaces operator new.
 #include <atomic>
 #include <cstdlib>
 #include <new>

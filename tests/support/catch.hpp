@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Catch2 3 where it is installed, else Catch2 2: the tests use what both have.
+// Catch2 3 where it is installed, else Catch2 2: the tests use their common part.
 #if __has_include(<catch2/catch_test_macros.hpp>)
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_template_test_macros.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The one reader of CSV that the tests have: what the command writes, and the reference tables of tests/data. Shares
+// The CSV reader of the tests: output of the command, and the reference tables of tests/data. Shares
 // nothing with the library's readers.
 #include <algorithm>
 #include <sstream>
@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// The cells of one line; those with commas stand in quotes.
+/// The cells of one line; those with commas are in quotes.
 inline std::vector<std::string> csv_cells(const std::string& line) {
     std::vector<std::string> cells{""};
     bool quoted = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How a force and its periodic images lower a half space, by Ewald's sum over all images and waves that matter: slow
-// and exact.
+// Deflection of a half space by a force and its periodic images, by Ewald's sum over all images and waves that matter:
+// slow and exact.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

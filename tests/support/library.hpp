@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the command does with a file or a scene, done by the library in this process: options as they are written on a
+// Work of the command on a file or a scene, done by the library in this process: options as they are written on a
 // command line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by
 // CMake.
 #include "scene/result_rows.hpp"
@@ -33,7 +33,7 @@ namespace test {
 
 inline nlohmann::json parsed(const fstiff::scene::Json& document) { return nlohmann::json::parse(document.str()); }
 
-/// The words of \p line; one with blanks stands in '...'.
+/// The words of \p line; one with blanks is in '...'.
 inline std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words;
     std::string word;
@@ -151,7 +151,7 @@ inline fstiff::scene::Results results_of(const std::string& text, const std::str
 inline const fstiff::scene::Face& face(const fstiff::scene::Scene& scene) { return scene.face; }
 inline fstiff::scene::Face& face(fstiff::scene::Scene& scene) { return scene.face; }
 
-/// What fstiff run prints as CSV.
+/// CSV output of fstiff run.
 inline std::string csv_of(const fstiff::scene::Results& results) {
     std::string text;
     for (const auto& curve : results.curves) text += rows_of(results, curve).csv(text.empty());

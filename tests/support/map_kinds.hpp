@@ -42,8 +42,8 @@ inline Heights gaussian_map(Eigen::Index points, double rolloff, double cut, dou
         .heights;
 }
 
-/// Without the overtones above \p cut waves a side, by exp(-(q/cut)^8): so that the grid resolves what a function of
-/// each height by itself has made.
+/// Removes the overtones above \p cut waves a side, by exp(-(q/cut)^8): the grid then resolves the result of a function
+/// of each height.
 inline Heights without_overtones(Heights z, double cut = 40) {
     fstiff::parts::LineTransform<double> line(static_cast<std::size_t>(z.rows()), fstiff::Edges::periodic);
     const auto both = [&](auto&& call) {
@@ -133,7 +133,7 @@ public:
 
     using Seed = std::uint64_t;
     using Make = std::function<Heights(Seed)>;
-    static constexpr Seed other = 50000;  // of a second map beside the first
+    static constexpr Seed other = 50000;  // of a second map next to the first
 
     [[nodiscard]] Heights map(double rolloff, double cut, double hurst, Seed seed, double stretch = 1,
                               Eigen::Index points = 256) const {

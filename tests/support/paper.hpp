@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The three surfaces of the paper, Tables 1 and 2, and what they are pressed against: Buczkowski, Kleiber, Starzynski,
+// The three surfaces of the paper, Tables 1 and 2, and their counterface: Buczkowski, Kleiber, Starzynski,
 // Arch. Mech. 66 (2014). The scenes of data/ hold the same numbers once more, as a second source
 // (tests/cli/reproduce_test.cpp).
 #include <fstiff/surface/roughness.hpp>

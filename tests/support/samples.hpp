@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The files of tools/make_surface_samples.py: what they hold, and how a test changes them.
+// The files of tools/make_surface_samples.py: their contents, and changes by a test.
 #include "io/reading.hpp"
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What cannot be tested here (no Chromium, no measured surfaces, ...) shows as skipped, never as passed: the case
+// A case that cannot run here (no Chromium, no measured surfaces, ...) shows as skipped, never as passed: the case
 // prints a line that begins with "SKIPPED:", which CTest looks for (SKIP_REGULAR_EXPRESSION in tests/CMakeLists.txt). A
 // case that has failed prints none, because CTest would call it skipped. Catch2 2 has no SKIP, so the line is ours with
 // Catch2 3 too.
@@ -17,7 +17,7 @@
 
 namespace test {
 
-/// What the running case has left out.
+/// Parts that the running case has left out.
 inline std::vector<std::string>& left_out() {
     static std::vector<std::string> reasons;
     return reasons;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What tests ask of a surface that was read.
+// Access of tests to a surface that was read.
 #include <fstiff/io/surface_file.hpp>
 
 namespace test {
 
-/// What the record says under \p key; empty for nothing.
+/// Entry of the record under \p key; empty without one.
 inline std::string said(const fstiff::io::Surface& surface, const std::string& key) {
     for (const std::string& sentence : surface.record.details)
         if (sentence.starts_with(key + ": ")) return sentence.substr(key.size() + 2);

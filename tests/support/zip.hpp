@@ -35,7 +35,7 @@ inline std::string deflated(const std::string& content) {
     return out;
 }
 
-/// What the entries of an archive state in place of the truth.
+/// False values in the entries of an archive.
 struct ZipLies {
     std::optional<std::uint64_t> size{}, packed{}, count{}, offset{};
     std::optional<std::uint32_t> crc{};
@@ -59,7 +59,7 @@ inline std::string zipped(const Members& members, bool deflate = true, const Zip
                                    little_endian(lies.method.value_or(deflate ? 8 : 0), 2) + little_endian(0, 4) +
                                    little_endian(lies.crc.value_or(crc), 4) + in_32(length) + in_32(size) +
                                    little_endian(name.size(), 2);
-        std::string extra;  // behind one that readers must skip
+        std::string extra;  // after one that readers must skip
         if (lies.sizes64)
             extra = little_endian(7, 2) + little_endian(1, 2) + "x" + little_endian(1, 2) + little_endian(24, 2) +
                     little_endian(size, 8) + little_endian(length, 8) + little_endian(offset, 8);

@@ -12,7 +12,7 @@ namespace bearing_curve_test {
 
 using namespace fstiff;
 
-TEST_CASE("As many heights stand above the curve as it says") {
+TEST_CASE("As many heights are above the curve as its share gives") {
     std::mt19937_64 random(1);
     for (const std::size_t count : {std::size_t(1), std::size_t(7), std::size_t(200), std::size_t(1003)}) {
         std::vector<double> heights(count);

@@ -22,7 +22,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity(),
 
 }  // namespace
 
-TEST_CASE("The rows stand in the order of the parameters, the surface first", "[contact_parameter]") {
+TEST_CASE("The rows are in the order of the parameters with the surface first", "[contact_parameter]") {
     for (std::size_t i = 0; i < parts::parameter_table.size(); ++i) {
         const parts::ParameterRow& row = parts::parameter_table[i];
         INFO(row.key);

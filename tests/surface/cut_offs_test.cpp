@@ -85,7 +85,7 @@ TEST_CASE("the ratio of slope to height of a generated map, and its inverse") {
     CHECK(test::relative_error(ratio, slopes / heights) < 1e-7);  // the rule's error, step^2/24 times the curvature
 }
 
-TEST_CASE("cut-offs do not depend on the unit of length, and refuse what cannot be") {
+TEST_CASE("cut-offs do not depend on the unit of length and refuse impossible arguments") {
     const Row& row = rows[2];
     const double scale = 1e6;
     const Fractal<double> scaled{row.fractal.dimension, row.fractal.roughness * scale};

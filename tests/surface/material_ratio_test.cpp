@@ -65,7 +65,7 @@ TEST_CASE("Gaussian heights have the core of the closed form") {
     std::vector<double> z;
     for (int i = 0; i < points; ++i) z.push_back(gsl_cdf_ugaussian_Qinv((i + 0.5) / points));
     const auto found = of(z);
-    // N heights at (i + 1/2)/N stand at i/(N-1): shares are off by 1/(2 N), and the triangles by the ends of the curve,
+    // N heights at (i + 1/2)/N are at i/(N-1): shares are off by 1/(2 N), and the triangles by the ends of the curve,
     // where the sum over half a step of a tail is off by a few steps
     CHECK(test::relative_error(found.core_height, core) < 2 / static_cast<double>(points));
     CHECK(std::abs(found.peak_share - share) < 1 / static_cast<double>(points));
@@ -107,7 +107,7 @@ TEST_CASE("The unit of the heights scales the core, and a mirrored surface swaps
     CHECK(test::relative_error(1 - mirrored.peak_share, plain.core_and_peak_share) < 1e-12);
 }
 
-TEST_CASE("Of several places that are equally flat the first counts") {
+TEST_CASE("The first of several places that are equally flat counts") {
     // two flat parts of 40 %, at 1 and at 0, with a step between them
     const auto found = of(sampled([](double t) { return t < 0.45 ? 1 : t < 0.55 ? 1 - (t - 0.45) / 0.1 : 0; }, 1001));
     CHECK(std::abs(found.core_height) < 1e-12);

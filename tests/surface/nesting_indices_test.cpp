@@ -40,7 +40,7 @@ TEST_CASE("For every step of the standard's table lambda_s is the one of its row
     CHECK(test::ulps(parts::cut_off_table[0].lambda_c / parts::cut_off_table[0].lambda_s, 32.) <= 2);
 }
 
-TEST_CASE("The resolution and the tip lengthen lambda_s, and never shorten it") {
+TEST_CASE("The resolution and the tip lengthen lambda_s and never shorten it") {
     CHECK(parts::shortest_lambda_s(10e-9) == 50e-9);  // of an atomic force microscope
     CHECK(parts::shortest_lambda_s(10e-9, 0.3e-6) == 0.5e-6);
     CHECK(parts::shortest_lambda_s(10e-9, 1e-9) == 50e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is taken for numbers that a drawing does not give: against the formulae, and against generated surfaces.
+// Values for numbers that a drawing does not give: against the formulae, and against generated surfaces.
 #include <fstiff/measured/measure.hpp>
 #include <fstiff/surface/process_prior.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -110,7 +110,7 @@ TEST_CASE("The gradient that islands give is that of Gaussian maps") {
     }
 }
 
-TEST_CASE("A profile across a lay knows the gradient to the root of two") {
+TEST_CASE("A profile across a lay gives the gradient to the root of two") {
     const parts::PriorRange isotropic = parts::gradient_of_slope(parts::prior_of(parts::Process::blasted)),
                             lay = parts::gradient_of_slope(parts::prior_of(parts::Process::turned));
     CHECK((isotropic.low == isotropic.high && relative_error(isotropic.middle, std::sqrt(2.0)) < 1e-15));

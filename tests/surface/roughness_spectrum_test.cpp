@@ -50,7 +50,7 @@ TEST_CASE("a band has the moments that it was made of") {
         }
 }
 
-TEST_CASE("what no isotropic surface has is refused") {
+TEST_CASE("moments that no isotropic surface has are refused") {
     const auto fine = moments_of_peaks(0.832e-6, 40e-6, 500e6);  // Table 1: alpha = 0.67
     CHECK(test::refusal([&] { (void)band_of_moments(fine, 0.38); }).find("greater than 1.5") != std::string::npos);
     const auto good = parts::moments_of_gradient(1e-6, 0.1, 8.0);

@@ -75,7 +75,7 @@ TEST_CASE("The power law of S scales with the unit of length") {
     }
 }
 
-TEST_CASE("What is out of range is refused by name and value") {
+TEST_CASE("Arguments out of range are refused by name and value") {
     for (const double d : {1.0, 2.0, 0.5, 3.0, std::numeric_limits<double>::quiet_NaN()}) {
         const std::string refusal = test::refusal([&] { (void)parts::structure_constant(d); });
         CHECK(refusal.find("fractal_dimension = ") != std::string::npos);

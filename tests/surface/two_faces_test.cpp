@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: what spectra and autocorrelations of independent surfaces add up to.
+// Truth: sums of the spectra and autocorrelations of independent surfaces.
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/two_faces.hpp>
@@ -82,7 +82,7 @@ TEST_CASE("D and G of two faces touch the added structure functions at the dista
     CHECK(!sum_of_faces(a, b).fractal_dimension);
 }
 
-TEST_CASE("two equal faces, and one beside a face that is nearly smooth") {
+TEST_CASE("two equal faces and one with a face that is nearly smooth") {
     RoughFace<double> a{{1e-6, 2e-5, 1e9, 3e-6}, moments_of_peaks(1e-6, 2e-5, 1e9), 1.3, 1e-13, 0.4, 0.7};
     const auto twice = sum_of_faces(a, a);
     CHECK(test::relative_error(twice.roughness.rms_height, std::sqrt(2.0) * 1e-6) < 1e-15);

@@ -95,7 +95,7 @@ TEST_CASE("Sal and Str of cones are their radii") {
     CHECK(std::abs(pyramid.shortest_direction - std::atan(0.25)) < pi / 720);
 }
 
-TEST_CASE("Str of an inclined ellipse is its aspect, to what the step of the directions takes") {
+TEST_CASE("Str of an inclined ellipse is its aspect within the step of the directions") {
     const double aspect = GENERATE(0.1, 0.3, 1.0), turn = 0.4123;
     const auto found = parts::texture_parameters(given(400, 1, 1, [&](double x, double y) {
         const double u = x * std::cos(turn) + y * std::sin(turn), v = y * std::cos(turn) - x * std::sin(turn);
@@ -119,7 +119,7 @@ TEST_CASE("A texture that does not end in one direction has a Sal and no Str") {
     const auto flat = parts::texture_parameters(given(20, 1, 1, [](double, double) { return 0.9; }));
     CHECK_FALSE(flat.shortest);
     CHECK_FALSE(flat.aspect_ratio);
-    // from lag 0 in a straight line: what is above the threshold behind a gap does not count
+    // from lag 0 in a straight line: points above the threshold after a gap do not count
     const auto ring = parts::texture_parameters(given(40, 1, 1, [](double x, double y) {
         const double r = std::hypot(x, y);
         return r < 10 ? 1 - r / 10 : r < 15 ? 0 : 0.5;

@@ -76,7 +76,7 @@ TEST_CASE("The unit of length leaves ratios, and a small slope keeps the digits 
     CHECK(test::relative_error(b.skewness, a.skewness) < 1e-12);
     CHECK(test::relative_error(*b.developed_area_ratio, *a.developed_area_ratio) < 1e-12);
     auto flat = map;
-    flat.heights *= 1e-7;  // slopes of 1e-8, whose squares are lost beside 1
+    flat.heights *= 1e-7;  // slopes of 1e-8, whose squares are lost in a sum with 1
     const auto c = areal_parameters(flat);
     CHECK(*c.developed_area_ratio > 0);
     CHECK(test::relative_error(*c.developed_area_ratio, c.rms_gradient * c.rms_gradient / 2) <

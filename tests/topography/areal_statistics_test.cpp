@@ -28,7 +28,7 @@ HeightMap<double> gaussian(std::size_t columns, std::size_t rows, double shortes
                                    columns, rows, spacing, spacing);
 }
 
-/// What the difference of two results is, relative, at its worst; lengths of \p b in another unit.
+/// Largest relative difference of two results; lengths of \p b in another unit.
 double difference(const parts::ArealStatistics<double>& a, const parts::ArealStatistics<double>& b, double unit = 1) {
     double worst = a.summits == b.summits && a.inner == b.inner ? 0 : HUGE_VAL;
     const auto compare = [&](double x, double y) { worst = std::max(worst, test::relative_error(y, x)); };
@@ -155,7 +155,7 @@ TEST_CASE("A Gaussian map has the summits of Longuet-Higgins and Nayak") {
     const double curvature = 8 * std::sqrt(mean.m4 / std::numbers::pi) / 3;
     const double height = 4 * std::sqrt(mean.m0 / (std::numbers::pi * mean.m0 * mean.m4 / (mean.m2 * mean.m2)));
     CAPTURE(mean.summit_density / density, mean.summit_curvature / curvature, mean.summit_height / height);
-    // some 6000 summits: 1 %; the eight neighbours stand for a neighbourhood: 1 to 2 % more at 16 samples a wave
+    // some 6000 summits: 1 %; the eight neighbours replace a neighbourhood: 1 to 2 % more at 16 samples a wave
     CHECK(test::relative_error(mean.summit_density, density) <= 0.04);
     CHECK(test::relative_error(mean.summit_curvature, curvature) <= 0.03);
     CHECK(test::relative_error(mean.summit_height, height) <= 0.06);
@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE("Every scalar has the same statistics", "", float, long doubl
     CHECK(s.summits == truth.summits);
 }
 
-TEST_CASE("Points at the border, beside missing ones and on plateaus are no summits") {
+TEST_CASE("Points at the border next to missing ones and on plateaus are no summits") {
     HeightMap<double> map{HeightMap<double>::Array::Zero(7, 9), 1, 1};
     map.heights(0, 0) = map.heights(3, 0) = 5;  // at the border
     map.heights(2, 3) = 3;                      // a summit

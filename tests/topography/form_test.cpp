@@ -62,7 +62,7 @@ HeightMap<double> slow(const HeightMap<double>& map, int degree) {
     return result;
 }
 
-/// Largest difference of what exists; infinite when one map has a point that the other has not.
+/// Largest difference of existing points; infinite when one map has a point that the other has not.
 double difference(const HeightMap<double>& a, const HeightMap<double>& b) {
     double worst = 0;
     for (Eigen::Index k = 0; k < a.size(); ++k) {
@@ -90,7 +90,7 @@ TEST_CASE("The residual of a form is that of slow least squares, offset and tilt
     }
 }
 
-TEST_CASE("A form put on is taken off again, and what is left does not change when it is put on") {
+TEST_CASE("An added form is removed and the residual does not depend on it") {
     const MapForm form = GENERATE(MapForm::mean, MapForm::plane, MapForm::quadratic, MapForm::cubic);
     const auto degree = static_cast<int>(form);
     const auto map = some_map(64, 50, true);

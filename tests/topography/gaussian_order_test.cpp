@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: what the definition says of a map of a few points, and of a monotone function of a map.
+// Truth: the definition, for a map of a few points and for a monotone function of a map.
 #include <fstiff/topography/gaussian_order.hpp>
 
 #include "support/accuracy.hpp"

@@ -109,7 +109,7 @@ double mean_square_slope(const HeightMap<double>& map) {
     return sum / static_cast<double>(n * m);
 }
 
-/// Most of what can differ between two curves, relative; infinite when a count does.
+/// Largest relative difference of two curves; infinite when a count differs.
 double difference(const IslandCurve<double>& a, const IslandCurve<double>& b, double unit = 1) {
     if (a.islands != b.islands) return HUGE_VAL;
     double worst = 0;
@@ -125,7 +125,7 @@ double difference(const IslandCurve<double>& a, const IslandCurve<double>& b, do
 
 }  // namespace
 
-TEST_CASE("Every level of the sweep is what labelling that level alone gives") {
+TEST_CASE("Every level of the sweep equals the labelling of that level alone") {
     const Kind kind = GENERATE(Kind::noise, Kind::ties, Kind::waves, Kind::holes, Kind::offset);
     double worst = 0;
     std::size_t compared = 0;
@@ -222,7 +222,7 @@ TEMPLATE_TEST_CASE("Zeros of both signs are one height", "", float, double, long
     CHECK(curve.mean_area == std::vector<T>{T(0), T(1), T(19)});
 }
 
-TEST_CASE("By default the levels stand at 200 bearing areas") {
+TEST_CASE("By default the levels are at 200 bearing areas") {
     const auto map = gaussian(0.8, 32, 6, 128, 4);
     const auto curve = island_curve(map);
     REQUIRE(curve.size() == 200);
@@ -254,7 +254,7 @@ TEST_CASE("Paraboloids are found with their number, area, height and radius") {
 }
 
 TEST_CASE("On Gaussian maps the density at its maximum is 0.0385 m2/m0 within 15 percent") {
-    // (2 pi)^(-3/2) e^(-1/2) m2/m0: the Euler characteristic of what stands above one sigma. Waves over a factor of 4
+    // (2 pi)^(-3/2) e^(-1/2) m2/m0: the Euler characteristic of the points above one sigma. Waves over a factor of 4
     // and less: in wider bands (1.06 to 1.25 at a factor of 8, 1.1 to 1.7 at 16) islands have lakes, and are more than
     // that.
     const double hurst = GENERATE(0.3, 0.8);
@@ -409,7 +409,7 @@ TEST_CASE("Maps and options out of range are named") {
     bad.dx = 1e-200;
     bad.dy = 1e-200;
     CHECK(says(bad, {}).find("dx dy = ") == 0);
-    // all that exists stands in one tile
+    // all existing points are in one tile
     bad = map;
     bad.heights.bottomRows(16).setConstant(missing);
     bad.heights.rightCols(16).setConstant(missing);
@@ -417,7 +417,7 @@ TEST_CASE("Maps and options out of range are named") {
     CHECK(says(bad, {}, {.tiles = 1}).empty());
 }
 
-TEST_CASE("The sweep and the resamples tell how far they are, and what the hook throws comes out") {
+TEST_CASE("The sweep and the resamples report their progress and exceptions of the hook pass through") {
     std::vector<std::pair<std::string, double>> told;
     IslandOptions<double> options;
     parts::IslandSpread spread;

@@ -26,7 +26,7 @@ HeightMap<double> random_map(Eigen::Index rows, Eigen::Index columns, double dx 
     return map;
 }
 
-/// Of waves that the map does not hold once: 0.37 of one along x, 0.81 along y, and a tilt.
+/// A map of waves longer than the map: 0.37 of one along x, 0.81 along y, and a tilt.
 HeightMap<double> long_waved_map(Eigen::Index rows, Eigen::Index columns) {
     HeightMap<double> map = random_map(rows, columns);
     for (Eigen::Index j = 0; j < rows; ++j)
@@ -160,7 +160,7 @@ TEST_CASE("The spectrum of a map is that of the map with its mirror images, whic
     }
 }
 
-TEST_CASE("A spectrum knows neither the unit of length nor which way the map lies") {
+TEST_CASE("A spectrum depends neither on the unit of length nor on the orientation of the map") {
     const Edges edges = GENERATE(Edges::mirrored, Edges::periodic);
     for (const Eigen::Index columns : {44, 30, 53}) {  // of 30 some waves lie half way between two shells
         const HeightMap<double> map = long_waved_map(30, columns);

@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-TEST_CASE("A wave stands in its shell and in its sections with half its squared amplitude") {
+TEST_CASE("A wave is in its shell and in its sections with half its squared amplitude") {
     for (const Eigen::Index columns : {64, 51}) {
         CAPTURE(columns);
         HeightMap<double> map;

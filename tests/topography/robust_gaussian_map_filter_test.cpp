@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust filter of maps against the double sums of its definition, and what it is for.
+// The robust filter of maps against the double sums of its definition, and its purpose.
 #include <fstiff/topography/gaussian_map_filter.hpp>
 
 #include "support/catch.hpp"

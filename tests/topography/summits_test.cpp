@@ -46,7 +46,7 @@ TEST_CASE("the summits of a map add up to its statistics") {
         CHECK(found.summits[i].height <= found.summits[i - 1].height);
 }
 
-TEST_CASE("of noise from point to point every summit is counted, those without a top apart") {
+TEST_CASE("every summit of point-to-point noise is counted and those without a top separately") {
     HeightMap<double> map;
     map.dx = map.dy = 1e-6;
     map.heights = 1e-7 * Eigen::ArrayXXd::Random(60, 80);
@@ -81,7 +81,7 @@ TEST_CASE("a paraboloid is one summit of its principal curvatures, with its top 
     }
 }
 
-TEST_CASE("curvatures and tops of a wave of n points are short by what five points lose") {
+TEST_CASE("curvatures and tops of a wave of n points are short by the error of five points") {
     const double pi = std::numbers::pi;
     for (const int n : {8, 16, 64}) {
         HeightMap<double> map;

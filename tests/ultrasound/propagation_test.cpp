@@ -108,7 +108,7 @@ TEST_CASE("K is bounded where two errors of R reach neither 1 nor the welded joi
     CHECK(bounded(0.4, 0.0));
 }
 
-TEST_CASE("propagation refuses what has no error") {
+TEST_CASE("propagation refuses values without an error") {
     const auto call = [](double r, double error) {
         return test::refusal([&] { static_cast<void>(parts::measured_stiffness(r, error, {46e6, 46e6}, 4.4e7)); });
     };

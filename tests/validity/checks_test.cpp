@@ -69,7 +69,7 @@ TEST_CASE("Each check of a curve has its range, its limit and where it first fai
     }
 }
 
-TEST_CASE("A good state raises no concern, and what is not known is not checked") {
+TEST_CASE("A good state raises no concern and unknown values are not checked") {
     const std::vector<ContactState<double>> good{states()[1]};
     for (const auto& check : parts::check_curve<double>(good, limits())) {
         INFO(name_of(check.concern));
@@ -79,7 +79,7 @@ TEST_CASE("A good state raises no concern, and what is not known is not checked"
     REQUIRE(few.size() == 1);
     CHECK(few[0].concern == parts::Concern::mean_planes_crossed);
 
-    // without a yield strength the mean pressure is told, and holds
+    // without a yield strength the mean pressure is reported and valid
     const auto checks = parts::check_curve<double>(states(), {.effective_modulus = 1e11});
     const auto* hardness = parts::find_check(checks, parts::Concern::above_hardness);
     REQUIRE(hardness);
@@ -99,7 +99,7 @@ TEST_CASE("A stiffness that underflows is no failure to converge") {
     CHECK(parts::find_check(parts::check_curve<double>(tiny, limits()), parts::Concern::not_converged)->holds());
 }
 
-TEST_CASE("The checks of a surface are the plasticity index and what a Gaussian surface can have") {
+TEST_CASE("The checks of a surface are the plasticity index and the limits of Gaussian surfaces") {
     const auto checks = parts::check_surface(fine, 112.6e9, std::optional(400e6));
     REQUIRE(checks.size() == 2);
     CHECK((checks[0].concern == parts::Concern::plasticity && !checks[0].holds()));
@@ -147,7 +147,7 @@ TEST_CASE("Gradients that are given or implied are checked for a wrong unit") {
     CHECK(relative_error(of_density, curvature * std::sqrt(2 / (6 * std::numbers::pi * std::sqrt(3.0) * 500e6))) <
           1e-14);
     CHECK(relative_error(of_height, std::sqrt(0.832e-6 * curvature)) < 1e-14);
-    CHECK(parts::implied_gradients(fine, 0.0)[1] == of_height);  // r = 0 does not tell the gradient
+    CHECK(parts::implied_gradients(fine, 0.0)[1] == of_height);  // r = 0 does not determine the gradient
     const auto check = [](std::vector<double> gradients) { return parts::check_gradients<double>(gradients); };
     CHECK(check({1e-6, 0.1, 1}).holds());
     CHECK(check({}).holds());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Numbers with a unit, as people write them in a scene, on a command line or in the header of a measured file.
+/// Numbers with a unit, as in a scene, on a command line or in the header of a measured file.
 ///
 ///     parse_quantity("0.832 um", Dimension::length, "rms_height")   8.32e-7
 ///     parse_angle("pi/4", "theta")                                  0.785...
 ///
-/// Units are spelt as <fstiff/io/units.hpp> says, after any blank or none. The decimal sign is the point in every
-/// locale.
+/// <fstiff/io/units.hpp> lists the spellings of units, which follow after blanks or directly. The decimal sign is the
+/// point in every locale.
 ///
 /// Units       result in SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m
 /// Valid       finite decimal numbers; "inf", "nan", hexadecimal and anything left over are refused

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A measured file of any known form: a profile or a map, with the form that was recognised and every decision.
-/// Compiled: link fstiff::io.
+/// Reader of measured files: a profile or a map, the recognised form and all decisions. Compiled: link fstiff::io.
 ///
-/// Surface data files (SDF), X3P, arrays of NumPy, files and simple fields of Gwyddion, files of Digital Surf, profiles
-/// of ISO 5436-2, and maps of Zygo, Keyence, Wyko, Alicona and Sensofar are known by their first bytes, maps made of
-/// triangles (STL) by their size or first words. Other text is known by the columns of its first row: one or
-/// two make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four
-/// and more are a matrix, unless they begin with x, y and z, titles with units stand above them, or
-/// SurfaceOptions::column says that they are columns of a profile. Columns that number the points do not count; a
-/// matrix may have positions as its first row and column. What could be two things is refused, naming the option
-/// `format` that decides. Binary files of one row are profiles; an array of NumPy takes units and steps from the
-/// options.
+/// First bytes identify surface data files (SDF), X3P, NumPy, Gwyddion, Digital Surf, profiles of ISO 5436-2, and maps
+/// of Zygo, Keyence, Wyko, Alicona and Sensofar; size or first words identify triangles (STL); the columns of the first
+/// row identify text: 1 or 2 a profile, 3 triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix
+/// unless titles or SurfaceOptions::column name columns of a profile. An ambiguous file is refused with the option
+/// `format` that decides. Rules of text and of each form: docs/formats.md.
 ///
-/// Units       profile and map in m; SurfaceOptions::units are the file's
-/// Valid       profiles of 16 points, maps of 2 points a side at least, of heights that vary; files up to 2^31 bytes,
-///             SDF and X3P up to 2^30; lines of text up to 2^20 characters. The reader of each form, in src/io, says
-///             what it takes
-/// Accuracy    heights and steps are the printed or stored numbers times their unit, each rounded once, or twice where
-///             the file has a scale too (tests/io/surface_file_test.cpp, and the test of each reader)
+/// Units       profile and map in m; SurfaceOptions::units are those of the file
+/// Valid       profiles of at least 16 points, maps of at least 2 points a side, heights that vary; files up to 2^31
+///             bytes, SDF and X3P up to 2^30; lines of text up to 2^20 characters; see the readers in src/io
+/// Accuracy    the printed or stored numbers times their unit, each rounded once, or twice where the file has a scale
+///             too (tests/io/surface_file_test.cpp, and the test of each reader)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/profile/profile.hpp>
@@ -37,7 +31,7 @@
 
 namespace fstiff::inline v0_1::io {
 
-/// The forms of files that are read.
+/// Forms of files that are read.
 enum class SurfaceFormat {
     automatic,
     profile,
@@ -61,8 +55,8 @@ enum class SurfaceFormat {
     opdx
 };
 
-/// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
-/// programs write an increment that is not to be applied to them.
+/// Use of the z increment for X3P heights in floating point: ISO 25178-72 multiplies by it, but some programs write an
+/// increment that must not be applied.
 enum class X3pIncrement { apply, ignore };
 
 }  // namespace fstiff::inline v0_1::io
@@ -90,32 +84,32 @@ inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io
 
 namespace fstiff::inline v0_1::io {
 
-/// "profile", "triples", "matrix", "sdf", "x3p" and so on, or "auto". \throws domain_error listing them.
+/// Format named "profile", "triples", "matrix", "sdf", "x3p" and so on, or "auto". \throws domain_error listing them.
 [[nodiscard]] SurfaceFormat surface_format(std::string_view name);
-/// The word of \p format, as surface_format() takes it.
+/// Name of \p format, as surface_format() accepts it.
 [[nodiscard]] std::string_view surface_format_name(SurfaceFormat format);
-/// The form, other than a table of numbers, that begins as \p bytes do; automatic where none does.
+/// Form, other than a table of numbers, that begins like \p bytes; automatic where none matches.
 [[nodiscard]] SurfaceFormat form_of_first_bytes(std::string_view bytes);
 /// Whether fstiff::io was built with zlib and pugixml, which X3P needs.
 [[nodiscard]] bool reads_x3p();
 /// Whether fstiff::io was built with zlib, which compressed files of Digital Surf need.
 [[nodiscard]] bool reads_compressed_sur();
 
-/// What messages call the options of a reader: units = "um" in a program, --units "um" on a command line.
+/// Names of the options of a reader in messages: units = "um" in a program, --units "um" on a command line.
 struct OptionNames {
     std::string prefix{};           ///< before the name of an option
-    std::string format = "format";  ///< the whole name of the option that tells the form
+    std::string format = "format";  ///< the whole name of the option for the form
     std::string equals = " = ";     ///< between an option and its value
 };
 
-/// What may be inflated of an X3P file. Measured heights shrink to a half or a tenth.
+/// Limits of the inflated data of an X3P file. Measured heights shrink to a half or a tenth.
 struct X3pLimits {
     std::uint64_t bytes = std::uint64_t(1) << 30;  ///< of one file of the archive
     std::uint64_t ratio = 200;                     ///< inflated to deflated, above 2^20 bytes
     std::int64_t files = 10000;                    ///< in the archive
 };
 
-/// Only what the form has use for may be given.
+/// Options of the readers; only those that apply to the form may be given.
 struct SurfaceOptions {
     SurfaceFormat format = SurfaceFormat::automatic;
     std::string units{};  ///< of text, npy, stl: "um,nm" (lengths, heights), "um" (both); replaces the header's
@@ -124,19 +118,18 @@ struct SurfaceOptions {
     std::size_t x_column = 0;          ///< of a profile, with the positions, counted from 1; 0: the first that may be
     std::optional<double> dx{}, dy{};  ///< of a matrix and npy, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix and npy, columns dx and rows dy [m]
-    std::string
-        missing{};  ///< of text and npy, stands for missing points: "-9999", "void", both with a comma, or "none"
-    bool resample = false;                             ///< of a profile: unequally spaced positions are interpolated
+    std::string missing{};  ///< of text and npy, denotes missing points: "-9999", "void", both with a comma, or "none"
+    bool resample = false;  ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with heights of floating point
     X3pLimits x3p_limits{};
     std::string channel{};  ///< of gwy: its number or its title; empty: the lowest whose units are lengths
     OptionNames names{};    ///< for messages
 };
 
-/// The columns of which a profile may choose one.
+/// Columns of which a profile may choose one.
 inline constexpr std::size_t max_profile_columns = 4096;
 
-/// How a file was taken.
+/// Form of a file and the decisions of its reader.
 struct SurfaceRecord {
     std::string name;
     SurfaceFormat format{};
@@ -145,14 +138,14 @@ struct SurfaceRecord {
     std::vector<std::string> warnings{};  ///< of readings that may be wrong, with the option of the other
     double resolution{};  ///< step in which the heights are printed or counted [m]; 0 where it is not known
 
-    /// The above as sentences for people, one a line, without a full stop.
+    /// These decisions as sentences for people, one a line, without a full stop.
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
-/// What a measured file holds.
+/// Content of a measured file.
 using ProfileOrMap = std::variant<Profile<double>, HeightMap<double>>;
 
-/// A profile or a map of any file, and how it was taken.
+/// A profile or a map from any file, and how it was read.
 struct Surface {
     ProfileOrMap data;
     SurfaceRecord record;
@@ -164,8 +157,8 @@ struct Surface {
 
 namespace detail {
 
-/// Heights row after row; one row is a profile. What is compiled hands over no array of Eigen, which a program may only
-/// free where it was compiled for the same processor.
+/// Heights in row order; one row is a profile. Compiled code returns no array of Eigen, because a program can free one
+/// only where both were compiled for the same processor.
 struct RawMap {
     std::vector<double> heights;  ///< [m], NaN where missing
     std::size_t rows{}, columns{};
@@ -174,7 +167,7 @@ struct RawMap {
     [[nodiscard]] double at(std::size_t row, std::size_t column) const { return heights[row * columns + column]; }
 };
 
-/// What read_surface() makes a Surface of.
+/// Conversion of the raw result of read_surface() to a Surface.
 struct ReadSurface {
     RawMap map;
     SurfaceRecord record;
@@ -196,7 +189,7 @@ struct ReadSurface {
 
 }  // namespace detail
 
-/// Reads the bytes of a file; \p name stands for it in messages.
+/// Reads the bytes of a file; \p name denotes it in messages.
 /// \throws domain_error naming file, place, value and what is allowed, or the option that resolves an ambiguity.
 [[nodiscard]] inline Surface read_surface(std::string bytes, std::string_view name,
                                           const SurfaceOptions& options = {}) {

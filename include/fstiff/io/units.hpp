@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The units that fstiff reads, in the spellings that scenes, command lines and measured files use.
+/// Units that fstiff reads, in the spellings of scenes, command lines and measured files.
 ///
 ///     unit_factor("GPa/um", Dimension::stiffness_per_area)          1e15
 ///
@@ -19,7 +19,7 @@
 
 namespace fstiff::inline v0_1::io {
 
-/// The kinds of quantities that have units.
+/// Kinds of quantities that have units.
 enum class Dimension {
     length,
     area,
@@ -43,7 +43,7 @@ enum class Dimension {
 
 namespace fstiff::inline v0_1 {
 
-/// As messages call them.
+/// Name of a kind in messages.
 template <>
 inline constexpr auto names<io::Dimension> = name_list<io::Dimension>({
     {io::Dimension::length, "length"},
@@ -68,14 +68,14 @@ inline constexpr auto names<io::Dimension> = name_list<io::Dimension>({
 
 namespace fstiff::inline v0_1::io {
 
-/// What one \p unit of \p dimension is in SI units.
+/// Value of one \p unit of \p dimension in SI units.
 /// \throws domain_error listing the accepted units.
 [[nodiscard]] double unit_factor(std::string_view unit, Dimension dimension);
 
 /// Whether \p unit is one of \p dimension.
 [[nodiscard]] bool is_unit(std::string_view unit, Dimension dimension);
 
-/// The units of \p dimension as messages list them: "m, km, cm, mm, um".
+/// Units of \p dimension as messages list them: "m, km, cm, mm, um".
 [[nodiscard]] std::string accepted_units(Dimension dimension);
 
 }  // namespace fstiff::inline v0_1::io

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Writes profiles and maps: as delimited text, and as surface data files (SDF). read_surface() of
+/// Writers of profiles and maps as delimited text and as surface data files (SDF). read_surface() of
 /// <fstiff/io/surface_file.hpp> reads both back bit for bit. Compiled: link fstiff::io.
 ///
 /// A profile as text has rows of x and z, triples have rows of x, y and z, separated by commas below a line of titles
-/// with units. A matrix has a row of the map a line, separated by tabs below the header that Gwyddion writes, with dx
-/// and dy beside the width and the height. Spacings stand in the header as they are; positions are multiples of them,
+/// with units. A matrix has a row of the map per line, separated by tabs below the header that Gwyddion writes, with
+/// dx and dy in addition to width and height. The header contains the exact spacings; positions are multiples of them,
 /// rounded. A missing point is an empty cell of a profile, "nan" in a map.
 ///
 /// Reference   ISO 25178-71:2017 (versions 1.0, 2.0) for SDF
 /// Units       m, stated in the header; Zscale of SDF is 1
-/// Valid       what the readers accept: 16 points of a profile, 2 a side of a map, heights that vary; 2 points of a
-///             profile as SDF
+/// Valid       data that the readers accept: 16 points of a profile, 2 a side of a map, heights that vary; 2 points of
+///             a profile as SDF
 /// Accuracy    heights and spacings come back bit for bit (tests/io/write_csv_test.cpp, tests/io/write_sdf_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -24,7 +24,7 @@
 
 namespace fstiff::inline v0_1::io {
 
-/// How the text of a map is laid out.
+/// Layout of the text of a map.
 enum class MapForm { automatic, triples, matrix };
 
 }  // namespace fstiff::inline v0_1::io
@@ -40,12 +40,13 @@ inline constexpr auto names<io::MapForm> = name_list<io::MapForm>({{io::MapForm:
 
 namespace fstiff::inline v0_1::io {
 
-/// \throws domain_error when the profile is not valid, file_error when the output does not take it.
+/// Writes a profile as text.
+/// \throws domain_error when the profile is not valid, file_error when the output fails.
 void write_csv(std::ostream& output, const Profile<double>& profile);
-/// As MapForm::matrix or MapForm::triples.
+/// Writes a map as MapForm::matrix or MapForm::triples.
 void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form = MapForm::matrix);
 
-/// What the header of a surface data file says beside the map.
+/// Header fields of a surface data file in addition to the map.
 struct SdfOptions {
     bool binary = true;
     std::string manufacturer = "fstiff";  ///< at most 10 printable ASCII characters
@@ -53,9 +54,9 @@ struct SdfOptions {
 };
 
 /// Writes numbers of double precision, version ISO-1.0 (ISO-2.0 where a side of a binary map exceeds 65535 points).
-/// \throws domain_error when the map, or an option, cannot be written, file_error when the output does not take it.
+/// \throws domain_error when the map, or an option, cannot be written, file_error when the output fails.
 void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOptions& options = {});
-/// As a file of one profile, whose Yscale is the spacing too.
+/// Writes a file of one profile, whose Yscale is the spacing too.
 void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options = {});
 
 }  // namespace fstiff::inline v0_1::io

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The parts of a band of K: errors of the measurement, choice of lambda_s, choice of the window of D, and what is not
-/// known of the surface.
+/// Parts of a band of K: errors of the measurement, choice of lambda_s, choice of the window of D, and unknown
+/// properties of the surface.
 ///
 ///     low = K exp(-hypot(e_low, s_low, u_low)),  high = K exp(hypot(e_high, s_high, u_high)),  u^2 = sum of u_i^2
 ///
-/// e_low and e_high are the ends of the band over the errors, as ln(end/K); s_low and s_high the least and the greatest
-/// ln(K of a neighbour/K), 0 where no neighbour lies on that side; u_i the same of the surfaces that have one unknown
-/// at its 5 and at its 95 %. To the first order u is the width over surfaces drawn at random with all unknowns at once.
+/// e_low and e_high are the ends of the band over the errors, as ln(end/K). s_low and s_high are the minimum and the
+/// maximum of ln(K of a neighbour/K), 0 where no neighbour lies on that side. u_i is the same for surfaces with one
+/// unknown at its 5 % and at its 95 % quantile. To first order u is the width over surfaces that draw all unknowns.
 ///
-/// Reference   the sum by squares is that of independent errors (JCGM 100:2008, 5.1.2), in logarithms; unknowns:
-///             surface/process_prior.hpp
+/// Reference   independent errors add as squares (JCGM 100:2008, 5.1.2), here in logarithms; surface/process_prior.hpp
 /// Units       K [Pa/m], widths in ln K
-/// Valid       K and the ends of the band greater than 0; what is no stiffness among the neighbours is left out
+/// Valid       K and the ends of the band greater than 0; neighbours without a positive finite stiffness are left out
 /// Accuracy    rounding (tests/measured/widened_band_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
@@ -31,35 +30,35 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// How many times K of a face with a lay may exceed that of an isotropic one with the statistics of a profile across
-/// it: boundary elements of three turned faces gave 10 to 18 at p* of 1e-4 to 1e-2.
+/// Factor by which K of a face with a lay may exceed that of an isotropic face with the statistics of a profile across
+/// the lay: boundary elements of three turned faces gave 10 to 18 at p* of 1e-4 to 1e-2.
 inline constexpr double lay_factor = 20;
 
-/// One part of a band, as ln(K/value): low at most 0, high at least 0.
+/// One part of a band as ln(K/value): low <= 0 <= high.
 template <Real T = double>
 struct BandPart {
     T low{}, high{};
 };
 
-/// The parts of a band, as ln(K/value): low ones at most 0, high ones at least 0.
+/// All parts of a band as ln(K/value): low <= 0 <= high.
 template <Real T = double>
 struct BandParts {
     T errors_low{}, errors_high{};                        ///< of the errors of the measurement
     T scale_low{}, scale_high{};                          ///< of the neighbours with another lambda_s
     T window_low{}, window_high{};                        ///< of the choice of the window of D: a share of the errors
-    T prior_low{}, prior_high{};                          ///< of what is not known, but for the shape
+    T prior_low{}, prior_high{};                          ///< of the unknowns, except the shape
     T shape_low{}, shape_high{};                          ///< of the shape of the heights: skewness and kurtosis
-    std::array<BandPart<T>, unknown_count> of_unknown{};  ///< what these two are made of, in the order of Unknown
+    std::array<BandPart<T>, unknown_count> of_unknown{};  ///< parts of these two, in the order of Unknown
 };
 
-/// K of the surfaces that have one unknown at its 5 and at its 95 %, over K, at every point.
+/// K of the surfaces that have one unknown at its 5 % and at its 95 % quantile, over K, at every point.
 template <Real T = double>
 struct UnknownCurves {
     Unknown which{};
     std::vector<T> low, high;
 };
 
-/// The least and the greatest ln(other/value) of \p others into \p low and \p high; what is no stiffness is left out.
+/// Extends \p low and \p high by the ln(other/value) of \p others; values that are no stiffness are left out.
 template <Real T>
 void spread_of(std::type_identity_t<T> value, std::span<const T> others, T& low, T& high) {
     for (const T other : others) {
@@ -70,7 +69,7 @@ void spread_of(std::type_identity_t<T> value, std::span<const T> others, T& low,
     }
 }
 
-/// Widens \p band of the stiffness \p value by the spread to the neighbours \p others. A band of no surface stays 0.
+/// Widens \p band of the stiffness \p value by the spread to the neighbours \p others. A band of 0 surfaces stays 0.
 template <Real T>
 BandParts<T> widen(SampledBand<T>& band, std::type_identity_t<T> value, std::span<const T> others) {
     BandParts<T> parts;
@@ -84,8 +83,8 @@ BandParts<T> widen(SampledBand<T>& band, std::type_identity_t<T> value, std::spa
     return parts;
 }
 
-/// Widens \p band by what is not known, with \p curves at the place \p point, and notes it in \p parts. Of two faces an
-/// unknown may be there twice.
+/// Widens \p band by the unknowns, with \p curves at the place \p point, and records the widths in \p parts. For two
+/// faces an unknown may occur twice.
 template <Real T>
 void widen(SampledBand<T>& band, BandParts<T>& parts, std::span<const UnknownCurves<T>> curves, std::size_t point) {
     for (const UnknownCurves<T>& one : curves) {
@@ -107,7 +106,7 @@ void widen(SampledBand<T>& band, BandParts<T>& parts, std::span<const UnknownCur
     band.high = (std::min)(band.high, (std::numeric_limits<T>::max)() / 2);
 }
 
-/// The unknown that makes the greatest part of a band; skewness and kurtosis, of one measurement, count as one.
+/// Unknown with the largest part of a band; skewness and kurtosis come from one measurement and count as one.
 template <Real T = double>
 struct GreatestUnknown {
     Unknown which{};
@@ -115,7 +114,7 @@ struct GreatestUnknown {
     T narrower{};  ///< the width of the band without it over that with it, both in ln K
 };
 
-/// None where nothing is unknown, or the width is 0.
+/// Empty where nothing is unknown, or where the width is 0.
 template <Real T>
 [[nodiscard]] std::optional<GreatestUnknown<T>> greatest_unknown(const BandParts<T>& parts) {
     const auto of_shape = [](std::size_t i) { return i < unknown_count && is_of_shape(static_cast<Unknown>(i)); };
@@ -142,7 +141,7 @@ void widen_by_lay(SampledBand<T>& band) {
     band.high = (std::min)(static_cast<T>(lay_factor) * band.high, (std::numeric_limits<T>::max)() / 2);
 }
 
-/// D greater and smaller by what the choice of its window of lags leaves open: 5 % and 95 %, within (1, 2).
+/// 5 % and 95 % quantiles of D, within (1, 2), over the choice of the window of lags.
 template <Real T>
 [[nodiscard]] std::array<T, 2> dimensions_of_other_windows(T dimension, T window_error) {
     const T away = math::normal_95<T>.value * window_error;

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The cut-offs of a measurement: given, chosen by the tables of the standards, or none, with the reason.
-/// A contact feels every wave up to its own size: lambda_c is none unless it is given.
+/// Cut-offs of a measurement: given, chosen from the tables of the standards, or none, each with its reason.
 ///
-///     lambda_s    least nesting index >= 5 steps and >= resolution; that of the tip where it is longer;
-///                 none where 10 of it do not fit the surface, or where it is not below a given lambda_c
-///     lambda_c    none; for Ra, Rq and the other parameters of ISO 21920 that of with_drawing_cut_off()
-///     neighbours  lambda_s/sqrt(2) and sqrt(2) lambda_s; 2 lambda_s alone where the first is below 2 steps;
-///                 without lambda_s 4 steps
-///
-/// Reference   ISO 21920-3:2021, ISO 25178-3:2012 through surface/nesting_indices.hpp; a surface without lambda_c is
-///             the S-F surface of ISO 25178-2:2012. The limits of 10, 2 and 5 and the neighbours are this project's.
+///     lambda_s    smallest nesting index >= 5 steps and >= resolution; that of the tip where it is longer;
+///                 none where the surface is shorter than 10 of it, or where it is not below a given lambda_c
+///     lambda_c    none unless given, because K depends on all waves up to the size of the contact; for Ra, Rq and the
+///                 other parameters of ISO 21920 that of with_drawing_cut_off()
+///     neighbours  lambda_s/sqrt(2) and sqrt(2) lambda_s; only 2 lambda_s where the first is below 2 steps;
+///                 4 steps for a surface without lambda_s
+/// Reference   ISO 21920-3:2021, ISO 25178-3:2012 (surface/nesting_indices.hpp); a surface without lambda_c is the S-F
+///             surface of ISO 25178-2:2012. The limits 10, 2, 5 and the neighbours are this project's.
 /// Units       lengths [m]
-/// Valid       a given lambda_s has 2 steps at least, a given lambda_c 5; neither exceeds the length of the surface,
-///             and lambda_s is below lambda_c
+/// Valid       a given lambda_s has at least 2 steps, a given lambda_c at least 5; neither exceeds the length of the
+///             surface, and lambda_s is below lambda_c
 /// Accuracy    that of nesting_index() and roughness_cut_off() (tests/measured/cut_offs_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
@@ -26,49 +25,49 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Steps that a given lambda_s, a given lambda_c holds at least.
+/// Minimum number of steps in a given lambda_s and in a given lambda_c.
 inline constexpr int min_steps_of_lambda_s = 2, min_steps_of_lambda_c = 5;
-/// How many lambda_s of the tables the surface holds at least.
+/// Minimum number of tabulated lambda_s in the length of the surface.
 inline constexpr int lambda_s_of_length = 10;
 
-/// Why lambda_s is what it is.
+/// Reason for the value of lambda_s.
 enum class LambdaSReason {
-    given,              ///< asked for, or none was asked for
+    given,              ///< requested, or no cut-off requested
     by_table,           ///< the index of the tables
-    too_short,          ///< none: ten of the index do not fit the surface
+    too_short,          ///< none: the surface is shorter than ten of the index
     not_below_lambda_c  ///< none: the index is not below the lambda_c that was given
 };
 
-/// What the index of the tables comes from.
+/// Origin of the index from the tables.
 enum class IndexSource { step, resolution, tip };
 
-/// The outcome of the robust filter of lambda_c.
+/// Outcome of the robust filter of lambda_c.
 struct RobustOutcome {
     std::size_t left_out{}, points{};  ///< points without weight, and all
     int iterations{};
     bool converged{};
 };
 
-/// The cut-offs of a measurement and their reasons. The filters act after the form is removed, that of lambda_s first.
+/// Cut-offs of a measurement and their reasons. The filters act after the removal of the form, that of lambda_s first.
 template <Real T = double>
 struct CutOffs {
     std::optional<T> lambda_s{}, lambda_c{};  ///< [m]
     CutOffFilter filter = CutOffFilter::gaussian;
     LambdaSReason why_s = LambdaSReason::given;
-    T index{};  ///< of the tables, whether it was taken or not [m]; 0: not asked for
+    T index{};  ///< of the tables, used or not [m]; 0: not requested
     IndexSource index_source = IndexSource::step;
     CutOffReason why_c = CutOffReason::given;
-    T mean_deviation{};                ///< Ra behind the lambda_c of the tables [m]; 0: none
+    T mean_deviation{};                ///< Ra after the lambda_c of the tables [m]; 0: none
     T step{}, length{}, tip_radius{};  ///< coarser step, shorter side, and the tip that was given [m]
     std::optional<RobustOutcome> robust{};
 
     [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
 };
 
-/// What is wrong with a given cut-off.
+/// Defect of a given cut-off.
 enum class CutOffRefusal { below_steps, above_length, not_below_lambda_c };
 
-/// A given cut-off that a surface cannot hold.
+/// A given cut-off that is not valid for a surface.
 template <Real T = double>
 struct RefusedCutOff {
     CutOffRefusal why{};
@@ -76,8 +75,8 @@ struct RefusedCutOff {
     T given{}, limit{};  ///< the cut-off, and the bound that it misses [m]
 };
 
-/// The first given cut-off of \p options that a surface of \p step (the coarser one) and \p length (the shorter side)
-/// cannot hold.
+/// First given cut-off of \p options that is not valid for a surface of \p step (the coarser one) and \p length (the
+/// shorter side); empty where all are valid.
 template <Real T>
 [[nodiscard]] std::optional<RefusedCutOff<T>> refused_cut_off(const MeasureOptions<T>& options,
                                                               std::type_identity_t<T> step,
@@ -100,7 +99,7 @@ template <Real T>
     return {};
 }
 
-/// \throws domain_error for a given cut-off that the surface cannot hold.
+/// \throws domain_error for a given cut-off that is not valid for the surface.
 template <Real T>
 void require_cut_offs(const MeasureOptions<T>& options, T step, T length) {
     const auto found = refused_cut_off(options, step, length);
@@ -113,7 +112,7 @@ void require_cut_offs(const MeasureOptions<T>& options, T step, T length) {
                                                        : "less than lambda_c, " + limit);
 }
 
-/// lambda_s of the tables into \p found, whose lambda_c is known where it was given.
+/// Sets lambda_s of \p found from the tables; lambda_c of \p found is set where it was given.
 template <Real T>
 void choose_lambda_s(CutOffs<T>& found, T resolution) {
     found.index = shortest_lambda_s(found.step, resolution, found.tip_radius);
@@ -131,7 +130,7 @@ void choose_lambda_s(CutOffs<T>& found, T resolution) {
     }
 }
 
-/// What was given, and lambda_s by the tables where it was not.
+/// Given cut-offs, and lambda_s from the tables where it was not given.
 template <Real T>
 [[nodiscard]] CutOffs<T> given_cut_offs(const MeasureOptions<T>& options, T step, T length) {
     require_cut_offs(options, step, length);
@@ -148,7 +147,7 @@ template <Real T>
     return found;
 }
 
-/// Cut-offs for \p profile. \throws domain_error for a given one that the profile cannot hold.
+/// Cut-offs for \p profile. \throws domain_error for a given one that is not valid for the profile.
 template <Real T>
 [[nodiscard]] CutOffs<T> choose_cut_offs(const Profile<T>& profile, const MeasureOptions<T>& options = {}) {
     return given_cut_offs(options, profile.spacing, profile.length());
@@ -163,8 +162,8 @@ template <Real T>
                           (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy));
 }
 
-/// The lambda_s [m] of the neighbours of a surface of \p step [m] (the coarser one) that was measured with \p lambda_s:
-/// a factor of two between them.
+/// lambda_s [m] of the neighbours of a surface of \p step [m] (the coarser one) measured with \p lambda_s; the
+/// neighbours differ by a factor of two.
 template <Real T>
 [[nodiscard]] std::vector<T> neighbouring_lambda_s(const std::optional<T>& lambda_s, std::type_identity_t<T> step) {
     if (!lambda_s) return {4 * step};

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Skewness and kurtosis of a surface as far as its heights know them, for the bearing curve of the hybrid contact.
+/// Skewness and kurtosis of a surface, reduced by their uncertainty, for the bearing curve of the hybrid contact law.
 ///
-///     D^2   = <(z/sigma - zeta)^2>,  zeta = Phi^-1((rank + 1/2)/N)     how far the heights are from Gaussian ones
-///     n     = N/(1 + 2 sum_k A(k)^2)    heights that know nothing of one another, A the autocorrelation (times pairs/N
-///                                       at lags up to N/2, whose chance adds 0.6 of the sum); of a map the product of
-///                                       those along x and along y, each the mean over 16 lines at most
-///     share = max(0, 1 - 0.8/(n D^2))   how much of skewness and of kurtosis - 3 counts, where one of them is farther
-///                                       from a Gaussian's than two of its standard errors
+///     D^2   = <(z/sigma - zeta)^2>,  zeta = Phi^-1((rank + 1/2)/N)           departure from Gaussian heights
+///     n     = N/(1 + 2 sum_k (A(k) pairs_k/N)^2)    independent heights; for a map the product of the means along x, y
+///     share = max(0, 1 - 0.8/(n D^2))               factor of skewness and of kurtosis - 3
 ///
-/// Heights that are Gaussian have some D by chance, which falls as 1/n: on the Gaussian maps of
-/// tests/support/map_kinds.hpp n D^2 of traces is 0.1 to 2.6, on others 0.15 to 6 of one row with 8 to 16 waves, 0.7 to
-/// 19 of four, 2 to 83 of sixteen.
-///
-///     ShapeOfHeights<double> shape;
-///     shape.add(profile);
-///     HeightShape<double> counted = counted_shape(height_statistics(profile), shape.share());
-///     BearingSlope<double> curve = bearing_of_moments(counted.skewness, counted.kurtosis);
-///
-/// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); the share: this project, chosen on seeds 1 and 2 of
-///             these maps and shown on 3 to 5 (docs/validation.md).
-/// Units       heights [m]; all else dimensionless, kurtosis 3 of a Gaussian
-/// Valid       form removed before, 16 points at least; missing points are left out
+/// Skewness 0 and kurtosis 3 where neither differs from these values by more than two standard errors.
+/// Derivation  docs/theory.md, section 2
+/// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); share: this project (docs/validation.md)
+/// Units       heights [m]; all else dimensionless
+/// Valid       form removed before, at least 16 points; missing points are left out
 /// Accuracy    1e-12 of the formulae (tests/measured/height_shape_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -41,7 +30,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Skewness and kurtosis of heights; by default those of a Gaussian surface.
+/// Skewness and kurtosis of heights; the default is a Gaussian surface.
 template <Real T = double>
 struct HeightShape {
     T skewness = 0, kurtosis = 3;
@@ -49,15 +38,15 @@ struct HeightShape {
     [[nodiscard]] bool is_gaussian() const { return skewness == 0 && kurtosis == 3; }
 };
 
-/// \p share of \p skewness and of \p kurtosis - 3, but a skewness of 2 and a kurtosis of 10 at most, beyond which no
-/// map was compared: a spike makes more, and says nothing of the rest. Within the range of bearing_of_moments.
+/// Shape with \p share of \p skewness and of \p kurtosis - 3. The skewness is limited to 2 and the kurtosis to 10, the
+/// range of the maps that were compared, because spikes cause larger values; both are valid for bearing_of_moments.
 template <Real T>
 [[nodiscard]] HeightShape<T> counted_shape(T skewness, T kurtosis, T share) {
     const T s = std::clamp(share * skewness, T(-2), T(2));
     return {s, std::clamp(3 + share * (kurtosis - 3), least_kurtosis(s), T(10))};
 }
 
-/// The same of \p measured heights: Gaussian ones unless their skewness or kurtosis departs by two standard errors.
+/// Shape of \p measured heights: Gaussian unless skewness or kurtosis departs by two standard errors.
 template <Real T>
 [[nodiscard]] HeightShape<T> counted_shape(const HeightStatistics<T>& measured, T share) {
     const auto departs = [](const Measurement<T>& one, T gaussian) {
@@ -67,7 +56,7 @@ template <Real T>
     return counted_shape(measured.skewness.value, measured.kurtosis.value, share);
 }
 
-/// That of the sum of two faces with the mean square heights \p m0_a and \p m0_b and independent heights: cumulants
+/// Shape of the sum of two faces with the mean square heights \p m0_a and \p m0_b and independent heights: cumulants
 /// add.
 template <Real T>
 [[nodiscard]] HeightShape<T> sum_of_shapes(const HeightShape<T>& a, T m0_a, const HeightShape<T>& b, T m0_b) {
@@ -76,7 +65,7 @@ template <Real T>
             3 + of_a * of_a * (a.kurtosis - 3) + of_b * of_b * (b.kurtosis - 3)};
 }
 
-/// n of \p profile; at most the number of its points.
+/// Number n of independent heights of \p profile, at most its number of points.
 /// \throws domain_error as autocorrelation.
 template <Real T>
 [[nodiscard]] T independent_points(const Profile<T>& profile) {
@@ -85,13 +74,13 @@ template <Real T>
     T lags = 1;
     for (std::size_t k = 1; k < of.size(); ++k) {
         if (std::isnan(of.value[k])) continue;
-        const T A = of.value[k] * static_cast<T>(of.pairs[k]) / points;  // what few pairs say at long lags is chance
+        const T A = of.value[k] * static_cast<T>(of.pairs[k]) / points;  // few pairs at long lags scatter
         lags += 2 * A * A;
     }
     return points / lags;
 }
 
-/// The heights of one surface, of one trace or map or of several of them.
+/// Heights of one surface, from one or several traces or maps.
 template <Real T = double>
 class ShapeOfHeights {
 public:
@@ -107,9 +96,9 @@ public:
                    along(map.columns(), [&](Eigen::Index i) { return Heights(map.heights.col(i)); });
         add_heights({map.heights.data(), static_cast<std::size_t>(map.size())});
     }
-    /// n of all.
+    /// n of all heights added.
     [[nodiscard]] T independent_points() const { return points_; }
-    /// D^2; 0 of fewer than 16 heights, or of heights that are all alike.
+    /// D^2; 0 for fewer than 16 heights, or for equal heights.
     [[nodiscard]] T departure() const {
         std::vector<T> z = heights_;
         std::sort(z.begin(), z.end());
@@ -125,7 +114,7 @@ public:
         const T sigma = std::sqrt(square / count);
         return (std::max)(T(0), 1 - 2 * product / (sigma * count) + scores / count);
     }
-    /// How much of skewness and of kurtosis - 3 counts, from 0 to 1.
+    /// Factor of skewness and of kurtosis - 3, from 0 to 1.
     [[nodiscard]] T share() const {
         const T known = points_ * departure();
         return known > by_chance ? 1 - by_chance / known : T(0);
@@ -135,7 +124,7 @@ private:
     using Heights = Eigen::Array<T, Eigen::Dynamic, 1>;
     static constexpr T by_chance = T(0.8);  ///< of n D^2
 
-    /// Mean n of 16 of \p count lines, of those that have one.
+    /// Mean n of 16 of \p count lines, without lines that are too short or flat.
     template <class Line>
     [[nodiscard]] static T along(Eigen::Index count, const Line& line) {
         T sum = 0, lines = 0;
@@ -148,7 +137,7 @@ private:
         }
         return lines > 0 ? sum / lines : T(1);
     }
-    /// About their own mean.
+    /// Heights minus their own mean.
     void add_heights(std::span<const T> heights) {
         T mean = 0, present = 0;
         for (const T z : heights)

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the heights of a measured surface are distributed, and how steep it is: what decides which law of contact holds.
+/// Distribution and gradient of the heights of a measured surface, which decide which contact law is valid.
 ///
-///     skewness = <(z - <z>)^3>/sigma^3       kurtosis = <(z - <z>)^4>/sigma^4      0 and 3 of Gaussian heights
+///     skewness = <(z - <z>)^3>/sigma^3       kurtosis = <(z - <z>)^4>/sigma^4      0 and 3 for Gaussian heights
 ///     m0 = sigma^2,  m2 = <slope^2>,  m4 = <curvature^2>                            along a line, by neighbours
-///     alpha = m0 m4/m2^2                     rms gradient g = sqrt(2 m2)           of an isotropic surface
+///     alpha = m0 m4/m2^2                     rms gradient g = sqrt(2 m2)           for an isotropic surface
 ///
-/// Of a map the moments are means of those along x and y, and g^2 their sum. The errors are those of a jackknife that
-/// leaves out one of 16 blocks of a profile, or tiles of a map, at a time.
+/// For a map the moments are means of those along x and y, and g^2 is the sum of both mean square slopes. The errors
+/// are those of a jackknife that leaves out one of 16 blocks of a profile, or tiles of a map, at a time.
 ///
 /// Reference   ISO 25178-2 (Ssk, Sku, Sdq), ISO 21920-2 (Rsk, Rku); Nayak, J. Lubr. Technol. 93 (1971) 398; Efron, The
 ///             Jackknife (SIAM, 1982).
 /// Units       heights [m], m2, g, skewness and kurtosis dimensionless, m4 [1/m^2]
-/// Valid       form removed before; 64 points with triples of neighbours at least
+/// Valid       form removed before; at least 64 points with triples of neighbours
 /// Accuracy    1e-12 of plain sums (tests/measured/height_statistics_test.cpp)
 
 #include <fstiff/measured/surface_parameters.hpp>
@@ -27,7 +27,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// Skewness, kurtosis, gradient and moments of a surface, the first three with standard errors.
+/// Skewness, kurtosis, gradient and moments of a surface; the first three have standard errors.
 template <Real T = double>
 struct HeightStatistics {
     Measurement<T> skewness, kurtosis, rms_gradient;
@@ -43,7 +43,7 @@ struct HeightPowers {
     T pairs{}, slopes{}, triples{}, bends{};  // along x and y, squares
 
     void add_height(T z) { points += 1, first += z, second += z * z, third += z * z * z, fourth += z * z * z * z; }
-    /// \p a, \p b, \p c one after the other at the distance \p h; NaN where missing.
+    /// Adds three consecutive heights \p a, \p b, \p c at the distance \p h; NaN where missing.
     void add_neighbours(T a, T b, T c, T h) {
         const T slope = (b - a) / h, next = (c - b) / h;
         if (std::isnan(slope)) return;
@@ -74,7 +74,7 @@ struct HeightPowers {
     [[nodiscard]] T gradient() const { return std::sqrt(2 * slopes / pairs); }
 };
 
-/// Of the sums of \p blocks of a surface whose heights were divided by \p rms.
+/// Statistics from the sums of \p blocks of a surface whose heights were divided by \p rms.
 template <Real T, std::size_t blocks>
 [[nodiscard]] HeightStatistics<T> statistics_of(const std::array<HeightPowers<T>, blocks>& sums, T rms) {
     HeightPowers<T> whole;
@@ -106,7 +106,7 @@ template <Real T, std::size_t blocks>
 
 }  // namespace detail
 
-/// Of \p profile, taken for a section of an isotropic surface. \throws domain_error for a profile out of range.
+/// Statistics of \p profile as a section of an isotropic surface. \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] HeightStatistics<T> height_statistics(const Profile<T>& profile) {
     profile.validate(16);
@@ -124,7 +124,7 @@ template <Real T>
     return detail::statistics_of(sums, rms);
 }
 
-/// Of \p map. \throws domain_error for a map out of range.
+/// Statistics of \p map. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] HeightStatistics<T> height_statistics(const HeightMap<T>& map) {
     map.validate();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Sums over the parts of a surface, what they estimate, and how that varies over resamples of the parts.
+/// Sums over the parts of a surface, the estimates from them, and their spread over resamples of the parts.
 ///
-/// A resample draws blocks of neighbouring parts, as many as make the whole. The standard deviation over the resamples,
-/// times sqrt(n/(n-1)) t_(n-1)(0.95)/1.645 for n blocks (Student), is the error of an estimate: the scatter of a few
-/// blocks is badly known, and a band of 5 % to 95 % is made of it.
+/// A resample draws blocks of neighbouring parts until it is as long as the whole. The error of an estimate is the
+/// standard deviation over the resamples times sqrt(n/(n-1)) t_(n-1)(0.95)/1.645 for n blocks (Student), because few
+/// blocks give an uncertain scatter and the error has to give a band from 5 % to 95 %.
 ///
 /// Reference   Kunsch, Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4
 /// Units       heights in any unit, lengths in samples
-/// Valid       two blocks at least
+/// Valid       at least two blocks
 /// Accuracy    that of plain sums (tests/measured/surface_parameters_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -29,7 +29,7 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// Sums over points and triples of neighbours; heights from the mean, in some unit.
+/// Sums over points and triples of neighbours; heights relative to the mean, in any unit.
 template <Real S>
 struct HeightSums {
     S points{}, first{}, square{}, highest = std::numeric_limits<S>::lowest();
@@ -51,14 +51,14 @@ struct HeightSums {
     }
 };
 
-/// Which peaks the sums know.
+/// Kind of the peaks in the sums.
 enum class PeakCount { profile, summits, none };
 
-/// sigma, R, D_p, R_p, r, theta. The lengths are in the units of the sums: the unit of heights, and samples.
+/// sigma, R, D_p, R_p, r, theta in the units of the sums: the unit of heights, and samples.
 template <Real S>
 using Estimates = Eigen::Array<S, 6, 1>;
 
-/// As the sums have them; R = D_p = 1 when they know no peaks, NaN or infinite what they do not have.
+/// Estimates from the sums. R = D_p = 1 for sums without peaks; NaN or infinite where the sums have no value.
 template <Real S>
 Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
     const S mean = sums.first / sums.points;
@@ -79,7 +79,7 @@ Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
     return e;
 }
 
-/// Standard deviations of the estimates, relative to the whole (of r and theta absolute), and their correlation.
+/// Standard deviations of the estimates, relative to the whole (for r and theta absolute), and their correlation.
 template <Real S>
 struct EstimateSpread {
     Estimates<S> error = Estimates<S>::Zero();
@@ -87,7 +87,7 @@ struct EstimateSpread {
     std::size_t blocks{};
 };
 
-/// Resamples of \p cells, drawn in runs of \p block neighbours, as many as make the whole.
+/// Resamples of \p cells, drawn in runs of \p block neighbours, each as long as the whole.
 template <Real S>
 EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::size_t block, PeakCount count,
                                  std::size_t resamples, std::uint64_t seed, const ProgressHook& progress) {
@@ -109,7 +109,7 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
             for (std::size_t i = start; i < start + block; ++i) sums.add(cells[i]);
         }
         const Estimates<S> draw = known.select((estimates(sums, count) - whole) / unit, S(0));
-        if (draw.isFinite().all()) draws.push_back(draw);  // a draw without peaks says nothing
+        if (draw.isFinite().all()) draws.push_back(draw);  // skips draws without peaks
     }
     if (spread.blocks < 2 || draws.size() < 2)
         parts::refuse("resamples of " + std::to_string(spread.blocks) + " parts of the surface that hold peaks",

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Whether a surface has a lay, as a turned, milled or ground face has: its heights repeat themselves, or are
-/// stretched.
+/// Detection of a lay, as turned, milled or ground faces have: the heights repeat themselves or are stretched.
 ///
-///     of a profile    the greatest sum z(x) z(x + t)/sum z^2 beyond its first zero, at lags t up to a quarter of the profile
-///     of a map        Str = min r(phi)/max r(phi), or less (topography/areal_autocorrelation.hpp)
+///     profile    maximum of sum z(x) z(x + t)/sum z^2 beyond its first zero, at lags t up to a quarter of the profile
+///     map        Str = min r(phi)/max r(phi), or an upper bound (topography/areal_autocorrelation.hpp)
 ///
-/// Across a lay a profile repeats itself; along it a profile shows nothing of it. Either way a single profile does not
-/// know how far the ridges reach, on which K hangs: a turned face was 10 to 18 times stiffer than an isotropic one with
-/// the statistics of its profile. Divided by the sum over all points, and not by the pairs of a lag, the
-/// autocorrelation of few pairs scatters less.
-///
+/// A single profile does not contain the length of the ridges, and K depends on it: by boundary elements a turned face
+/// is 10 to 18 times stiffer than an isotropic one with the statistics of its profile.
+/// Derivation  docs/theory.md, section 2
 /// Reference   ISO 25178-2:2021 (Str); the limits 0.5 and 0.3 are this project's
 /// Units       lags [m], the others dimensionless
-/// Valid       profiles of 16 points at least; remove the form first
-/// Accuracy    of 9,600 self-affine profiles (H = 0.2 to 1, longest wave the profile to a 32nd of it) 0.1 % repeat
-///             themselves to 0.5; a sine or parabolic grooves with isotropic roughness of 0.5 of their rms height all
-///             do (tests/measured/lay_test.cpp has some of them)
+/// Valid       profiles of at least 16 points; remove the form first
+/// Accuracy    0.1 % of 9,600 self-affine profiles (H = 0.2 to 1) repeat themselves to 0.5; all sines and parabolic
+///             grooves with isotropic roughness of 0.5 of their rms height do (tests/measured/lay_test.cpp)
 
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
@@ -29,17 +25,17 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// How well a profile agrees with itself one period further on.
+/// Agreement of a profile with itself, shifted by one period.
 template <Real T = double>
 struct Repetition {
     T correlation{};  ///< 1 for a periodic profile; 0 where the autocorrelation has no zero within a quarter of it
     T period{};       ///< [m]
 
-    /// Whether that is a lay, and no chance.
+    /// Whether the agreement is a lay and not chance.
     [[nodiscard]] bool is_lay() const { return correlation > T(0.5); }
 };
 
-/// Of \p profile. \throws domain_error for a profile out of range.
+/// Repetition of \p profile. \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] Repetition<T> repetition(const Profile<T>& profile) {
     const Autocorrelation<T> all = autocorrelation(profile);
@@ -56,8 +52,8 @@ template <Real T>
     return found;
 }
 
-/// Str of \p map, on 256 points a side where it has more and none is missing; the upper bound that its lags give where
-/// Str is less than they show; 1 where no direction falls to 0.2. \throws domain_error for a map out of range.
+/// Str of \p map, on at most 256 points a side where no point is missing. Returns an upper bound where the longest lag
+/// of the map limits Str, and 1 where no direction falls to 0.2. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] T texture_aspect_ratio(const HeightMap<T>& map) {
     const bool whole = !map.heights.isNaN().any();

@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the waves that are about as long as a measured piece have of its mean square height, and what that leaves
-/// unknown.
+/// Share of the waves about as long as a measured piece in its mean square height, and the error of sigma from it.
 ///
-///     w_k      mean square height of cos(pi k x/L), of a map cos(pi kx x/Lx) cos(pi ky y/Ly), |k| < 16
+///     w_k      mean square height of cos(pi k x/L), for a map cos(pi kx x/Lx) cos(pi ky y/Ly), |k| < 16
 ///     share    sum w_k / sigma^2
-///     V        relative variance of sigma^2 of a Gaussian process, the greater of
-///              e/(1 - e), e = 2/3 sum w_k^2 / sigma^4, and
-///              2 sum c_k^2 / (sum c_k)^2 of c_k = k^-b, of a map k^-(b+1), |k| > 1, that has the same share; four times
-///              the first at most
+///     V1       = e/(1 - e), e = 2/3 sum w_k^2 / sigma^4     V2 = 2 sum c_k^2 / (sum c_k)^2, c_k = k^-b (map: k^-(b+1))
+///     V        = max(V1, min(V2, 4 V1)) for a profile, max(V1, sqrt(V1 min(V2, 4 V1))) for a map, at most 1
 ///     error    (ln of v over the 5 % point of chi^2 with v degrees of freedom)/(2 1.645), v = 2/V, of ln sigma
 ///
-/// The waves of a piece of a Gaussian surface have random amplitudes, each of one degree of freedom, and w_k is their
-/// square. Cosines of half periods fit a piece that ends anywhere, as they do the principal components of a random
-/// walk. Where few of them make most of the height, sigma of one piece is a matter of luck, and no resample of its
-/// parts shows that. e is divided by 1 - e because the same waves make sigma; v is taken for 2 where it is less. The
-/// few w_k scatter themselves: a piece that misses its longest waves by chance looks as if it had many of one strength.
-/// What shorter waves have does not scatter, and the power law (of a piece without its tilt) goes by that. Of a map,
-/// which has many more waves, the geometric mean of the two stands for the second: a spectrum that turns flat is then
-/// not taken for a steep one. chi^2 has a long tail: the surface may be much rougher than the piece, and not as much
-/// smoother. The error is that of the long side, so that a band of 5 % to 95 % reaches as far.
-///
-/// Reference   Wilson, Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684 (chi^2)
-/// Units       heights in any unit
-/// Valid       pieces of 16 parts a side or more; one row for a profile
-/// Accuracy    the quantile 1 % of ln sigma from v = 4 on, 9 % at 2; waves of 15 half periods are low by 4 % for the
+/// V: relative variance of sigma^2 for a Gaussian process; b gives the measured share. Derivation: docs/theory.md, 2.
+/// Reference   Wilson, Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684 (chi^2); heights in any unit
+/// Valid       pieces of at least 16 parts a side; one row for a profile
+/// Accuracy    quantile of ln sigma 1 % for v >= 4, 9 % at v = 2; waves of 15 half periods are low by 4 % due to the
 ///             width of 64 parts (tests/measured/long_waves_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
@@ -39,7 +26,7 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// What long_waves() finds of a piece.
+/// Long waves of a piece.
 template <Real T = double>
 struct LongWaveShare {
     T share{};  ///< of the mean square height that waves of fewer than 16 half periods have
@@ -50,13 +37,13 @@ struct LongWaveShare {
 
 inline constexpr int long_half_periods = 16;
 
-/// Whether a wave of so many half periods, beside the tilt, is a long one.
+/// Whether a wave with so many half periods counts as long; the mean and waves of half a period (tilt) do not.
 constexpr bool is_long_wave(int x, int y) {
     const int square = x * x + y * y;
     return square > 1 && square < long_half_periods * long_half_periods;
 }
 
-/// V of the power law that has \p share of its mean square in long waves.
+/// V of the power law with \p share of its mean square in long waves.
 template <Real T>
 T variance_of_power_law(T share, bool map) {
     const T edge = long_half_periods - T(0.5);
@@ -77,8 +64,8 @@ T variance_of_power_law(T share, bool map) {
     return variance;
 }
 
-/// Of the mean heights of equal \p parts of a piece, from its mean, 0 where nothing was measured; \p mean_square
-/// height.
+/// Long waves from the mean heights of equal \p parts of a piece, relative to its mean, 0 where nothing was measured;
+/// \p mean_square is the mean square height.
 template <Real T>
 LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>& parts, T mean_square) {
     using Waves = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>;
@@ -117,7 +104,7 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
     return found;
 }
 
-/// Of a piece of \p rows by \p columns points; \p height(j, i) is that of a point, from the mean; NaN: missing.
+/// Long waves of a piece of \p rows by \p columns points; \p height(j, i) is relative to the mean, NaN where missing.
 template <Real T, class Height>
 LongWaveShare<T> long_waves(Eigen::Index rows, Eigen::Index columns, T mean_square, const Height& height) {
     constexpr Eigen::Index most = 64;  // parts a side
@@ -130,7 +117,7 @@ LongWaveShare<T> long_waves(Eigen::Index rows, Eigen::Index columns, T mean_squa
     return long_waves(parts, mean_square);
 }
 
-/// Adds to \p spread what the long \p waves leave open of sigma, and of r, which goes as 1/sigma.
+/// Adds to \p spread the uncertainty that the long \p waves cause in sigma, and in r, which is proportional to 1/sigma.
 template <Real T>
 void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& whole, const LongWaveShare<T>& waves) {
     const T more = std::expm1(waves.error * waves.error) - spread.error[0] * spread.error[0], r = whole[4];

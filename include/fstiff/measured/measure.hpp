@@ -7,16 +7,13 @@
 ///     surface.rms_height.value, surface.rms_height.error       [m]
 ///     surface.cut_offs.lambda_s, surface.concerns, surface.neighbours
 ///
-/// In this order: clean() (by default nothing), prepare() (form, lambda_s, lambda_c where it is given),
-/// surface_parameters(), height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface
-/// measured with a shorter and a longer lambda_s (measured/cut_offs), without errors: what they change in K widens the
-/// band (measured/stiffness_band). The command, C and Python measure by this function.
-///
+/// Steps: clean() (nothing by default), prepare() (form, lambda_s, lambda_c where given), surface_parameters(),
+/// height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface measured with a shorter and
+/// a longer lambda_s, without errors; their change of K widens the band (measured/stiffness_band).
 /// Reference   measured/cut_offs.hpp, measured/prepare.hpp, measured/surface_parameters.hpp
 /// Units       SI
-/// Valid       as prepare() and surface_parameters(); options.tip_radius is for profiles, whose lags can be freed of
-///             the tip, and PeakSource::summits for maps
-/// Accuracy    that of the steps; the numbers of the command to the last digit (tests/scene/one_measurement_test.cpp)
+/// Valid       as prepare(), surface_parameters(); options.tip_radius only for profiles, PeakSource::summits for maps
+/// Accuracy    that of the steps (tests/scene/one_measurement_test.cpp)
 
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
@@ -28,33 +25,33 @@
 
 namespace fstiff::inline v0_1 {
 
-/// A measured surface: its parameters with their standard errors, and what they rest on.
+/// A measured surface: its parameters with standard errors, and their origin.
 template <Real T = double>
 struct Surface : parts::SurfaceParameters<T> {
     Measurement<T> rms_gradient{};                 ///< [1]; error 0: too few points for one
     std::optional<HeightStatistics<T>> heights{};  ///< none: too few points
-    T shape_share{};  ///< 0 to 1: how much of skewness and of kurtosis - 3 counts in a hybrid contact (counted_shape)
+    T shape_share{};  ///< 0 to 1: factor of skewness and of kurtosis - 3 in a hybrid contact (counted_shape)
     parts::CutOffs<T> cut_offs{};
     std::vector<MeasuredConcern> concerns{};
     parts::CleaningReport cleaning{};
     T size{};  ///< of the points that exist: length of the profile [m], area of the map [m^2]
-    /// Greatest wave number over the least that the surface can hold: from its length, or lambda_c, to two steps, or
+    /// Ratio of the largest to the smallest wave number of the surface: from its length, or lambda_c, to two steps, or
     /// lambda_s.
     T widest_band = std::numeric_limits<T>::infinity();
-    std::shared_ptr<const parts::PreparedProfile<T>> profile{};  ///< what was measured; null for a map
+    std::shared_ptr<const parts::PreparedProfile<T>> profile{};  ///< the measured profile; null for a map
     std::shared_ptr<const parts::PreparedMap<T>> map{};  ///< null for a profile, and for a neighbour without keep_maps
     std::vector<Surface> neighbours{};                   ///< with a shorter and a longer lambda_s, without errors
     std::vector<Surface> parts{};                        ///< that were pooled (measured/pooled_surface); empty for one
 };
 
-/// Measures \p profile, which is taken for a section of an isotropic surface.
+/// Measures \p profile as a section of an isotropic surface.
 /// \throws domain_error for a profile, a cut-off or an option out of range, or a profile without peaks.
 template <Real T>
 [[nodiscard]] Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options = {});
 /// Measures \p map. \throws as above.
 template <Real T>
 [[nodiscard]] Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options = {});
-/// The same; \p map gives up its memory on the way.
+/// Same as above; \p map is consumed and its memory released during the measurement.
 template <Real T>
 [[nodiscard]] Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
 
@@ -77,7 +74,7 @@ template <Real T>
     return how;
 }
 
-/// The same with what the removal of a form of \p terms beside the mean took.
+/// Same as above, with the loss of sigma by the removal of a form of \p terms in addition to the mean.
 template <Real T, class Prepared>
 [[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options, const Prepared& prepared,
                                                            int terms) {
@@ -89,7 +86,7 @@ template <Real T, class Prepared>
     return how;
 }
 
-/// Surface::widest_band of a surface whose longer side has \p length, whose coarser step is \p step.
+/// Surface::widest_band for a surface whose longer side has \p length, whose coarser step is \p step.
 template <Real T>
 [[nodiscard]] T widest_band(T length, T step, const CutOffs<T>& cut_offs) {
     const T longest = (std::min)(length, cut_offs.lambda_c.value_or(length));
@@ -97,13 +94,13 @@ template <Real T>
     return widest > T(1) ? widest : std::numeric_limits<T>::infinity();
 }
 
-/// The surface of \p found, with the statistics of \p heights and the concerns of both.
+/// Surface from \p found, with the statistics of \p heights and the concerns of both.
 template <Real T, class Heights>
 [[nodiscard]] Surface<T> surface_of(SurfaceParameters<T> found, const Heights& heights, const CutOffs<T>& cut_offs,
                                     T rms_gradient) {
     Surface<T> surface{std::move(found)};
     surface.cut_offs = cut_offs;
-    if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are not asked for
+    if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are excluded by the user
     surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
     surface.rms_gradient.value = rms_gradient;
     try {
@@ -112,22 +109,22 @@ template <Real T, class Heights>
         ShapeOfHeights<T> shape;
         shape.add(heights);
         surface.shape_share = shape.share();
-    } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
+    } catch (const domain_error&) {  // too few points for a distribution; R and D_p may exist
     }
     return surface;
 }
 
-/// The neighbours of a surface of \p step with \p cut_offs; \p measure_one(options) measures one. A neighbour that
-/// cannot be measured is left out: its cut-off is too long for the surface, or leaves too few peaks.
+/// Neighbours of a surface of \p step with \p cut_offs; \p measure_one(options) measures one. Neighbours that cannot be
+/// measured are left out: the cut-off is too long for the surface, or leaves too few peaks.
 template <Real T, class MeasureOne>
 [[nodiscard]] std::vector<Surface<T>> measured_neighbours(const CutOffs<T>& cut_offs, MeasureOptions<T> options, T step,
                                                           const MeasureOne& measure_one) {
     options.neighbours = false;
-    options.resamples = 2;    // their errors are not asked for
-    options.texture = false;  // nor is their lay, which is that of the surface
+    options.resamples = 2;    // their errors are not used
+    options.texture = false;  // their lay is that of the surface
     options.dimension = options.dimension && options.neighbour_dimensions;
     options.progress = {};
-    if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // whatever chose it, it stays
+    if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // fixed for all neighbours
     std::vector<Surface<T>> all;
     for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step)) {
         options.lambda_s = lambda_s;
@@ -158,8 +155,8 @@ template <Real T>
     return surface;
 }
 
-/// A map without its form after the cleaning. The neighbours come first: what is found of the map itself needs no
-/// memory while they do.
+/// A map without its form after the cleaning. The neighbours come first, because the results for the map itself then
+/// occupy no memory.
 template <Real T>
 [[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options) {
     std::vector<Surface<T>> neighbours;
@@ -189,10 +186,10 @@ template <Real T>
 void require_options_of_map(const HeightMap<T>& map, const MeasureOptions<T>& options) {
     if (options.tip_radius > T(0))
         refuse("tip_radius", options.tip_radius, "left out for a map, whose lags cannot be freed of the tip");
-    (void)choose_cut_offs(map, options);  // what is wrong with them is said before anything is computed
+    (void)choose_cut_offs(map, options);  // throws for wrong ones before any computation
 }
 
-/// Whether \p cleaning leaves a surface as it is.
+/// Whether \p cleaning leaves a surface unchanged.
 template <Real T>
 [[nodiscard]] bool is_empty(const Cleaning<T>& cleaning) {
     return !cleaning.crop && cleaning.mask.size() == 0 && cleaning.spikes == T(0) && !cleaning.fill;

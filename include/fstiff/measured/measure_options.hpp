@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Everything that may be asked of the measurement of a surface, with its defaults: cleaning, form, cut-offs,
-/// estimates.
+/// Options of the measurement of a surface and their defaults: cleaning, form, cut-offs, estimates.
 ///
 ///     fstiff::MeasureOptions<double> how{.lambda_s = 1e-6, .lambda_c = fstiff::no_cut_off};
 ///
 /// Units       lengths [m]
-/// Valid       as each field says; clean(), prepare() and measure() refuse what is not
+/// Valid       ranges as stated for each field; clean(), prepare() and measure() refuse other values
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
@@ -22,7 +21,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// Asks for no filter.
+/// Tag for "no filter".
 struct NoCutOff {};
 
 }  // namespace parts
@@ -30,21 +29,20 @@ struct NoCutOff {};
 /// No cut-off: all waves are kept.
 inline constexpr parts::NoCutOff no_cut_off{};
 
-/// A cut-off that is asked for: by default that of the tables (lambda_c: for Ra alone), else a length [m] or
-/// no_cut_off.
+/// A requested cut-off: by default that of the tables (lambda_c: for Ra alone), else a length [m] or no_cut_off.
 template <Real T = double>
 class CutOff {
 public:
     constexpr CutOff() = default;
     constexpr CutOff(parts::NoCutOff) : automatic_(false) {}
     constexpr CutOff(std::type_identity_t<T> length) : automatic_(false), length_(length) {}
-    /// What another measurement had: the length \p found, or none.
+    /// Cut-off of another measurement: the length \p found, or none.
     [[nodiscard]] static constexpr CutOff of(const std::optional<T>& found) {
         return found ? CutOff(*found) : CutOff(no_cut_off);
     }
-    /// Whether the tables choose it.
+    /// Whether the tables choose the cut-off.
     [[nodiscard]] constexpr bool automatic() const { return automatic_; }
-    /// The length that was given [m]; none without a filter, and where the tables choose.
+    /// Given length [m]; empty without a filter, and where the tables choose.
     [[nodiscard]] constexpr const std::optional<T>& length() const { return length_; }
 
 private:
@@ -52,13 +50,13 @@ private:
     std::optional<T> length_{};
 };
 
-/// The filter of lambda_c: grooves and spikes draw the mean line (surface) of `gaussian`, and not that of `robust`.
+/// Filter of lambda_c: grooves and spikes shift the mean line (surface) of `gaussian` but not that of `robust`.
 enum class CutOffFilter { gaussian, robust };
 template <>
 inline constexpr auto names<CutOffFilter> = name_list<CutOffFilter>({{CutOffFilter::gaussian, "gaussian"},
                                                                      {CutOffFilter::robust, "robust"}});
 
-/// A part of a surface, from its first point on [m]; y has no meaning for a profile.
+/// A part of a surface, relative to its first point [m]; y is ignored for a profile.
 template <Real T = double>
 struct Crop {
     T x_from{}, x_to{}, y_from{}, y_to{};
@@ -66,12 +64,12 @@ struct Crop {
 
 namespace parts {
 
-/// Marks of the points of a surface: true where a point is used. A profile has one row or one column.
+/// Mask of the points of a surface: true where a point is used. A profile has one row or one column.
 using PointMask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace parts
 
-/// Repairs before the form is removed, in the order of the fields. By default none.
+/// Repairs before the removal of the form, in the order of the fields. None by default.
 template <Real T = double>
 struct Cleaning {
     std::optional<Crop<T>> crop{};
@@ -80,7 +78,7 @@ struct Cleaning {
     bool fill{};              ///< whether missing points are filled
 };
 
-/// How a surface is cleaned, prepared and measured.
+/// Options of cleaning, preparation and measurement.
 template <Real T = double>
 struct MeasureOptions {
     CutOff<T> lambda_s{};                          ///< of the short waves
@@ -93,13 +91,13 @@ struct MeasureOptions {
     T height_step{};                               ///< in which heights were printed or counted [m]; 0: not known
     Cleaning<T> cleaning{};
     parts::PeakSource peaks = parts::PeakSource::islands;  ///< of a map
-    std::optional<LagWindow<T>> window{};                  ///< of the lags that give D; none: found by itself
+    std::optional<LagWindow<T>> window{};                  ///< of the lags that give D; empty: automatic
     std::size_t resamples = 400;                           ///< for the standard errors
     std::uint64_t seed = 2014;                             ///< of the resamples
-    bool texture = true;                                   ///< whether Str of a map is found, by which a lay is told
-    bool dimension = true;                                 ///< whether D and G are
+    bool texture = true;                                   ///< whether Str of a map is computed, which detects a lay
+    bool dimension = true;                                 ///< whether D and G are computed
     bool neighbours = true;                                ///< whether the surface is measured with other lambda_s too
-    bool neighbour_dimensions = true;                      ///< whether D and G of these are found
+    bool neighbour_dimensions = true;                      ///< whether D and G of these are computed
     bool keep_maps = true;                                 ///< whether the neighbours keep their filtered maps
     ProgressHook progress{};                               ///< of the resamples
 };

@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What speaks against D and G of a fit, and against the parameters of a measured surface: every concern by its name.
-///
-///     curved               the structure function is no single power law over the window: D is a mean over it
-///     saturated            a shorter lag has a slope below 0.2, and the automatic window stands behind it as behind a
-///                          plateau, or is steeper by 0.5 everywhere: D is that of the waviness
-///     roughness_uncertain  G is known to no better than a factor of 10
-///     filtered             the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took:
-///                          a lag shows waves up to some ten times as long
-///     spectrum_differs     D of the power spectrum differs by 0.1 and three standard deviations
-///     anisotropic          a map differs along x and y: the models take it for isotropic
-///     lay                  a profile repeats itself, or Str of a map is below 0.3 (measured/lay.hpp): a profile does not know
-///                          how far the ridges reach, and K may be 20 times higher
-///     long_waves           three quarters of the mean square height and more are in waves longer than an eighth of the
-///                          surface: sigma is that of this length
-///     few_peaks            R and D_p come from fewer than 30 peaks: their errors are rough
-///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
-///     no_densest_level     the islands of a map are densest at the lowest or the highest level: this is no maximum, and
-///                          the pair R, D_p represents nothing
-///     implausible_gradient the rms gradient is above 1 or below 1e-6: a unit of length is likely wrong
-///     parameter_unknown    of sigma, R, D_p, D, r or theta the standard error is above half the value: not known to a
-///                          factor of two; of sigma and r only without long_waves, which says so itself
+/// Concerns about D and G of a fit and about the parameters of a measured surface, each with a name.
 ///
 /// Reference   profile/fractal_fit.hpp, profile/power_spectrum.hpp, measured/surface_parameters.hpp; the limits are
-///             this project's.
+///             this project's
 /// Units       none: slopes, ratios and counts
-/// Valid       what fit_fractal(), fit_spectrum() and surface_parameters() return
+/// Valid       results of fit_fractal(), fit_spectrum() and surface_parameters()
 
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
@@ -34,7 +14,27 @@
 
 namespace fstiff::inline v0_1 {
 
-/// What may be wrong about a measured surface.
+/// Reasons to doubt a measured surface; the limits are this project's.
+///
+///     curved               structure function is no single power law over the window; D is a mean over it
+///     saturated            a shorter lag has a slope below 0.2, and the automatic window follows it as a plateau,
+///                          or is steeper by 0.5 everywhere: D is that of the waviness
+///     roughness_uncertain  G is uncertain by more than a factor of 10
+///     filtered             the window exceeds a tenth of lambda_c, where the filter reduces S: a lag includes waves up
+///                          to some ten times as long
+///     spectrum_differs     D of the power spectrum differs by 0.1 and by three standard deviations
+///     anisotropic          a map differs along x and y; the models assume isotropy
+///     lay                  a profile repeats itself, or Str of a map is below 0.3 (measured/lay.hpp): a profile does
+///                          not contain the length of the ridges, and K may be 20 times higher
+///     long_waves           at least three quarters of the mean square height are in waves longer than an eighth of the
+///                          surface: sigma is valid for this length
+///     few_peaks            R and D_p come from fewer than 30 peaks: their errors are rough
+///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
+///     no_densest_level     the island density is greatest at the lowest or the highest level, no maximum: R and
+///                          D_p must not be used as a pair
+///     parameter_unknown    the standard error of sigma, R, D_p, D, r or theta exceeds half the value; sigma, r only
+///                          without long_waves, which implies it
+///     implausible_gradient the rms gradient is above 1 or below 1e-6: a unit of length is likely wrong
 enum class MeasuredConcern {
     curved,
     saturated,
@@ -70,7 +70,7 @@ inline constexpr auto names<MeasuredConcern> = name_list<MeasuredConcern>({
     {MeasuredConcern::implausible_gradient, "implausible_gradient"},
 });
 
-/// Of curved, saturated and roughness_uncertain.
+/// Concerns curved, saturated and roughness_uncertain.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit) {
     std::vector<MeasuredConcern> found;
@@ -82,7 +82,7 @@ template <Real T>
     return found;
 }
 
-/// Also filtered, of the profile that was fitted, and spectrum_differs, of its \p spectrum where that could be fitted.
+/// Adds filtered, for the profile that was fitted, and spectrum_differs, for its \p spectrum where it could be fitted.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit,
                                                        const parts::LevelledProfile<T>& levelled,
@@ -122,7 +122,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// Of few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
+/// Concerns few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const RepresentativeIslands<T>& islands) {
     std::vector<MeasuredConcern> found;
@@ -135,8 +135,8 @@ template <Real T>
 
 namespace parts {
 
-/// The parameters of \p surface that are not known to a factor of two; with \p long_waves, which are a concern of
-/// their own, without sigma and r.
+/// Parameters of \p surface that are not known to a factor of two; with \p long_waves, which is a separate concern,
+/// without sigma and r.
 template <Real T>
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const SurfaceParameters<T>& surface, bool long_waves) {
     std::vector<Parameter> all;
@@ -150,7 +150,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// Of curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and
+/// Concerns curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and
 /// parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const parts::SurfaceParameters<T>& surface) {
@@ -168,7 +168,7 @@ template <Real T>
     return found;
 }
 
-/// The same and implausible_gradient, for the rms gradient that was measured.
+/// Same as above, with implausible_gradient for the measured rms gradient.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const parts::SurfaceParameters<T>& surface, T rms_gradient) {
     std::vector<MeasuredConcern> found = concerns_of(surface);
@@ -178,7 +178,7 @@ template <Real T>
 
 namespace parts {
 
-/// Whether what is computed of the surface is in doubt: no_densest_level, parameter_unknown and implausible_gradient.
+/// Whether results for the surface are in doubt: no_densest_level, parameter_unknown and implausible_gradient.
 [[nodiscard]] constexpr bool is_fatal(MeasuredConcern concern) {
     return concern == MeasuredConcern::no_densest_level || concern == MeasuredConcern::parameter_unknown ||
            concern == MeasuredConcern::implausible_gradient;

@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Several measurements of one surface, such as traces side by side, as one.
+/// Several measurements of one surface, such as parallel traces, pooled as one surface.
 ///
-///     const auto surface = fstiff::measure(std::vector{first, second, third});     profiles, or maps, of one surface
+///     m0, m2, m4, S, triples    means, weighted by the share w of the length or area;    R_p    maximum
+///     D and r, theta            means over the measurements that have them
+///     error^2       max(sum w^2 error^2, k^2 sum w^2/(1 - sum w^2) sum w (x - mean)^2)  (logarithms: sigma, R, D_p)
+///     k                         t_(n-1)(0.95)/1.645 (Student): 3.84 for two measurements, 1.30 for five
 ///
-///     spectra are averaged, each weighted by its share w of the length or area: m0, m2, m4, S and the triples are
-///     means
-///     D and r, theta    of the measurements that know them
-///     R_p               the highest
-///     error^2           the greater of   sum of w^2 error^2                                     errors of the measurements
-///                       and              k^2 sum of w^2/(1 - sum of w^2) sum of w (x - mean)^2    their scatter
-///     k                 t_(n-1)(0.95)/1.645 by Student, because the scatter of a few is badly known: 3.84 of two, 1.30 of five
-///
-/// The average of n surfaces is their sum (surface/two_faces.hpp) with each of the heights sqrt(w) times as great.
-/// sigma, R and D_p scatter by their logarithms. Correlations of the errors are means. Where the tables choose
-/// different cut-offs for the measurements, the longest counts for all, and all are measured again; none where one
-/// measurement has none.
-///
-/// Reference   Student, Biometrika 6 (1908) 1 (math/statistics.hpp); surface/two_faces.hpp.
+/// Where the tables choose different cut-offs, the longest is used for all measurements, and none where one has none.
+/// Derivation  docs/theory.md, section 2
+/// Reference   Student, Biometrika 6 (1908) 1 (math/statistics.hpp); surface/two_faces.hpp
 /// Units       SI
-/// Valid       one measurement at least, of one kind and with the same cut-offs; sizes > 0
-/// Accuracy    1e-13 of the formulae (tests/measured/pooled_surface_test.cpp); the numbers of the command to the last
-///             digit (tests/scene/one_measurement_test.cpp)
+/// Valid       at least one measurement, all of one kind and with the same cut-offs; sizes > 0
+/// Accuracy    1e-13 of the formulae (tests/measured/pooled_surface_test.cpp, tests/scene/one_measurement_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/measure.hpp>
@@ -39,7 +30,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// In what two measurements of one surface differ, so that they cannot be pooled.
+/// Property in which two measurements of one surface differ, so that they cannot be pooled.
 enum class Unlikeness { none, kind, lambda_s, lambda_c, step };
 
 }  // namespace parts
@@ -54,46 +45,46 @@ inline constexpr auto names<parts::Unlikeness> =
 
 namespace parts {
 
-/// The first of kind, lambda_s, lambda_c and, without lambda_s, the steps in which \p one differs from \p first.
+/// First of kind, lambda_s, lambda_c and, without lambda_s, the steps in which \p one differs from \p first.
 template <Real T>
 [[nodiscard]] Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one);
 
-/// Distance of neighbouring heights of a measured surface, the shorter one of a map [m].
+/// Distance of neighbouring heights of a measured surface, the shorter one for a map [m].
 template <Real T>
 [[nodiscard]] T step_of(const Surface<T>& surface) {
     return surface.profile ? surface.profile->profile.spacing : (std::min)(surface.map->map.dx, surface.map->map.dy);
 }
 
-/// The cut-off \p of that all of \p surfaces share where \p asked leaves it to the tables and these differ: the
-/// longest, or none where one has none. Else \p asked.
+/// Common cut-off \p of for all \p surfaces where \p asked leaves it to the tables and these differ: the longest, or
+/// none where one has none. Else \p asked.
 template <Real T, class Measured>
 [[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Measured>& surfaces,
                                        std::optional<T> CutOffs<T>::*of);
 
 }  // namespace parts
 
-/// \p parts as one surface, which keeps them. \throws domain_error for no part, parts that differ in kind or cut-offs,
-/// or parameters out of range.
+/// Pools \p parts as one surface, which keeps them. \throws domain_error for no part, parts that differ in kind or
+/// cut-offs, or parameters out of range.
 template <Real T>
 [[nodiscard]] Surface<T> pooled(std::vector<Surface<T>> parts);
 
-/// Measures several profiles of one surface, and pools them. \throws domain_error as measure() of one, and as pooled().
+/// Measures and pools several profiles of one surface. \throws domain_error as measure() of one profile and pooled().
 template <Real T>
 [[nodiscard]] Surface<T> measure(const std::vector<Profile<T>>& profiles, const MeasureOptions<T>& options = {});
-/// The same of maps.
+/// Same as above for maps.
 template <Real T>
 [[nodiscard]] Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T>& options = {});
 
 namespace parts {
 
-/// One number of a measurement, which weighs as much as its length [m] or area [m^2].
+/// One number of a measurement, weighted by its length [m] or area [m^2].
 template <Real T = double>
 struct SizedMeasurement {
     Measurement<T> measured{};
     T size{};
 };
 
-/// The error of the mean of \p all, of the measurements themselves or of their scatter.
+/// Error of the mean of \p all: from the errors of the measurements or from their scatter.
 /// \throws domain_error for no measurement.
 template <Real T>
 [[nodiscard]] T pooled_error(const std::vector<SizedMeasurement<T>>& all) {
@@ -114,8 +105,8 @@ template <Real T>
 
 }  // namespace parts
 
-/// Of the heights of several measurements of one surface, each about its own mean, of \p sizes.
-/// \throws domain_error for none, or unlike numbers of them.
+/// Statistics of the heights of several measurements of one surface, each about its own mean, of \p sizes.
+/// \throws domain_error for none, or for different numbers of them.
 template <Real T>
 [[nodiscard]] HeightStatistics<T> pooled(const std::vector<HeightStatistics<T>>& all, const std::vector<T>& sizes) {
     require(!all.empty() && all.size() == sizes.size(), "number of measurements", all.size(),
@@ -158,7 +149,7 @@ template <Real T>
     return a.has_value() != b.has_value() || (a && lengths_differ(*a, *b));
 }
 
-/// The values of \p surface, with the moments of its heights where these are known.
+/// Values of \p surface, with the moments of its heights where these are known.
 template <Real T>
 [[nodiscard]] RoughFace<T> rough_face(const Surface<T>& surface) {
     return rough_face<T>(surface, surface.heights
@@ -167,7 +158,7 @@ template <Real T>
                                                          surface.peak_density.value));
 }
 
-/// The average of those of \p parts that \p knows picks.
+/// Mean over those of \p parts that \p knows selects.
 template <Real T, class Knows>
 [[nodiscard]] std::optional<RoughFace<T>> mean_face(const std::vector<Surface<T>>& parts, const Knows& knows) {
     T size = 0;
@@ -182,7 +173,7 @@ template <Real T, class Knows>
     return mean;
 }
 
-/// The average of all of \p parts, with D and G, and with r and theta, of those that know them.
+/// Mean over all \p parts; D and G, and r and theta, over the parts that have them.
 template <Real T>
 [[nodiscard]] RoughFace<T> mean_of_known(const std::vector<Surface<T>>& parts) {
     RoughFace<T> mean = *mean_face(parts, [](const auto&) { return true; });
@@ -197,8 +188,8 @@ template <Real T>
     return mean;
 }
 
-/// Gives the parameter \p row of \p whole the error of its mean over \p parts, in coordinates: logarithms where it
-/// varies by a factor.
+/// Sets the error of the parameter \p row of \p whole to that of its mean over \p parts; logarithms for parameters that
+/// vary by a factor.
 template <Real T>
 void pool_error(Surface<T>& whole, const std::vector<Surface<T>>& parts, const ParameterRow& row) {
     const bool log = row.variation == Variation::log;
@@ -217,7 +208,7 @@ void pool_error(Surface<T>& whole, const std::vector<Surface<T>>& parts, const P
     mean.error = log ? mean.value * std::sqrt(std::expm1(error * error)) : error;
 }
 
-/// The errors of \p whole, whose values are means over \p parts.
+/// Errors of \p whole, whose values are means over \p parts.
 template <Real T>
 void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
     for (std::size_t i = 0; i < surface_parameter_count; ++i) pool_error(whole, parts, parameter_table[i]);
@@ -244,8 +235,7 @@ void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
     }
 }
 
-/// What speaks against all of \p parts, and whether the parameters of \p whole are known; one gradient that no surface
-/// has is enough.
+/// Concerns of all \p parts, and parameter_unknown for \p whole; one part with an implausible gradient is enough.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> pooled_concerns(const Surface<T>& whole,
                                                            const std::vector<Surface<T>>& parts) {
@@ -269,7 +259,7 @@ template <Real T>
     return all;
 }
 
-/// How much of the shape of all heights of \p parts counts; where some are not kept, the mean of what counts of each.
+/// Share of the shape of all heights of \p parts; the mean of the shares where some heights are not kept.
 template <Real T>
 [[nodiscard]] T pooled_share(const std::vector<Surface<T>>& parts) {
     ShapeOfHeights<T> all;
@@ -284,7 +274,7 @@ template <Real T>
     return kept ? all.share() : size > T(0) ? sum / size : T(0);
 }
 
-/// The surfaces of \p heights, each with the cut-offs of all.
+/// Surfaces of \p heights, each measured with the common cut-offs.
 template <Real T, class Heights>
 [[nodiscard]] Surface<T> measure_several(const std::vector<Heights>& heights, MeasureOptions<T> options) {
     const auto each = [&] {

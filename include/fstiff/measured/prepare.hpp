@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A surface ready to be measured: cleaned, without its form, and without the waves beyond its cut-offs, in this order.
+/// Preparation of a surface for measurement: cleaning, removal of the form, filters of the cut-offs, in this order.
 ///
 ///     clean()      crop, mask, spikes, holes
-///     prepare()    form, with its own cut-off where that is asked for; lambda_s; lambda_c where it is given
+///     prepare()    form, with its own cut-off if given; lambda_s; lambda_c if given
 ///
-/// with_drawing_cut_off() adds the lambda_c of the tables for Ra, Rq and the other parameters that a drawing names. It
-/// is chosen after the filter of lambda_s, from the Ra of what that leaves (profile/roughness_cut_off).
+/// with_drawing_cut_off() adds the lambda_c of the tables for Ra, Rq and the other parameters of drawings. It is chosen
+/// after the filter of lambda_s, from Ra of the filtered profile (profile/roughness_cut_off).
 ///
 /// Reference   ISO 21920-2:2021 and ISO 25178-2:2012 (the order of the operators F, S, L); ISO 16610-21, -31, -61 and
 ///             -71 (the filters)
@@ -30,16 +30,16 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// The limits of Cleaning::spikes.
+/// Limits of Cleaning::spikes.
 inline constexpr int min_spike_limit = 3, max_spike_limit = 1000;
 
-/// Neighbouring points of a line.
+/// Consecutive points of a line.
 struct PointRange {
     std::size_t from{}, count{};
 };
 
-/// The points from \p from to \p to [m] of a line of \p points at \p step; a bound that lies a rounding beside a point
-/// takes it. None unless the bounds rise and lie on the line; a count of 0 where no point lies between them.
+/// Points from \p from to \p to [m] of a line of \p points at \p step; a bound within rounding of a point includes it.
+/// Empty unless the bounds rise and lie on the line; a count of 0 where no point lies between them.
 template <Real T>
 [[nodiscard]] std::optional<PointRange> points_between(T from, T to, std::size_t points, T step) {
     const T last = static_cast<T>(points - 1) * step, slack = T(1e-6) * step;
@@ -49,7 +49,7 @@ template <Real T>
     return begin > end ? PointRange{} : PointRange{begin, end - begin + 1};
 }
 
-/// What clean() did, in points.
+/// Numbers of points that clean() changed.
 struct CleaningReport {
     std::size_t columns_read{}, rows_read{};  ///< before the crop; a profile has one row
     std::size_t columns{}, rows{};            ///< after it
@@ -74,40 +74,40 @@ struct PreparedMap : LevelledMap<T> {
     CutOffs<T> cut_offs{};
 };
 
-/// Crops, masks, takes spikes out and fills, in this order.
+/// Crops, masks, removes spikes and fills, in this order.
 /// \throws domain_error for a crop beyond the profile, a mask of another size, or a limit of spikes out of range.
 template <Real T>
 CleaningReport clean(Profile<T>& profile, const Cleaning<T>& how);
 template <Real T>
 CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& how);
 
-/// \p profile without its form, then without the waves below lambda_s, then without those above lambda_c. Takes no part
-/// in options.cleaning. \throws domain_error for cut-offs that the profile cannot hold, and as level() and the filters.
+/// Removes the form of \p profile, then the waves below lambda_s, then those above lambda_c. Ignores options.cleaning.
+/// \throws domain_error for cut-offs that are not valid for the profile, and as level() and the filters.
 template <Real T>
 [[nodiscard]] PreparedProfile<T> prepare(const Profile<T>& profile, const MeasureOptions<T>& options = {});
-/// The same for a map. \throws as above.
+/// Same as above for a map.
 template <Real T>
 [[nodiscard]] PreparedMap<T> prepare(const HeightMap<T>& map, const MeasureOptions<T>& options = {});
-/// The same; \p map gives up its memory on the way, so that no more than two maps are held at once.
+/// Same as above; \p map is consumed, so that at most two maps are in memory.
 template <Real T>
 [[nodiscard]] PreparedMap<T> prepare(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
 
-/// \p prepared without the waves above \p lambda_c, by default that of the tables, for the parameters of ISO 21920; as
-/// it is where one was given, or none was asked for. \throws domain_error as roughness_cut_off() and the filter.
+/// Removes the waves above \p lambda_c from \p prepared, by default that of the tables, for the parameters of
+/// ISO 21920. Returns it unchanged where one was given, or none requested.
+/// \throws domain_error as roughness_cut_off() and the filter.
 template <Real T>
 [[nodiscard]] PreparedProfile<T> with_drawing_cut_off(PreparedProfile<T> prepared, const CutOff<T>& lambda_c = {});
-/// The form alone removed, once for several cut-offs: it is `unfiltered`, which the maps of with_cut_offs() share.
+/// Removes only the form, once for several cut-offs; the maps of with_cut_offs() share `unfiltered`.
 /// \throws domain_error as level().
 template <Real T>
 [[nodiscard]] PreparedMap<T> without_form(const HeightMap<T>& map, const MeasureOptions<T>& options = {});
 template <Real T>
 [[nodiscard]] PreparedMap<T> without_form(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
-/// The map after the filters of \p options, of what without_form() returned. \throws domain_error as prepare().
+/// Applies the filters of \p options to the result of without_form(). \throws domain_error as prepare().
 template <Real T>
 [[nodiscard]] PreparedMap<T> with_cut_offs(PreparedMap<T> prepared, const MeasureOptions<T>& options = {});
 
-/// The points of \p axis that the crop keeps. \throws domain_error for a crop beyond the surface, or between two
-/// points.
+/// Points of \p axis that the crop keeps. \throws domain_error for a crop beyond the surface, or between two points.
 template <Real T>
 [[nodiscard]] PointRange cropped(const char* axis, T from, T to, std::size_t points, T step) {
     const auto range = points_between(from, to, points, step);
@@ -117,7 +117,7 @@ template <Real T>
     return *range;
 }
 
-/// Takes the points out of \p heights that \p mask does not mark. Returns how many were there.
+/// Removes the points from \p heights that \p mask does not mark. Returns their number.
 template <Real T>
 std::size_t apply_mask(T* heights, const PointMask& mask) {
     std::size_t taken = 0;
@@ -129,7 +129,7 @@ std::size_t apply_mask(T* heights, const PointMask& mask) {
     return taken;
 }
 
-/// Spikes and holes of \p surface.
+/// Removes spikes of \p surface and fills its holes.
 template <Real T, class Heights>
 void repair(Heights& surface, const Cleaning<T>& how, CleaningReport& report) {
     if (how.spikes != T(0)) {
@@ -161,7 +161,7 @@ template <class Robust>
     return {robust.left_out, points, robust.iterations, robust.converged};
 }
 
-/// Takes the waves above lambda_c out of \p prepared, which keeps the profile as it was for the structure function.
+/// Removes the waves above lambda_c from \p prepared, which keeps the profile before it for the structure function.
 template <Real T>
 void remove_long_waves(PreparedProfile<T>& prepared) {
     const T lambda_c = *prepared.cut_offs.lambda_c;
@@ -177,7 +177,7 @@ void remove_long_waves(PreparedProfile<T>& prepared) {
     levelled.lambda_c = lambda_c;
 }
 
-/// Takes the waves beyond the cut-offs out of the map of \p prepared, which keeps the map as it was.
+/// Removes the waves beyond the cut-offs from the map of \p prepared, which keeps the map before them.
 template <Real T>
 void remove_waves(PreparedMap<T>& prepared) {
     CutOffs<T>& cut_offs = prepared.cut_offs;
@@ -208,7 +208,7 @@ template <Real T>
     return prepared;
 }
 
-/// The same with the cut-offs of \p options, which are refused before anything is computed.
+/// Same as above with the cut-offs of \p options, which are checked before any computation.
 template <Real T>
 [[nodiscard]] PreparedMap<T> levelled_for_cut_offs(const HeightMap<T>& map, const MeasureOptions<T>& options) {
     CutOffs<T> cut_offs = choose_cut_offs(map, options);
@@ -217,7 +217,7 @@ template <Real T>
     return prepared;
 }
 
-/// Takes out the waves beyond the cut-offs of \p prepared, and finds its statistics.
+/// Removes the waves beyond the cut-offs of \p prepared, and computes its statistics.
 template <Real T>
 void finish(PreparedMap<T>& prepared) {
     if (prepared.cut_offs.any()) remove_waves(prepared);

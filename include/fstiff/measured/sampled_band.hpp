@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How far whatever is computed of a surface varies within the errors of that surface: quantiles over surfaces drawn at
-/// random.
+/// Quantiles of a computed quantity over the errors of a surface, from surfaces drawn at random.
 ///
 ///     x_1 ... x_n  surfaces drawn about the measured one (measured/uncertain_surface)
-///     y_k(x_i)     what is computed of each, at the points k of a curve, say
-///     band at k    the values below which 5, 50 and 95 % of y_k(x_1) ... y_k(x_n) lie
+///     y_k(x_i)     quantity computed for each, for example at the points k of a curve
+///     band at k    5, 50 and 95 % quantiles of y_k(x_1) ... y_k(x_n)
 ///
-/// All points see the same surfaces, so that the bands of several curves may be compared. A surface of which a point
-/// cannot be computed (NaN or infinite) is left out at that point alone, and counted.
-///
-/// Reference   Hyndman, Fan, Am. Stat. 50 (1996) 361, definition 7 (the quantile); JCGM 101:2008 (errors carried on by
-///             sampling)
-/// Units       those of what is computed
-/// Valid       1 surface at least
-/// Accuracy    the 5 and 95 % quantiles of n surfaces are themselves uncertain: by 0.11 standard deviations for n = 400
-///             where the values are normal, sqrt(0.05 0.95/n)/0.103 (tests/measured/sampled_band_test.cpp). The same
-///             seed gives the same band.
+/// All points use the same surfaces, so that bands of several curves are comparable. A NaN or infinite y_k is left out
+/// at point k alone, and counted.
+/// Reference   Hyndman, Fan, Am. Stat. 50 (1996) 361, definition 7 (quantile); JCGM 101:2008 (sampling of errors)
+/// Units       those of the computed quantity
+/// Valid       at least 1 surface
+/// Accuracy    5 and 95 % quantiles: 0.11 standard deviations for n = 400 normal values, sqrt(0.05 0.95/n)/0.103
+///             (tests/measured/sampled_band_test.cpp); the same seed gives the same band
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/math/statistics.hpp>
@@ -40,16 +36,16 @@ struct SampledBand {
     std::size_t failed = 0;           ///< surfaces that give no value
 };
 
-/// How many surfaces a band is drawn of.
+/// Number of surfaces of a band, and their seed.
 struct BandOptions {
     std::size_t samples = 400;
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< called once a surface
 };
 
-/// The bands of what \p compute gives, one for each of its values. \p compute takes a surface as SurfaceSampler draws
-/// it, an array in the order of Parameter, and returns the values, a container of as many each time.
-/// \throws domain_error as SurfaceSampler, for no samples, and whatever \p compute throws.
+/// Computes the bands of the values of \p compute, one for each. \p compute takes a surface as drawn by SurfaceSampler,
+/// an array in the order of Parameter, and returns a container of values of constant size.
+/// \throws domain_error as SurfaceSampler, for 0 samples, and any exception of \p compute.
 template <Real T, class Compute>
 [[nodiscard]] std::vector<SampledBand<T>> sampled_band(const SurfaceParameters<T>& surface, const Compute& compute,
                                                        const BandOptions& options = {}) {

@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Sections of a map: profiles along x and along y, D and G of each direction, and whether the two differ.
+/// Sections of a map: profiles along x and along y, D and G of each direction, and a test whether the two differ.
 ///
 ///     S_x(n dx) = mean of (z(j, i+n) - z(j, i))^2 over all rows j and all i that exist           and S_y likewise
 ///
-/// One mean structure function of second differences per direction is fitted, not one a row. Its errors are the larger
-/// of what the model of fit_fractal() expects, of rows that know something of their own where they stand half a lag
-/// apart, and of a moving-block bootstrap of the rows, in blocks of four times the longest lag used, or of a quarter of
-/// the rows where that is less. At lags of 32 samples and more one of n/16 rows is used: their neighbours see the same
-/// waves.
-///
-/// Rule of the warning. The map is called anisotropic when
-///  - D along x and y, both fitted over the lags of both windows, differ by more than three standard errors of their
-///    difference and by more than 0.05, or
-///  - the mean of ln S_x - ln S_y differs from 0 by more than three standard errors and by more than 0.1, over the lags
-///    that both directions have: from 4 samples of the coarser spacing to a tenth of the shorter side.
-/// The errors of the two directions are taken for independent. Of 240 isotropic maps of 128 x 128 points one was warned
-/// of; with D of each window by itself it was 19, since a curved S has another slope in another window.
-///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8).
+/// One mean structure function of second differences per direction is fitted. A map is anisotropic when D along x and
+/// y, over the lags of both windows, differ by more than 3 standard errors and 0.05, or the mean of ln S_x - ln S_y
+/// differs from 0 by more than 3 standard errors and 0.1. Errors: docs/theory.md, section 2.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8)
 /// Units       lengths, G [m], S [m^2]
-/// Valid       maps of 16 points a side at least; remove the form first, a plane at least, with level()
-/// Accuracy    S 1e-13. D of self-affine maps of 256 x 256 points, H = 0.3 to 0.8: 2 - H within 0.06 on the mean, which
-///             is what the ends of the spectrum do to S; the errors, of sampling alone, are 0.6 to 1.1 times the
-///             scatter (tests/measured/sections_test.cpp)
+/// Valid       maps of at least 16 points a side; remove the form first, at least a plane, with level()
+/// Accuracy    S 1e-13. D of self-affine maps of 256 x 256 points, H = 0.3 to 0.8: 2 - H within 0.06 in the mean (ends
+///             of the spectrum); sampling errors are 0.6 to 1.1 times the scatter; 1 of 240 isotropic maps of 128 x 128
+///             points is called anisotropic (tests/measured/sections_test.cpp)
 
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/topography/form.hpp>
@@ -44,11 +33,11 @@ namespace fstiff::inline v0_1::parts {
 /// Direction of a section: along a row, or along a column.
 enum class Direction { x, y };
 
-/// The profile along x in row \p place, or along y in column \p place. \throws domain_error unless the map has it.
+/// Profile along x in row \p place, or along y in column \p place. \throws domain_error unless the map has it.
 template <Real T>
 [[nodiscard]] Profile<T> section(const HeightMap<T>& map, Direction direction, Eigen::Index place);
 
-/// How the error of a mean structure function is found.
+/// Options of the error of a mean structure function.
 struct SectionResampling {
     int resamples = 200;        ///< of the rows; 0 leaves the bootstrap out
     std::uint64_t seed = 2014;  ///< of the bootstrap
@@ -56,13 +45,13 @@ struct SectionResampling {
 };
 
 /// Mean structure function of all sections of \p map along \p direction, at logarithmic_lags up to a quarter of their
-/// points, ready for fit_fractal().
+/// points, for fit_fractal().
 /// \throws domain_error for a map or an option out of range.
 template <Real T>
 [[nodiscard]] MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Direction direction,
                                                              const SectionResampling& resampling = {});
 
-/// D and G along x and along y. A direction whose structure function allows no fit has the reason instead.
+/// D and G along x and along y. A direction without a fit has the reason instead.
 template <Real T = double>
 struct DirectionalFit {
     std::optional<FractalFit<T>> x, y;
@@ -78,31 +67,30 @@ struct DirectionalFit {
     [[nodiscard]] bool anisotropic() const { return dimension_differs || level_differs; }
 };
 
-/// Fits both directions of \p map. Of \p options, resamples and seed are those of the rows; a window or a resolution is
-/// that of both directions.
-/// \throws domain_error for a map or an option out of range; a tip radius is refused, since the lags that it shaped
-/// need the heights of one profile: give the resolution.
+/// Fits both directions of \p map. The resamples and the seed of \p options apply to the rows; a window or a resolution
+/// applies to both directions.
+/// \throws domain_error for a map or an option out of range; a tip radius is refused, because the lags that the tip
+/// changed need the heights of one profile: give the resolution.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
-/// The same of a map whose form and cut-offs are known.
+/// Same as above for a map whose form and cut-offs are known.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
                                                const FractalFitOptions<T>& options = {}) {
-    FractalFitOptions<T> how = options;  // lags above lambda_c are none of the roughness
+    FractalFitOptions<T> how = options;  // lags above lambda_c are not roughness
     if (levelled.lambda_c > T(0) && !(how.longest > T(0) && how.longest < levelled.lambda_c))
         how.longest = levelled.lambda_c;
     return fit_directions(levelled.of_structure(), how);
 }
 
-/// Sums of squared differences, or second differences, and their numbers, of every section (rows) at every lag
-/// (columns).
+/// Sums of squared differences, or second differences, and their numbers, for every section (rows) and lag (columns).
 template <Real F>
 struct SectionSums {
     std::vector<std::size_t> step;
     Matrix<F> sum, pairs;
 };
 
-/// Sections so much closer together than the lag \p n see the same waves: one of so many will do.
+/// Distance of the sections used at the lag \p n; sections closer together contain the same waves.
 constexpr Eigen::Index rows_apart(Eigen::Index n) { return std::max<Eigen::Index>(1, n / 16); }
 
 template <Real T>
@@ -151,7 +139,7 @@ SectionSums<math::Accumulator<T>> section_sums(const HeightMap<T>& map, Directio
     return sums;
 }
 
-/// ln of the means of S over resamples of the sections: steps given by rows, resamples by columns.
+/// ln of the means of S over resamples of the sections: steps by rows, resamples by columns.
 template <Real F>
 Matrix<F> resample_sections(const SectionSums<F>& sums, const std::vector<std::size_t>& steps, std::size_t block,
                             const SectionResampling& resampling) {
@@ -172,7 +160,7 @@ Matrix<F> resample_sections(const SectionSums<F>& sums, const std::vector<std::s
     return resampled;
 }
 
-/// Fits into \p fit; returns why that cannot be, empty when it can.
+/// Fits into \p fit; returns the reason where no fit is possible, else an empty string.
 template <class Fit, class Call>
 std::string fit_or_reason(std::optional<Fit>& fit, const Call& call) {
     try {
@@ -183,7 +171,7 @@ std::string fit_or_reason(std::optional<Fit>& fit, const Call& call) {
     }
 }
 
-/// Mean of ln S over the lags from ... to, and its standard deviation by the larger of bootstrap and model.
+/// Mean of ln S over the lags from ... to, and its standard deviation, the larger of bootstrap and model.
 template <Real F>
 struct LogLevel {
     F mean{}, error{};

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The band of K(p) over the errors of a measured surface: between which stiffnesses 90 of 100 such surfaces lie.
+/// Band of K(p) over the errors of a measured surface, which contains K of 90 of 100 such surfaces.
 ///
 ///     const auto surface = fstiff::parts::surface_parameters(profile);
-///     const auto band = fstiff::stiffness_band(surface, pressures, [](double D) { return
-///     fstiff::FractalLaw<double>(D); },
-///                                              112.6e9, {.samples = 400, .seed = 1});
+///     const auto law = [](double D) { return fstiff::FractalLaw<double>(D); };
+///     const auto band = fstiff::stiffness_band(surface, pressures, law, 112.6e9, {.samples = 400, .seed = 1});
 ///     band[0].low, band[0].median, band[0].high       K [Pa/m] at pressures[0]: 5, 50 and 95 %
 ///
-/// Every sample is a contact of its own, with sigma, R, D_p, D, r and theta drawn together by their errors and
-/// correlation (measured/uncertain_surface): 400 samples at 20 pressures are 8000 states, a second or less. A sample
+/// Every sample is one contact; sigma, R, D_p, D, r and theta are drawn together with their errors and correlation
+/// (measured/uncertain_surface). 400 samples at 20 pressures are 8000 states and take at most a second or so. A sample
 /// that does not reach a pressure is left out there and counted in SampledBand::failed.
-///
 /// Reference   measured/sampled_band.hpp, contact/rough_contact.hpp
 /// Units       SI
-/// Valid       as RoughContact, for every surface that is drawn; r and theta known, for the first form
-/// Accuracy    that of measured/sampled_band.hpp; the same seed gives the same band
-///             (tests/measured/stiffness_band_test.cpp)
+/// Valid       as RoughContact, for every drawn surface; r and theta known, for the first form
+/// Accuracy    as measured/sampled_band.hpp (tests/measured/stiffness_band_test.cpp)
 
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -31,7 +28,7 @@ namespace fstiff::inline v0_1 {
 
 namespace detail {
 
-/// sigma, R and D_p of a surface as SurfaceSampler draws it, in the order of Parameter.
+/// sigma, R and D_p of a surface as drawn by SurfaceSampler, in the order of Parameter.
 template <Real T>
 [[nodiscard]] Roughness<T> roughness_of(const std::array<T, parts::surface_parameter_count>& drawn) {
     const auto at = [&](Parameter which) { return drawn[static_cast<std::size_t>(which)]; };
@@ -40,8 +37,8 @@ template <Real T>
 
 }  // namespace detail
 
-/// The band of the stiffness of any contact: \p contact_of takes a drawn surface, an array in the order of Parameter,
-/// and returns what has at_pressure.
+/// Band of the stiffness of any contact: \p contact_of takes a drawn surface, an array in the order of Parameter, and
+/// returns an object with at_pressure.
 /// \throws domain_error for a pressure that is not finite and greater than 0, as sampled_band, and as \p contact_of.
 template <Real T, class Pressures, class ContactOf>
 [[nodiscard]] std::vector<parts::SampledBand<T>> stiffness_band(const parts::SurfaceParameters<T>& surface,
@@ -58,7 +55,7 @@ template <Real T, class Pressures, class ContactOf>
         options);
 }
 
-/// The band of the stiffness of RoughContact with the asperity law that \p law_of makes of D, such as
+/// Band of the stiffness of RoughContact with the asperity law \p law_of(D), such as
 /// [](double D) { return FractalLaw<double>(D); }, and the modulus \p effective_modulus [Pa].
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>

@@ -1,39 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the contact models need to know of a surface, from a measured profile or map, each with its standard error.
+/// Parameters of the contact models from a measured profile or map, each with its standard error.
 ///
-///                  of a map                                          of a profile, taken for isotropic
-///     sigma        rms of the heights                                the same
+///                  map                                               profile, as a section of an isotropic surface
+///     sigma        rms of the heights                                same
 ///     R            A_m/(2 pi h_m) of the representative islands      3 sqrt(pi)/(8 sigma_kappa)             eq. (4.10)
-///     D_p          density of the representative islands             2 pi/(3 sqrt 3) n^2, n peaks per length
-///                  or both of the summits (PeakSource)
-///     R_p          highest point above the mean                      the same
+///     D_p          density of the islands; or both of summits      2 pi/(3 sqrt 3) n^2, n peaks per length
+///     R_p          highest point above the mean                      same
 ///     r, theta     sigma_m^2/(sigma sigma_kappa), asin(h sigma_kappa/(2 sigma_m)) of triples of neighbours in the rows
 ///     D, G         mean of both directions (measured/sections)       profile/fractal_fit
 ///
-/// The density of a profile: an isotropic Gaussian surface has m4/(6 pi sqrt(3) m2) summits per area, a section of it
-/// sqrt(m4/m2)/(2 pi) peaks per length. Both go down to the sampling: R and D_p of a surface that is rough below it are
-/// those of the spacing, and a step of h loses 1 % where the shortest wave has 16 samples. Of neighbours of equal
-/// height none is a peak: heights that were rounded coarsely lose peaks.
-///
-/// Errors: standard deviations over resamples, times sqrt(n/(n-1)) and Student's factor for n blocks
-/// (measured/height_sums): moving blocks of a profile, each five times as long as the heights stay correlated (an
-/// eighth of the profile at most), tiles of a map. The parts of a surface that is not longer than its longest waves do
-/// not show how much they vary: the errors of sigma and r, which goes as 1/sigma, are those of measured/long_waves
-/// where these are the greater. That of R_p is a lower bound: no resample is higher than the surface. D and G of the
-/// two directions are averaged by weight, and the error of D is half their difference at least.
-///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Kunsch,
-///             Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), sections 2 to 4.
+/// Reference   Nayak (1971), Longuet-Higgins (1957), Kunsch (1989), Buczkowski et al. (2014), sections 2 to 4
 /// Units       SI
-/// Valid       form removed before, with level(); profiles of 16 points and 8 triples at least, maps
-///             as representative_islands(), with two islands or summits apart at least. What cannot be had (D, or r and
-///             theta) is left out, with the reason.
-/// Accuracy    1e-12 of plain sums. Errors over the scatter of 60 surfaces, itself known to 9 %: 0.7 to 1.4; D_p of
-///             islands to 1.9, R of islands to 1.7 on maps shorter than twice their longest wave; sigma and r of
-///             surfaces shorter than their longest wave 1 to 3, for the long side of chi^2 (measured/long_waves); R_p
-///             0.5 to 0.7 (tests/measured/surface_parameters_test.cpp)
+/// Valid       form removed before, with level(); see parts::surface_parameters
+/// Accuracy    sums 1e-12; errors 0.7 to 1.4 times the scatter of 60 surfaces, exceptions in docs/theory.md, section 2
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -49,7 +30,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// What counts as a peak of a map.
+/// Kind of the peaks of a map.
 enum class PeakSource {
     islands,  ///< the representative island: where there are most (Figs. 3 and 4)
     summits   ///< points above their eight neighbours
@@ -63,7 +44,7 @@ inline constexpr auto names<parts::PeakSource> =
 
 namespace parts {
 
-/// How the parameters of a surface and their errors are found.
+/// Options of the parameters of a surface and their errors.
 template <Real T = double>
 struct SurfaceParameterOptions {
     PeakSource peaks = PeakSource::islands;  ///< of a map
@@ -72,14 +53,18 @@ struct SurfaceParameterOptions {
     bool texture = true;    ///< of a map: find Str, which costs two transforms of it
     bool dimension = true;  ///< find D and G
     T form_share{};         ///< rms height of the form that was removed over that of the rest
-    int form_terms{};       ///< of the form beside its mean
+    int form_terms{};       ///< of the form, without its mean
     std::size_t tiles = 4;  ///< of a map, a side
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
 };
 
-/// Of a surface without its form, or of one as it is, of which nothing was removed.
+/// Parameters of a surface after removal of its form, or of a surface as it is.
+///
+/// Profiles have at least 16 points and 8 triples, maps as representative_islands() and two separate islands or
+/// summits. D, or r and theta, are left out with the reason where they are not available. R and D_p depend on the step
+/// for surfaces that are rough below it; points of equal height are no peaks, so that coarse rounding loses peaks.
 /// \throws domain_error for a surface or an option out of range, or one without peaks.
 template <Real T>
 [[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled,
@@ -96,7 +81,7 @@ template <Real T>
 [[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled,
                                                       const SurfaceParameterOptions<T>& options = {});
 
-/// What the sums have: heights in \p unit, lengths in samples of \p dx by \p dy.
+/// Sums of heights in \p unit and of lengths in samples of \p dx by \p dy.
 template <Real T>
 void store_sums(SurfaceParameters<T>& result, const detail::Estimates<math::Accumulator<T>>& whole,
                 const detail::EstimateSpread<math::Accumulator<T>>& spread, math::Accumulator<T> unit,
@@ -138,7 +123,7 @@ void store_fit(SurfaceParameters<T>& result, const FractalFit<T>& fit) {
     result.curved = fit.curved;
 }
 
-/// D and G of both directions as one, by weight.
+/// D and G of both directions combined, by weight.
 template <Real T>
 void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit<T>& fit) {
     result.anisotropic = fit.anisotropic();
@@ -165,7 +150,7 @@ void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit
     result.curved = fit.x->curved || fit.y->curved;
 }
 
-/// The long end of a piece with the \p side that has \p waves: H of its D and these waves.
+/// Long end of a piece with the \p side and the long waves \p waves: H from its D and these waves.
 template <Real T, class Waves>
 void store_long_end(SurfaceParameters<T>& result, const Waves& waves, T side,
                     const SurfaceParameterOptions<T>& options) {
@@ -188,7 +173,7 @@ void require_options(const SurfaceParameterOptions<T>& options) {
     check_options(options.fit);
 }
 
-/// Nothing leaves that a contact could not be computed of.
+/// \throws domain_error unless a contact can be computed from the result.
 template <Real T>
 void require_numbers(const SurfaceParameters<T>& result) {
     require_positive("rms height of the surface", result.rms_height.value);
@@ -209,7 +194,7 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     const S unit = height_scale(profile), mean = static_cast<S>(mean_height(profile));
     const S step = static_cast<S>(profile.spacing);
 
-    // How long heights stay correlated: until S reaches 1 - 1/e of where it ends.
+    // correlation length: S reaches 1 - 1/e of its end value
     const StructureFunction<T> s = structure_function(profile);
     const T sigma = rms_height(profile);
     std::size_t correlated = size / 4;
@@ -254,8 +239,8 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     return result;
 }
 
-/// The sums over the part \p block of \p map, whose heights \p height gives in a unit; where \p summits
-/// of its summits, too.
+/// Sums over the part \p block of \p map, whose heights \p height gives in a unit; with \p summits also over its
+/// summits.
 template <Real T, class Height>
 [[nodiscard]] detail::HeightSums<math::Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
                                                                      const Height& height, bool summits) {
@@ -282,7 +267,7 @@ template <Real T, class Height>
     return tile;
 }
 
-/// Of \p map, with D and G of what \p directions returns.
+/// Parameters of \p map, with D and G from \p directions.
 template <Real T, class Directions>
 SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options,
                                     const Directions& directions) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The sum of two faces whose parameters have errors, and how the heights of it are distributed.
+/// Sum of two faces whose parameters have errors, and the skewness and kurtosis of the sum.
 ///
 ///     errors and their correlation: of 4000 pairs of faces drawn by SurfaceSampler, added by sum_of_faces()
 ///     skewness: sum of sigma^3 skewness over sigma^3         kurtosis - 3: sum of sigma^4 (kurtosis - 3) over sigma^4
 ///
-/// The faces are independent, so their cumulants add. D is drawn at the shares of both faces in the structure function.
+/// The faces are independent, so that cumulants add. D is drawn with the shares of both faces in the structure
+/// function.
 ///
 /// Reference   surface/two_faces.hpp; Kendall, Stuart, The Advanced Theory of Statistics 1 (Griffin, 1977) (cumulants).
 /// Units       SI
@@ -26,7 +27,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// The values of \p surface, whose spectrum has \p moments, without their errors.
+/// Values of \p surface, whose spectrum has \p moments, without their errors.
 template <Real T>
 [[nodiscard]] RoughFace<T> rough_face(const SurfaceParameters<T>& surface, const SpectralMoments<T>& moments) {
     const auto value = [](const std::optional<Measurement<T>>& one) {
@@ -41,7 +42,7 @@ template <Real T>
             value(surface.theta)};
 }
 
-/// The parameters of \p face, without errors.
+/// Parameters of \p face, without errors.
 template <Real T>
 [[nodiscard]] SurfaceParameters<T> stated(const RoughFace<T>& face) {
     SurfaceParameters<T> of;
@@ -56,7 +57,7 @@ template <Real T>
     return of;
 }
 
-/// \p face with the parameters \p drawn about its own; the moments grow with the height.
+/// \p face with the parameters \p drawn about its own; the moments are scaled with the height.
 template <Real T>
 [[nodiscard]] RoughFace<T> redrawn(RoughFace<T> face, const std::array<T, surface_parameter_count>& drawn) {
     const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
@@ -72,7 +73,7 @@ template <Real T>
     return face;
 }
 
-/// The parameters of \p face in the order of Parameter, those that vary by a factor as logarithms; 0 where not known.
+/// Parameters of \p face in the order of Parameter, logarithms for those that vary by a factor; 0 where not known.
 template <Real T>
 [[nodiscard]] std::array<T, surface_parameter_count> coordinates(const RoughFace<T>& face) {
     std::array<T, surface_parameter_count> x{};
@@ -87,7 +88,7 @@ template <Real T>
     return x;
 }
 
-/// The sum of \p of_a and \p of_b, whose spectra have the moments \p moments_a and \p moments_b. R_p and G of it have
+/// Sum of \p of_a and \p of_b, whose spectra have the moments \p moments_a and \p moments_b. R_p and G of the sum have
 /// no errors.
 /// \throws domain_error for parameters or errors out of range.
 template <Real T>
@@ -134,7 +135,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// Of the sum of two faces whose heights are independent.
+/// Height statistics of the sum of two faces with independent heights.
 template <Real T>
 [[nodiscard]] HeightStatistics<T> sum_of_faces(const HeightStatistics<T>& a, const HeightStatistics<T>& b) {
     HeightStatistics<T> sum;

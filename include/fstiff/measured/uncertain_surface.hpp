@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The parameters of a surface with their standard errors, and surfaces drawn at random about them, for a band about
-/// whatever is computed of them.
+/// Parameters of a surface with their standard errors, and random surfaces drawn about them.
 ///
 ///     x = value exp(s z),  s^2 = ln(1 + (error/value)^2)      sigma, R, D_p: lognormal, the value is the median
 ///     x = value + error z                                     D in (1, 2), r in [0, 1), theta in (0, pi/2): truncated
 ///     z                                                       standard normal, with the correlation of the errors
 ///
-/// Which of the two a parameter takes stands in its row of surface/contact_parameter.hpp.
-/// A draw in which D, r or theta leaves its range is drawn again, all of it. An error of 0 gives the value itself.
-///
-/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); math/random.hpp: the random
-///             bits of a seed are the same on every platform; values agree to the rounding of the local log, cos, exp
-///             and eigenvectors
+/// The form of each parameter is in its row of surface/contact_parameter.hpp. A draw with D, r or theta out of range is
+/// repeated as a whole. An error of 0 gives the value itself.
+/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); math/random.hpp: a seed gives the same random bits on every
+///             platform; values agree to the rounding of log, cos, exp and eigenvectors
 /// Units       SI
-/// Valid       values in the range of each parameter, errors finite and not negative, a correlation that is positive
-///             semidefinite (an eigenvalue below -1e-9 is refused)
+/// Valid       values in the range of each parameter, errors finite and not negative, correlation positive semidefinite
+///             (eigenvalues below -1e-9 are refused)
 
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/random.hpp>
@@ -39,7 +36,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// A measured value and its standard deviation.
+/// A measured value and its standard error.
 template <Real T = double>
 struct Measurement {
     T value{}, error{};
@@ -47,11 +44,11 @@ struct Measurement {
 
 namespace parts {
 
-/// Rows and columns are those of Parameter, of the surface.
+/// Correlation matrix of the parameters of a surface; rows and columns in the order of Parameter.
 template <Real T>
 using ParameterCorrelation = std::array<std::array<T, surface_parameter_count>, surface_parameter_count>;
 
-/// No parameter hangs on another: the unit matrix.
+/// Correlation matrix of independent parameters: the identity.
 template <Real T>
 [[nodiscard]] constexpr ParameterCorrelation<T> uncorrelated() {
     ParameterCorrelation<T> one{};
@@ -59,7 +56,7 @@ template <Real T>
     return one;
 }
 
-/// The parameters of a measured surface, each with its standard error.
+/// Parameters of a measured surface, each with its standard error.
 template <Real T = double>
 struct SurfaceParameters {
     Measurement<T> rms_height;       ///< sigma [m]
@@ -72,29 +69,29 @@ struct SurfaceParameters {
     T dimension_window_error{};                       ///< share of the window of lags in the error of D
     std::optional<Measurement<T>> r, theta;           ///< theta [rad]
     std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
-    /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
+    /// Correlation of the errors; those of different origin (D; the islands of a map) are assumed independent.
     ParameterCorrelation<T> correlation = uncorrelated<T>();
     LagWindow<T> window;    ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
     T long_wave_share{};    ///< of the mean square height in waves longer than an eighth of the surface
-    LongEnd<T> long_end{};  ///< which waves a larger contact has beyond these
+    LongEnd<T> long_end{};  ///< waves of a larger contact beyond these
     bool anisotropic{};     ///< of a map
     detail::Repetition<T> repetition{};  ///< of a profile
     T texture_aspect_ratio{1};           ///< Str of a map
     bool curved{};                       ///< no clean power law in the window
-    std::size_t peaks_counted{};         ///< behind R and D_p
+    std::size_t peaks_counted{};         ///< number of peaks for R and D_p
     std::size_t blocks{};                ///< independent parts that the errors come from
     T block_length{};                    ///< of a profile [m]
     std::uint64_t seed{};
-    std::optional<FractalFit<T>> profile_fit;  ///< behind D and G of a profile; none where why_no_dimension tells why
-    std::optional<DirectionalFit<T>> map_fit;  ///< behind those of a map; without x and y where neither can be fitted
-    std::optional<RepresentativeIslands<T>> islands;  ///< behind R and D_p of a map, of PeakSource::islands
+    std::optional<FractalFit<T>> profile_fit;         ///< fit of D and G of a profile; else see why_no_dimension
+    std::optional<DirectionalFit<T>> map_fit;         ///< same for a map; without x and y where neither can be fitted
+    std::optional<RepresentativeIslands<T>> islands;  ///< source of R and D_p of a map, PeakSource::islands
 
-    /// The parameter \p which, to read or to change; null where it is not known, or is none of a surface.
+    /// Pointer to the parameter \p which; null where it is not known, or is no parameter of a surface.
     [[nodiscard]] const Measurement<T>* find(Parameter which) const { return find_in(*this, which); }
     [[nodiscard]] Measurement<T>* find(Parameter which) { return find_in(*this, which); }
     /// \throws domain_error for a parameter that is not of a surface.
     void set(Parameter which, const Measurement<T>& measured);
-    /// In the order of Parameter; 0 where not known.
+    /// Values in the order of Parameter; 0 where not known.
     [[nodiscard]] std::array<T, surface_parameter_count> values() const;
     /// \throws domain_error naming the parameter that is out of range.
     void validate() const;
@@ -104,13 +101,13 @@ private:
     static auto find_in(Self& self, Parameter which) -> decltype(&self.rms_height);
 };
 
-/// Draws surfaces, one a call.
+/// Sampler of surfaces, one per call.
 template <Real T = double>
 class SurfaceSampler {
 public:
     /// \throws domain_error as SurfaceParameters::validate().
     SurfaceSampler(const SurfaceParameters<T>& surface, std::uint64_t seed);
-    /// In the order of Parameter; what is not known stays 0.
+    /// Draws a surface in the order of Parameter; unknown parameters stay 0.
     /// \throws domain_error when 1000 draws in a row leave the range of D, r or theta.
     [[nodiscard]] std::array<T, surface_parameter_count> operator()();
 
@@ -183,7 +180,7 @@ SurfaceSampler<T>::SurfaceSampler(const SurfaceParameters<T>& surface, std::uint
         for (std::size_t j = 0; j < surface_parameter_count; ++j)
             if (known_[i] && known_[j])
                 correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
-    // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
+    // symmetric root: also valid for a correlation of exactly 1, or one rounded to a few digits
     const auto [values, vectors] = math::symmetric_eigen<T>(correlation);
     const T least = *std::min_element(values.data(), values.data() + size);
     const T rounding = (std::max)(T(1e-9), 16 * std::numeric_limits<T>::epsilon());

@@ -1,31 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Waves longer than a measured piece: how much rougher than the piece a larger nominal contact is.
+/// Waves longer than a measured piece: growth of sigma for a larger nominal contact.
 ///
 ///     w_k      mean square height of a wave of k half periods, 1 < k < 16       measured/long_waves
-///     E w_k    A max(k, k_r)^-b, b = 2H + 1 of a profile, 2H + 2 of a map       roll-off at k_r
+///     E w_k    A max(k, k_r)^-b, b = 2H + 1 for a profile, 2H + 2 for a map     roll-off at k_r
 ///     P        posterior probability of k_r <= 1 over H and ln k_r, all A; open = min(1, P/prior)
-///     growth   ln of sigma of a contact of side L0 over sigma as measured, 0 for L0 <= L
-///              open (H ln(L0/L) + (sqrt 2 - 1) 1.645 s (1 - L/L0)), s: error of ln sigma by the long waves of the
-///              piece
-///     L        root of the area of a map; 1/sqrt 2 of the length of a profile: a square has the waves of its diagonal
+///     growth   ln(sigma of a contact of side L0/sigma) = open (H ln(L0/L) + (sqrt 2 - 1) 1.645 s (1 - L/L0)), L0 > L;
+///              s: error of ln sigma from the long waves
+///     L        root of the area of a map; length of a profile over sqrt 2
 ///
-/// A self-affine surface has no sigma of its own: it grows as L^H until the spectrum turns flat. Where the piece shows
-/// the roll-off, nothing is added; where it does not, the law of its spectrum goes on to the size of the contact, whose
-/// own long waves scatter as those of the piece do: sqrt 2 s in all, of which the band of sigma holds s. The prior of
-/// ln k_r is flat, and gives what is longer than the piece one octave beside four. H is that of the structure function
-/// within 0.1 (0.3 where it is curved) or its error; where there is none the long waves alone give H, and sigma is at
-/// least the growth greater. The removal of the form takes real waves with the tilt of the instrument: at most what the
-/// next shorter waves have. K of light loads changes by that share of sigma at most: 0.1 to 0.8 of it by boundary
-/// elements of five maps four waves wide.
-///
-/// Reference   Sayles, Thomas, Nature 271 (1978) 431 (sigma grows with the length); Jacobs, Junge, Pastewka, Surf.
-///             Topogr. 5 (2017) 013001 (b and H); Whittle's likelihood; the prior and its limits are this project's.
+/// Derivation  docs/theory.md, section 2; Reference: Sayles, Thomas, Nature 271 (1978) 431; prior: this project
 /// Units       lengths [m]; growth, H and shares dimensionless
-/// Valid       side >= 0; Gaussian heights, one law with one roll-off
-/// Accuracy    sigma of a whole 4 or 8 times as long is in the band of its piece: 81 to 95 % of them without a roll-off
-///             in the piece, 95 to 100 % with one, H 0.3 to 0.9 (tests/measured/unmeasured_waves_test.cpp)
+/// Valid       side >= 0; Gaussian heights, one power law with one roll-off
+/// Accuracy    the band of a piece contains sigma of a whole 4 or 8 times as long for 81 to 95 % of pieces without a
+///             roll-off, 95 to 100 % with one, H 0.3 to 0.9 (tests/measured/unmeasured_waves_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/statistics.hpp>
@@ -39,25 +28,25 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// The long end of the spectrum of a measured piece.
+/// Long end of the spectrum of a measured piece.
 template <Real T = double>
 struct LongEnd {
     T side{};        ///< of the square that has as many waves as the piece [m]; 0: not known
     T hurst{};       ///< H of its long waves
-    T open{};        ///< 0 to 1: how far their law goes on beyond the piece; 0: the roll-off is seen
+    T open{};        ///< 0 to 1: extent of their power law beyond the piece; 0: the roll-off is measured
     T error{};       ///< of ln sigma, by the scatter of the long waves
     bool law{};      ///< whether H is that of the structure function; else of the long waves alone
-    T form_share{};  ///< rms height over sigma of what the removal of the form took of the surface itself
+    T form_share{};  ///< rms height over sigma of the surface waves that the removal of the form took
 };
 
-/// ln of sigma of the nominal contact over sigma as measured, by waves that the measurement does not hold.
+/// ln of sigma of the nominal contact over measured sigma, from waves longer than the measurement.
 template <Real T = double>
 struct UnmeasuredWaves {
     T growth{};       ///< >= 0
-    bool at_least{};  ///< no law of the spectrum is known: sigma is greater by the growth at least
+    bool at_least{};  ///< lower bound: sigma grows by at least this, without a law of the spectrum
 };
 
-/// Waves that a contact with the side \p side [m] has beyond the piece of \p end.
+/// Growth by waves that a contact with the side \p side [m] has and the piece of \p end has not.
 template <Real T>
 [[nodiscard]] UnmeasuredWaves<T> unmeasured_waves(const LongEnd<T>& end, std::type_identity_t<T> side) {
     if (!(end.side > T(0) && side > end.side)) return {};
@@ -66,8 +55,8 @@ template <Real T>
     return {growth, growth > T(0.01) && !end.law};
 }
 
-/// The mean of two ends, \p a and \p b, of surfaces that have \p share and 1 - share of the mean square height or of
-/// the size.
+/// Mean of two ends, \p a and \p b, of surfaces that have \p share and 1 - share of the mean square height or of the
+/// size.
 template <Real T>
 [[nodiscard]] LongEnd<T> mean_of_ends(const LongEnd<T>& a, const LongEnd<T>& b, T share) {
     const auto mean = [share](T x, T y) { return share * x + (1 - share) * y; };
@@ -88,13 +77,13 @@ template <Real T>
 
 namespace fstiff::inline v0_1::detail {
 
-/// What is known of H before the long waves are looked at; error 0: nothing.
+/// Knowledge of H from other sources than the long waves; error 0: none.
 template <Real T>
 struct PriorHurst {
     T value{}, error{};
 };
 
-/// H and open of \p squares, the mean square heights of waves of x and y half periods (columns and rows).
+/// H and open from \p squares, the mean square heights of waves of x and y half periods (columns and rows).
 template <Real T, class Squares>
 [[nodiscard]] parts::LongEnd<T> long_end(const Squares& squares, const PriorHurst<T>& prior) {
     const bool map = squares.rows() > 1;
@@ -129,8 +118,8 @@ template <Real T, class Squares>
     return end;
 }
 
-/// The greatest rms height over sigma of \p terms of a form that were waves of the surface: each has twice what the
-/// waves of fewer than four half periods have on average.
+/// Upper bound of rms height over sigma lost with \p terms of a form that were waves of the surface: each has twice the
+/// mean of the waves of fewer than four half periods.
 template <Real T, class Squares>
 [[nodiscard]] T greatest_form_share(const Squares& squares, int terms) {
     T sum = 0, waves = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The band of K(p) of a measured surface: over the errors of its parameters, and over the choice of lambda_s.
+/// Band of K(p) for a measured surface: over the errors of its parameters, and over the choice of lambda_s.
 ///
 ///     const auto surface = fstiff::measure(profile);
 ///     const auto band = fstiff::stiffness_band(surface, pressures, [](double) { return fstiff::HertzLaw<double>{}; },
@@ -9,7 +9,7 @@
 ///     band[0].stiffness, band[0].band.low, band[0].band.high       [Pa/m] at pressures[0]: K, 5 and 95 %
 ///
 /// The band over the errors (measured/stiffness_band) is widened by the neighbours of the surface
-/// (measured/band_parts). A profile with a lay cannot tell K: its band ends lay_factor times higher.
+/// (measured/band_parts). A profile with a lay does not determine K: its band ends lay_factor times higher.
 ///
 /// Reference   measured/stiffness_band.hpp, measured/band_parts.hpp, measured/measure.hpp
 /// Units       K [Pa/m], pressures [Pa]
@@ -36,9 +36,8 @@ struct WidenedBand {
     BandParts<T> parts;
 };
 
-/// \p band of \p stiffness widened by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows,
-/// those of D, are curves of K over many points, of which \p point counts, each times \p factor; \p of_unknowns are
-/// over K.
+/// Widens \p band of \p stiffness by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows (of
+/// D) are curves of K over many points, used at \p point and times \p factor; \p of_unknowns are relative to K.
 template <Real T>
 [[nodiscard]] WidenedBand<T> widened(T stiffness, const SampledBand<T>& band,
                                      const std::vector<std::vector<T>>& of_neighbours,
@@ -60,7 +59,7 @@ template <Real T>
     return one;
 }
 
-/// Whether \p surface is a profile that repeats itself, which cannot know K of its face.
+/// Whether \p surface is a profile that repeats itself, which does not determine K of its face.
 template <Real T>
 [[nodiscard]] bool is_profile_with_lay(const Surface<T>& surface) {
     return surface.profile && std::count(surface.concerns.begin(), surface.concerns.end(), MeasuredConcern::lay) > 0;
@@ -68,15 +67,14 @@ template <Real T>
 
 }  // namespace parts
 
-/// The band of the stiffness of any contact: \p contact_of takes a surface, an array in the order of Parameter, and
-/// returns what has at_pressure. A neighbour without a contact is left out.
+/// Band of the stiffness of any contact: \p contact_of takes a surface, an array in the order of Parameter, and returns
+/// an object with at_pressure. A neighbour without a contact is left out.
 /// \throws domain_error as sampled_band().
 template <Real T, class Pressures, class ContactOf>
 [[nodiscard]] std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
                                                                 const ContactOf& contact_of,
                                                                 const parts::BandOptions& options = {});
-/// The same for RoughContact with the asperity law that \p law_of makes of D, and the modulus \p effective_modulus
-/// [Pa].
+/// Same as above for RoughContact with the asperity law \p law_of(D) and the modulus \p effective_modulus [Pa].
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>
 [[nodiscard]] std::vector<parts::WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
@@ -101,7 +99,7 @@ template <Real T, class Pressures, class ContactOf>
     return all;
 }
 
-/// The parameters of \p neighbour; r and theta of \p surface where it has none.
+/// Parameters of \p neighbour; r and theta of \p surface where it has none.
 template <Real T>
 [[nodiscard]] std::array<T, surface_parameter_count> values_of_neighbour(const Surface<T>& neighbour,
                                                                          const Surface<T>& surface) {

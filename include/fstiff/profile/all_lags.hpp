@@ -6,15 +6,15 @@
 ///     N_n S(n h) = A_n + B_n - 2 R_n + 2 b n sum(r_(i+n) - r_i) + N_n (b n)^2        eq. (2.8)
 ///     z_i = a + b i + r_i,  R_n = sum r_i r_(i+n),  A_n, B_n: sums of r_i^2 over the first and the last N_n points
 ///
-/// The line is removed first and put back in closed form. The rounding of A + B - 2R is bounded for every lag; a lag
-/// that may be wrong by 1e-10 of S is evaluated again, short lags in segments, others from their pairs.
+/// The line is removed first and added again in closed form. The rounding error of A + B - 2R is bounded for every lag;
+/// a lag with a bound above 1e-10 of S is evaluated again, short lags in segments, others from their pairs.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8)
 /// Units       lag [m], S [m^2]
-/// Valid       2 points to 2^29; every height finite or NaN (missing)
+/// Valid       2 to 2^29 points; every height finite or NaN (missing)
 /// Accuracy    1e-10 relative at every lag in double and long double, tilt up to 1e6 times the roughness
 ///             (tests/profile/all_lags_test.cpp)
-/// Cost        two transforms of 2N points, and N for every lag from its pairs: a few dozen of a rough profile
+/// Cost        two transforms of 2N points, and N for every lag from its pairs: a few dozen for a rough profile
 
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>
@@ -25,8 +25,8 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// The sums over pairs of one profile; heights are scaled, and 0 where \p present is 0;
-/// an empty \p present: no point is missing.
+/// Sums over pairs of one profile; heights are scaled, and 0 where \p present is 0; an empty \p present means that no
+/// point is missing.
 template <class F>
 class AllLags {
 public:
@@ -49,7 +49,7 @@ private:
     static constexpr F fft_error =
         8 * epsilon;  // of a correlation, over its value at lag 0: six times the measured one
 
-    /// Sum of \p term over the points that exist, in short runs so that rounding does not add up.
+    /// Sum of \p term over the points that exist, in short runs so that rounding errors do not accumulate.
     template <class Term>
     F over_points(const Term& term) const {
         constexpr std::size_t run = 1024;
@@ -85,13 +85,13 @@ private:
             const F product = slope_ * u, product_lost = std::fma(slope_, u, -product);
             residual_[i] = (difference.sum - product) + (difference.error - product_lost);
         }
-        // the residual keeps a constant, slope times middle and what rounding left: differences do not see it
+        // the residual keeps a constant, slope times middle and the rounding: differences do not depend on it
         const F constant = over_points([&](std::size_t i) { return residual_[i]; }) / points;
         for (std::size_t i = 0; i < size_; ++i)
             if (whole_ || present_[i]) residual_[i] -= constant;
     }
 
-    /// \p spectrum becomes the transform of its norms: a real even spectrum is its own inverse.
+    /// Replaces \p spectrum by the transform of its norms: a real even spectrum is its own inverse.
     static void transform_norms(math::RealFft<F>& fft, std::vector<std::complex<F>>& spectrum) {
         std::vector<F> even(fft.size());
         for (std::size_t k = 0; k < spectrum.size(); ++k)
@@ -122,7 +122,7 @@ private:
         }
     }
 
-    /// With points missing: pairs, sum of differences and sum of squared differences are three correlations.
+    /// Sums with missing points: pairs, sum of differences and sum of squared differences are three correlations.
     void correlate_present() {
         math::RealFft<F> fft(residual_.size());
         const std::size_t half = fft.size() / 2;
@@ -159,7 +159,7 @@ private:
         }
     }
 
-    /// Remembers lag \p n when an \p error of its sum may be too much.
+    /// Records lag \p n for a second evaluation when the \p error of its sum may be too large.
     void mark_inaccurate(std::size_t n, F error) {
         if (pairs[n - 1] > 0 && !(error <= wanted * sum[n - 1])) inaccurate_lags_.push_back(n);
     }
@@ -184,8 +184,8 @@ private:
         return all;
     }
 
-    /// Lags 1 ... \p to in segments of the profile. Cross-correlations of x, the pairs' beginnings, and y, their ends.
-    /// Returns which lags are settled.
+    /// Sums of lags 1 ... \p to in segments of the profile, by cross-correlations of x, the beginnings of the pairs,
+    /// and y, their ends. Returns which lags are settled.
     std::vector<char> in_segments(std::size_t to) {
         std::vector<char> settled(to + 1);
         math::RealFft<F> fft(math::fast_fft_size(16 * to));
@@ -236,7 +236,7 @@ private:
     }
 
     void recompute_marked() {
-        // how far the marked lags reach without a gap longer than half of what is before it
+        // extent of the marked lags without a gap longer than half of the lags before it
         std::size_t last = 0, front = 0;
         while (front < inaccurate_lags_.size() && inaccurate_lags_[front] <= (std::min)(2 * last + 64, size_ / 64))
             last = inaccurate_lags_[front++];

@@ -6,11 +6,11 @@
 ///     A(n h) = <z_i z_(i+n)>/<z^2>   z about the mean of all points; <z_i z_(i+n)> over the pairs of points that exist
 ///     Ral    = the shortest lag at which A has fallen to s = 0.2, on straight lines between the lags
 ///
-/// Means by pairs are not biased towards 0 at long lags, where they scatter: lags above half the length are left out.
+/// Means by pairs are not biased towards 0 at long lags, but scatter there: lags above half the length are left out.
 ///
 /// Reference   ISO 21920-2:2021 (autocorrelation function, Ral), ISO 21920-3:2021 (s = 0.2)
 /// Units       lag, Ral [m], A dimensionless
-/// Valid       16 points to 2^29, not all of one height; remove the form first
+/// Valid       16 to 2^29 points, not all of one height; remove the form first
 /// Accuracy    1e-13 of A(0) = 1 (tests/profile/autocorrelation_test.cpp)
 
 #include <fstiff/math/fft.hpp>
@@ -18,7 +18,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// The autocorrelation of a profile at every lag.
+/// Autocorrelation of a profile at every lag.
 template <Real T = double>
 struct Autocorrelation {
     std::vector<T> lag;              ///< 0, h, 2h ... to half the length [m]
@@ -66,8 +66,8 @@ template <Real T>
 
 namespace parts {
 
-/// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before
-/// has no pair. \throws domain_error unless 0 < threshold < 1.
+/// Ral: lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or where a lag
+/// before has no pair. \throws domain_error unless 0 < threshold < 1.
 template <Real T>
 [[nodiscard]] std::optional<T> autocorrelation_length(const Autocorrelation<T>& correlation,
                                                       std::type_identity_t<T> threshold = T(0.2)) {

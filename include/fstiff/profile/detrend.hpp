@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Removes the form of a profile: its mean, least-squares line or least-squares parabola.
+/// Removal of the form of a profile: its mean, least-squares line or least-squares parabola.
 ///
-/// The polynomials are orthogonal over the points that exist, the residual is formed with the rounding error of each
-/// product and sum carried along, and the fit is repeated on what it left: an offset or a tilt far above the roughness
-/// costs nothing but the digits that it had already cost in the data.
+/// The polynomials are orthogonal over the points that exist. The residual includes the rounding error of each product
+/// and sum, and the fit is repeated on the residual: a large offset or tilt costs no digits beyond those that it costs
+/// in the data.
 ///
 /// Units       heights [m]
 /// Valid       at least as many points as coefficients, every height finite or NaN (missing; stays missing)
@@ -28,7 +28,7 @@ namespace detail {
 /// Number of polynomial coefficients of a form.
 constexpr std::size_t coefficients(Form form) { return static_cast<std::size_t>(form); }
 
-/// The first three polynomials that are orthogonal over the positions u at which points exist.
+/// First three polynomials that are orthogonal over the positions u at which points exist.
 template <Real T>
 struct OrthogonalPolynomials {
     T centre{}, slope_shift{}, mean_square{};
@@ -39,7 +39,7 @@ struct OrthogonalPolynomials {
     }
 };
 
-/// value + carry -= product of \p a and \p b, nothing rounded but the carry.
+/// Computes value + carry -= \p a times \p b with rounding only in the carry.
 template <Real T>
 void subtract_product(T& value, T& carry, T a, T b) {
     const T product = a * b;

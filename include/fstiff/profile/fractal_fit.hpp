@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Fractal dimension D and roughness G of a profile from its second differences, with errors.
+/// Fractal dimension D and roughness G of a profile from its second differences, with standard errors.
 ///
 ///     ln S2(tau) = (4-2D) ln tau + ln C + ln(4 - 2^(4-2D))                          eq. (2.5), of second differences
-///     error^2 = max(model, bootstrap)^2 v/(v-2) + window^2                         v pieces as long as the longest lag
+///     error^2 = max(model, bootstrap)^2 v/(v-2) + window^2      v: length of the profile over the longest lag
 ///
 /// The model is the covariance of a Gaussian self-affine profile (profile/structure_errors), the bootstrap resamples
 /// moving blocks, and the window error comes from other windows (profile/window_spread).
@@ -12,7 +12,7 @@
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8); Kunsch, Ann. Stat. 17 (1989)
 ///             1217 (bootstrap); docs/errata.md (the constant C)
 /// Units       lags, window, G [m]
-/// Valid       16 points at least, heights that vary; 1 < D < 2
+/// Valid       at least 16 points, heights that vary; 1 < D < 2
 /// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points, D = 1.3 to 1.8: D within 0.02, G within a factor of 1.5
 ///             (tests/profile/fractal_fit_test.cpp); coverage of the errors in tests/profile/coverage_test.cpp
 
@@ -56,7 +56,7 @@ template <Real T>
 FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
                            T tip_length);
 
-/// The covariance of log.value, of a Gaussian profile whose S grows as n^\p power.
+/// Covariance of log.value for a Gaussian profile whose S grows as n^\p power.
 template <Real F>
 Matrix<F> covariance_of(const LogStructure<F>& log, F power) {
     Matrix<F> covariance = log_covariance(log.step, log.pairs, std::clamp(power, F(0.05), F(1.95)));
@@ -66,7 +66,7 @@ Matrix<F> covariance_of(const LogStructure<F>& log, F power) {
     return covariance;
 }
 
-/// How the local slopes scatter.
+/// Scatter of the local slopes.
 template <Real F>
 void set_slope_error(LogStructure<F>& log) {
     Matrix<F> sampled = covariance_of(log, F(1));
@@ -118,9 +118,9 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
 
 }  // namespace parts
 
-/// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
-/// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
-/// of lags follows a power law, or when D is not between 1 and 2.
+/// D and G of a profile after removal of its form and before its filters, from lags between its lambda_s and lambda_c.
+/// \throws domain_error for a profile or an option out of range, a window with too few lags, when no half decade of
+/// lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const parts::LevelledProfile<T>& levelled,
                                         const parts::FractalFitOptions<T>& options = {}) {
@@ -169,7 +169,7 @@ template <Real T>
 
 namespace parts {
 
-/// What the result says of its window.
+/// Adds the properties of the window to the result.
 template <Real T>
 void set_window(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>& log,
                 const ChosenRange<math::Accumulator<T>>& chosen, T spacing, const ReliableLags<T>& reliable) {
@@ -202,7 +202,7 @@ void set_window(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>&
     result.ends = why(range.last + 1, WindowEnd::length);
 }
 
-/// D, G, and their errors.
+/// Computes D, G, and their errors.
 template <Real T>
 void set_fractal(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T>>& line,
                  const LogStructure<math::Accumulator<T>>& log, const detail::LineFitter<math::Accumulator<T>>& fitter,
@@ -212,7 +212,7 @@ void set_fractal(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T
     const detail::FractalLine<F> main =
         detail::fractal_line<F>(line, options.convention, static_cast<F>(options.gamma));
     const auto expected = [&](const Vector<F>& row) { return std::sqrt(fitter.covariance_of(row, row, range)); };
-    // a profile that is not much longer than the longest lag knows its own scatter badly: the deviation of Student's t
+    // the scatter of a profile with few of the longest lags is uncertain: deviation of Student's t
     const F longest = std::exp(log.lag[range.last]);
     const F pieces = (std::max)(F(4), static_cast<F>(log.points) / longest * log.independent(longest));
     const F few = std::sqrt(pieces / (pieces - 2));
@@ -251,7 +251,7 @@ void set_fractal(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T
     result.roughness_error = static_cast<T>(absolute);
 }
 
-/// \p measured at the lags up to \p longest [m].
+/// \p measured, restricted to lags up to \p longest [m].
 template <Real T>
 StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
     while (measured.size() > 0 && measured.lag.back() > longest * T(1.0001)) {
@@ -263,7 +263,7 @@ StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
     return measured;
 }
 
-/// D of the ordinary straight line over \p range, and its error. Returns the slope.
+/// Sets D of the ordinary straight line over \p range, and its error. Returns the slope.
 template <Real T>
 math::Accumulator<T> set_ordinary_line(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>& log,
                                        const IndexRange& range) {
@@ -332,7 +332,7 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     const F log_gamma = std::log(static_cast<F>(options.gamma));
     std::optional<detail::LineFitter<F>> fitter;
     detail::LogFit<F> line;
-    for (int round = 0; round < 4; ++round) {  // covariance, filter and ends of the band hang on the slope, weakly
+    for (int round = 0; round < 4; ++round) {  // covariance, filter and band ends depend weakly on the slope
         const bool band_ends = range.first > 0 && log.slope[0] > power + F(0.3);  // S2 is steeper at shorter lags
         fitter.emplace(log, covariance_of(log, power), power, log_gamma, band_ends);
         line = fitter->fit(range, range);

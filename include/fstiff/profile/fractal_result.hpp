@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What a fit of D and G is asked, what it is given, and what it says.
+/// Options, input and result of a fit of D and G.
 ///
 /// Reference   profile/fractal_fit.hpp, which fills it
 /// Units       lags, window, G [m]; structure functions [m^2]
@@ -20,7 +20,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// How D and G are fitted.
+/// Options of the fit of D and G.
 template <Real T = double>
 struct FractalFitOptions {
     std::optional<LagWindow<T>> window{};  ///< automatic when not given
@@ -43,30 +43,30 @@ struct MeasuredStructureFunction {
     StructureFunction<T>
         second_differences;  ///< that is fitted, at some lags, rising; `pairs` are those of one profile
     T spacing{};             ///< [m]
-    T rms_height{};          ///< of the profiles [m], which tells where S2 saturates; 0: not known
+    T rms_height{};          ///< of the profiles [m], the saturation of S2; 0: not known
     std::size_t points{};    ///< of one profile, missing ones included
-    T profiles = T(1);       ///< that the means are of
-    T apart{};  ///< how far neighbours of them stand apart [spacings]: closer than half the lag, they see the same waves;
+    T profiles = T(1);       ///< number of profiles in the means
+    T apart{};  ///< distance of neighbouring profiles [spacings]: below half the lag they have the same waves;
                 ///< 0: they are independent
-    /// ln S2 at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S2 in any unit.
+    /// ln S2 at the given steps (rows) for resamples (columns), for the errors; may be empty. ln S2 in any unit.
     std::function<Eigen::Matrix<math::Accumulator<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>
         resample{};
 };
 
-/// D of a half of the window, or of a straight window beside it.
+/// D of a half of the window, or of a straight window next to it.
 template <Real T = double>
 struct NeighbourWindow {
     LagWindow<T> window;   ///< [m]
     T dimension{};         ///< D; of a half that is no self-affine profile it may lie outside (1, 2)
     T difference{};        ///< from D of the fit
-    T difference_error{};  ///< what sampling lets expect of it, one standard deviation
+    T difference_error{};  ///< its standard deviation by sampling
     bool half{};           ///< of the window itself
     bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
 };
 
 }  // namespace parts
 
-/// D and G of a structure function, with their errors and what they rest on.
+/// D and G of a structure function, with their errors and the data of the fit.
 template <Real T = double>
 struct FractalFit {
     Fractal<T> fractal;                   ///< D and G [m]
@@ -95,7 +95,7 @@ struct FractalFit {
     bool log_periodic{};        ///< whether these terms entered
     bool curved{};  ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
                     ///< to end of the window or from its ends to its middle, a half of the window or a window
-                    ///< beside it disagrees, the slope is below 0.2, or that of a part is, and less than that of the
+                    ///< next to it disagrees, the slope is below 0.2, or that of a part is, and less than that of the
                     ///< whole by 0.3 and by 1.5 standard deviations, or the automatic window had to allow more than 0.2
     T slope_shortest{};  ///< local slope of ln S2 at the shortest lag used
     T slope_longest{};   ///< and at the longest
@@ -107,7 +107,7 @@ struct FractalFit {
     std::uint64_t seed{};
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
     StructureFunction<T> second_differences;  ///< S2, which is fitted, at all its lags
-    StructureFunction<T> fitted;  ///< what the fit gives for S2 at the lags of the window, ends of the band included
+    StructureFunction<T> fitted;              ///< S2 of the fit at the lags of the window, ends of the band included
 };
 
 }  // namespace fstiff::inline v0_1

@@ -7,16 +7,13 @@
 ///     a sine of wavelength l passes into the waviness by exp(-pi (g c/l)^2): 50 % at l = c
 ///     robust: w_i = b_0 of minimum over b of sum_k s(x) delta_k (z_k - b_0 - b_1 x - b_2 x^2)^2,  x = x_k - x_i
 ///
-/// The sums run over the points that exist, so that a constant is kept at the ends and beside gaps; a tilt is not:
-/// remove the line first. A missing point stays missing. delta are Tukey's weights (math/tukey). Order 0 has b_0 alone;
-/// order 2, with g = 0.7309, follows a parabola. A point with less than 1 % of the Gaussian weight left, 5 % for order
-/// 2, keeps its first waviness.
-///
+/// Sums over the existing points keep a constant at the ends and at gaps, but not a tilt: remove the line first. delta
+/// are Tukey's weights (math/tukey). Order 0 has b_0 alone; order 2 (g = 0.7309) follows a parabola. A point keeps its
+/// first waviness where less than 1 % (order 2: 5 %) of the Gaussian weight is left. A missing point stays missing.
 /// Reference   ISO 16610-21:2011, 4.2-4.3; ISO 16610-28:2016 (ends); ISO 16610-31:2016 (robust)
 /// Units       heights, cut-off [m]
-/// Valid       5 spacings (of the low pass 2) <= cut-off <= length of the profile; more than half of the points are
-///             surface
-/// Accuracy    transmission 1e-6 for a cut-off of 5 spacings, 1e-13 from 10 spacings on; robust 1e-10 of the rms height
+/// Valid       5 spacings (low pass 2) <= cut-off <= length of the profile; more than half of the points are surface
+/// Accuracy    transmission 1e-6 for a cut-off of 5 spacings, 1e-13 from 10 on; robust 1e-10 of the rms height
 ///             (tests/profile/gaussian_filter_test.cpp, tests/profile/robust_gaussian_filter_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
@@ -27,7 +24,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Share of a wave of \p wavelength that the waviness keeps. \throws domain_error unless both lengths are positive.
+/// Transmission of a wave of \p wavelength into the waviness. \throws domain_error unless both lengths are positive.
 template <Real T>
 [[nodiscard]] T gaussian_transmission(T wavelength, T cutoff) {
     require_positive("wavelength", wavelength);
@@ -36,12 +33,12 @@ template <Real T>
     return std::exp(-numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
 }
 
-/// The weighted means of the head of this file, with a cut-off of \p least spacings at least.
+/// Weighted means of the head of this file, for a cut-off of at least \p least spacings.
 template <Real T>
 Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
     using F = math::Accumulator<T>;
     require_positive("spacing", profile.spacing);
-    // a cut-off of exactly so many spacings is in, whatever its rounding
+    // a cut-off of exactly so many spacings is valid, whatever its rounding
     if (!(cutoff >= static_cast<T>(least) * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) &&
           cutoff <= profile.length()))
         refuse("cut-off", cutoff,
@@ -64,7 +61,7 @@ Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
     return means;
 }
 
-/// The long waves of \p profile. \throws domain_error for a cut-off or a profile out of range.
+/// Long waves of \p profile. \throws domain_error for a cut-off or a profile out of range.
 template <Real T>
 [[nodiscard]] Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff) {
     return gaussian_means(profile, cutoff, 5);
@@ -78,8 +75,8 @@ template <Real T>
     return roughness;
 }
 
-/// \p profile without its short waves: the same sums, for a cut-off of two spacings and more. Below five spacings the
-/// weights are few, and waves of less than twice the cut-off pass better than the closed form says.
+/// \p profile without its short waves: the same sums, for a cut-off of at least two spacings. Below five spacings there
+/// are few weights, and waves shorter than twice the cut-off pass better than in the closed form.
 /// \throws domain_error as above.
 template <Real T>
 [[nodiscard]] Profile<T> gaussian_low_pass(const Profile<T>& profile, T cutoff) {
@@ -89,10 +86,10 @@ template <Real T>
 /// g of the file's head: exp(-t) = 1/2 and (1 + t) exp(-t) = 1/2 for t = pi g^2.
 template <Real T>
 inline constexpr T robust_width[2] = {T(0.469718639349825667L), T(0.730913428094675868L)};
-/// Share of the Gaussian weight that must be left.
+/// Minimum share of the Gaussian weight.
 inline constexpr double robust_share[2] = {0.01, 0.05};
 
-/// sum_k s(k-i) (k-i)^n v_k for n = 0 ... 2 order, with lengths in units of g c, by transforms.
+/// Sums sum_k s(k-i) (k-i)^n v_k for n = 0 ... 2 order, with lengths in units of g c, by transforms.
 template <Real F>
 class RegressionSums {
 public:
@@ -115,7 +112,7 @@ public:
         }
     }
 
-    /// The first \p count sums of \p values.
+    /// First \p count sums of \p values.
     void operator()(const std::vector<F>& values, std::size_t count, std::vector<std::vector<F>>& sums) {
         fft_.forward(values, spectrum_);
         sums.resize(count);
@@ -142,7 +139,7 @@ private:
     std::vector<std::complex<F>> spectrum_, product_;
 };
 
-/// b_0 of the normal equations with the sums s of the weights and t of the weighted heights.
+/// Solution b_0 of the normal equations with the sums s of the weights and t of the weighted heights.
 template <Real F>
 F regression_value(const std::vector<std::vector<F>>& s, const std::vector<std::vector<F>>& t, std::size_t i) {
     if (t.size() == 1) return t[0][i] / s[0][i];
@@ -151,7 +148,7 @@ F regression_value(const std::vector<std::vector<F>>& s, const std::vector<std::
     return (a * t[0][i] + b * t[1][i] + c * t[2][i]) / (a * s[0][i] + b * s[1][i] + c * s[2][i]);
 }
 
-/// The long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
+/// Long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
 template <Real T>
 [[nodiscard]] math::RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2) {
     using F = math::Accumulator<T>;

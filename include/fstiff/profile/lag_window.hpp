@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Range of lags over which the structure function S2 of second differences is a power law: found, or given.
+/// Window of lags over which the structure function S2 of second differences is a power law: automatic, or given.
 ///
-/// An automatic window is the longest range, half a decade at least, over which the local slope of ln S2 stays within
-/// 0.2 of the slope of the range, or within twice its sampling error; 0.2 becomes 0.3, then 0.45, where there is none.
-/// The slope must lie between 0.2 and 1.95. The search takes lags from 4 samples to a tenth of the points that
-/// resolution, lambda_s and tip (profile/tip_cutoff) allow, up to where S2 is three quarters of its saturation. A range
-/// behind a plateau (a shorter lag with a slope below 0.2 and 0.3 less than the range) is the last choice.
+/// An automatic window is the longest range, at least half a decade, over which the local slope of ln S2 differs from
+/// the slope of the range by at most 0.2, or by twice its sampling error; 0.3 and then 0.45 where no range satisfies
+/// that. The slope is between 0.2 and 1.95. The search uses lags from 4 samples to a tenth of the points that
+/// resolution, lambda_s and tip (profile/tip_cutoff) allow, up to three quarters of the saturation of S2. A range after
+/// a plateau (a shorter lag with a slope below 0.2 and 0.3 less than the range) is the last choice.
 ///
 /// Units       lags [m]; inside, in samples
-/// Valid       4 lags at least at which S2 > 0
+/// Valid       at least 4 lags at which S2 > 0
 /// Accuracy    ends of pieces of a power law (tests/profile/lag_window_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -29,22 +29,22 @@ struct LagWindow {
 
 namespace parts {
 
-/// Why a window begins or ends where it does.
+/// Reason for the beginning or the end of a window.
 enum class WindowEnd {
     given,       ///< by hand
-    sampling,    ///< the first lag searched: shorter ones know only a few samples
+    sampling,    ///< the first lag searched: shorter ones have only a few samples
     resolution,  ///< of the instrument
-    lambda_s,    ///< the cut-off of the filter that took the short waves
+    lambda_s,    ///< the cut-off of the filter of the short waves
     tip,         ///< of the instrument, by its radius
-    smooth,      ///< beyond it S2 grows as the square of the lag or faster: no roughness of that size
+    smooth,      ///< beyond it S2 grows as the square of the lag or faster: no roughness at this scale
     saturated,   ///< beyond it S2 does not grow
     bend,        ///< beyond it the slope of S2 is another one
-    length,      ///< the longest lag searched: of longer ones the profile holds too few
+    length,      ///< the longest lag searched: the profile has too few longer ones
 };
 
 }  // namespace parts
 
-/// To follow "begins" or "ends".
+/// Short name, to follow "begins" or "ends".
 template <>
 inline constexpr auto names<parts::WindowEnd> = name_list<parts::WindowEnd>({
     {parts::WindowEnd::given, "as given"},
@@ -60,7 +60,7 @@ inline constexpr auto names<parts::WindowEnd> = name_list<parts::WindowEnd>({
 
 namespace parts {
 
-/// In words, to follow "begins" or "ends".
+/// Description in words, to follow "begins" or "ends".
 [[nodiscard]] constexpr std::string_view describe(WindowEnd end) { return name_of(end); }
 
 template <Real T>
@@ -68,11 +68,11 @@ using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <Real T>
 using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Half a decade of lags; a little less, because lags are whole numbers of samples.
+/// Half a decade of lags; slightly less, because lags are whole numbers of samples.
 inline constexpr double min_window_ratio = 3.1;
 inline constexpr std::size_t min_window_lags = 4;
 
-/// Lags below \p from are not used.
+/// Lower limit of the lags: those below \p from are not used.
 template <Real T>
 struct ReliableLags {
     T from{};           // [m]; 0: all are used
@@ -80,7 +80,7 @@ struct ReliableLags {
 
     /// A lag at the limit is in, whatever the rounding.
     bool holds(T lag) const { return lag >= from * T(0.9999); }
-    /// To end the refusal of a profile of length \p length [m].
+    /// End of the error message for a profile of length \p length [m].
     std::string note(T length) const {
         if (from == T(0)) return "";
         return "; lags below " + (from * T(0.9999) <= length ? rounded_text(from, 4) + " m" : "any of this profile") +
@@ -99,7 +99,7 @@ T regression_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index first, E
     return (dx * y.segment(first, count).array()).sum() / dx.square().sum();
 }
 
-/// Slope about point k, over the lags within a factor 1.84 of it and its two neighbours at least.
+/// Slope about point k, over the lags within a factor 1.84 of it and at least its two neighbours.
 template <Real T>
 T local_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index k) {
     const T reach = std::log(T(1.84)) * T(1.001);
@@ -109,7 +109,7 @@ T local_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index k) {
     return regression_slope(x, y, first, last);
 }
 
-/// ln S2 over ln n at the lags that are used: numbers without a unit.
+/// ln S2 over ln n at the lags that are used, without units.
 template <Real F>
 struct LogStructure {
     std::vector<std::size_t> step, pairs;
@@ -119,21 +119,20 @@ struct LogStructure {
     F saturated = std::numeric_limits<F>::infinity();  // ln of what S2/h^2 ends at; infinite: not known
     F profiles = 1, apart = 0;                         // how many, and samples between neighbours; 0: nothing in common
 
-    /// How many profiles know something of their own at the lag \p n: neighbours see the same waves when they are
-    /// closer than half the lag.
+    /// Number of independent profiles at the lag \p n: neighbours closer than half the lag contain the same waves.
     F independent(F n) const { return apart > 0 ? std::clamp(2 * profiles * apart / n, F(1), profiles) : profiles; }
 
-    /// Lags that are searched for a window, in samples.
+    /// Lags of the search for a window, in samples.
     F shortest() const { return points < 400 ? F(1) : F(4); }
     F longest() const {
         const auto whole = points / (apart > 0 ? 5u : points < 400 ? 8u : 10u);
         return static_cast<F>(whole);
     }
-    /// The highest ln S2 of a window: three quarters of where S2 ends, but for 5 % of scatter.
+    /// Upper limit of ln S2 in a window: three quarters of its saturation, allowing for 5 % of scatter.
     F highest() const { return (std::min)(value.maxCoeff(), saturated) + F(0.05) - F(0.3); }
 };
 
-/// Lags at which nothing differs (S2 = 0) have no logarithm, and are left out with those that are not reliable.
+/// Omits lags at which nothing differs (S2 = 0), which have no logarithm, and unreliable lags.
 template <Real T>
 LogStructure<math::Accumulator<T>> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
                                                  const ReliableLags<T>& reliable) {
@@ -171,14 +170,14 @@ struct IndexRange {
     Eigen::Index count() const { return last - first + 1; }
 };
 
-/// Whether a range of slope \p slope stands behind a lag where S was as flat as \p flattest.
+/// Whether a range of slope \p slope follows a plateau, a lag where the slope of S was \p flattest.
 template <Real T>
 bool is_behind_plateau(T flattest, T slope) {
     return flattest < T(0.2) && slope > flattest + T(0.3);
 }
 
-/// The longest straight range among the lags \p within that are searched, where the local slopes may differ from that
-/// of the range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
+/// Longest straight range among the lags \p within of the search, where the local slopes may differ from that of the
+/// range by \p tolerance, before a plateau or (\p behind_plateau) after one.
 template <Real T>
 std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau,
                                          const IndexRange& within) {
@@ -217,7 +216,7 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
     return best;
 }
 
-/// A window, and what the search for it allowed.
+/// A window, and the tolerance of the search for it.
 template <Real F>
 struct ChosenRange {
     IndexRange range;
@@ -225,7 +224,7 @@ struct ChosenRange {
     bool behind_plateau{};
 };
 
-/// The window that was given. \throws domain_error when it holds too few lags.
+/// Given window. \throws domain_error when it holds too few lags.
 template <Real T>
 ChosenRange<math::Accumulator<T>> given_range(const LogStructure<math::Accumulator<T>>& log, const LagWindow<T>& window,
                                               T spacing, const ReliableLags<T>& reliable) {
@@ -253,7 +252,7 @@ ChosenRange<math::Accumulator<T>> given_range(const LogStructure<math::Accumulat
     return {range, F(0), false};
 }
 
-/// The window that is found. \throws domain_error when there is none.
+/// Automatic window. \throws domain_error when there is none.
 template <Real T>
 ChosenRange<math::Accumulator<T>> automatic_range(const LogStructure<math::Accumulator<T>>& log, T spacing,
                                                   const ReliableLags<T>& reliable) {
@@ -273,7 +272,7 @@ ChosenRange<math::Accumulator<T>> automatic_range(const LogStructure<math::Accum
                    reliable.note(static_cast<T>(log.points - 1) * spacing)});
 }
 
-/// Why a window that was found ends before lag \p next: \p outermost where the search does.
+/// Reason why an automatic window ends before lag \p next: \p outermost at the end of the search.
 template <Real F>
 WindowEnd why_there(const LogStructure<F>& log, const IndexRange& range, Eigen::Index next, WindowEnd outermost) {
     if (next < 0 || next >= log.slope.size()) return outermost;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A profile without its form, with what was removed and the profile before the filters.
+/// A profile without its form, with the removed form and the profile before the filters.
 ///
 ///     const auto flat = fstiff::parts::level(profile, fstiff::Form::line);
 ///     const auto fit = fstiff::fit_fractal(flat);
@@ -16,7 +16,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// A profile without its form, and behind which cut-offs.
+/// A profile without its form, and the cut-offs of its filters.
 template <Real T = double>
 struct LevelledProfile {
     Profile<T> profile;
@@ -26,15 +26,15 @@ struct LevelledProfile {
     std::optional<T> lambda_c{};  ///< and of the one that took the long ones, of without_waviness() [m]
     std::optional<Profile<T>> unfiltered{};  ///< the profile before lambda_s and lambda_c, where there is one
 
-    /// What the structure function is taken of: it compares points at a lag, and lags from lambda_s to lambda_c need no
-    /// filter. lambda_s would lower it by what is shorter at every lag, and lambda_c bend it.
+    /// Profile for the structure function: it compares points at a lag, and lags from lambda_s to lambda_c need no
+    /// filter. lambda_s would reduce S at every lag by the shorter waves, and lambda_c would bend it.
     [[nodiscard]] const Profile<T>& of_structure() const { return unfiltered ? *unfiltered : profile; }
 };
 
-/// \p profile without the \p form, then, with \p lambda_s, without its short waves, and then, with a \p cutoff, without
-/// the waviness of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0
-/// where it is not known. \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a
-/// profile that is constant, but for its rounding, once its form is removed.
+/// Removes the \p form of \p profile, then, with \p lambda_s, its short waves, and then, with a \p cutoff, the waviness
+/// of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0 where it is
+/// not known. \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a profile that
+/// is constant, apart from rounding, after the removal of its form.
 template <Real T>
 [[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
                                        std::optional<std::type_identity_t<T>> cutoff = {},
@@ -53,7 +53,7 @@ template <Real T>
     return flat;
 }
 
-/// \p levelled without its waves above \p lambda_c, which keeps the profile as it was for the structure function.
+/// Removes the waves of \p levelled above \p lambda_c and keeps the profile before it for the structure function.
 /// \throws domain_error as gaussian_roughness().
 template <Real T>
 [[nodiscard]] LevelledProfile<T> without_waviness(LevelledProfile<T> levelled, std::type_identity_t<T> lambda_c) {

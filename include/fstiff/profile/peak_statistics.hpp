@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Spectral moments and three-point statistics of a profile, from which the density of its peaks follows.
+/// Spectral moments and three-point statistics of a profile, which give the density of its peaks.
 ///
 ///     m0 = <(z - <z>)^2>  m2 = <((z_(i+1) - z_i)/h)^2>  m4 = <((z_(i-1) - 2 z_i + z_(i+1))/h^2)^2>  alpha = m0 m4/m2^2
 ///     sigma_m^2     = mean (z_(i+1) - z_i)^2 / h^2                = 2 sigma^2 (1 - rho1) / h^2
 ///     sigma_kappa^2 = mean (z_(i-1) - 2 z_i + z_(i+1))^2 / h^4    = sigma^2 (6 - 8 rho1 + 2 rho2) / h^4
 ///     r = sigma_m^2 / (sigma sigma_kappa)   sin(theta) = h sigma_kappa / (2 sigma_m)   peaks over ordinates = theta/pi
 ///
-/// The moments are means over the pairs and triples that exist; sigma_m takes both differences of each triple, so that
-/// sin(theta) <= 1. Where waves are shorter than the spacing, all of them depend on it.
-///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. A 250 (1957) 157; Greenwood, Proc.
-///             R. Soc. Lond. A 393 (1984) 133-157; Buczkowski et al., Arch. Mech. 66 (2014), eqs. (4.1)-(4.3)
+/// sigma_m uses both differences of each triple, so that sin(theta) <= 1. Derivation: docs/theory.md, section 2.
+/// Reference   Nayak (1971); Longuet-Higgins, Phil. Trans. A 250 (1957) 157; Greenwood, Proc. R. Soc. Lond. A 393
+///             (1984) 133-157; Buczkowski et al., Arch. Mech. 66 (2014), eqs. (4.1)-(4.3)
 /// Units       m0 [m^2], m2 [1], m4 [1/m^2]; sigma [m], sigma_m [1], sigma_kappa [1/m], peaks per length [1/m]
-/// Valid       16 points and a triple at least; peak_statistics() refuses r = 1 (a single sine) and theta = pi/2 (a
-///             zigzag)
+/// Valid       at least 16 points and a triple; peak_statistics() refuses r = 1 (single sine), theta = pi/2 (zigzag)
 /// Accuracy    1e-13 in double (tests/profile/spectral_moments_test.cpp, tests/profile/peak_statistics_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
@@ -34,7 +31,7 @@ struct TripleSums {
     Sum slope{}, curvature{};  // of squared differences, and of squared second differences
     std::size_t triples{}, peaks{};
 
-    /// A triple with its two differences; one with a missing point is left out.
+    /// Adds a triple with its two differences; skips one with a missing point.
     void add(S rise, S fall) {
         if (std::isnan(rise) || std::isnan(fall)) return;
         put(slope, (rise * rise + fall * fall) / 2);
@@ -58,7 +55,7 @@ private:
 
 }  // namespace parts
 
-/// What neighbours and triples of a profile say of its peaks.
+/// Statistics of neighbours and triples of a profile, which describe its peaks.
 template <Real T = double>
 struct PeakStatistics {
     T rms_height{};          ///< sigma [m]
@@ -66,11 +63,11 @@ struct PeakStatistics {
     T rms_curvature{};       ///< sigma_kappa [1/m], of triples
     T rho1{}, rho2{};        ///< autocorrelation at one and two samples
     T r{}, theta{};          ///< of the peak density (4.4); theta in radians
-    T counted_peak_ratio{};  ///< ordinates that stand above both neighbours, over ordinates with two neighbours
+    T counted_peak_ratio{};  ///< ordinates above both neighbours, over ordinates with two neighbours
     T peaks_per_length{};    ///< the same, over the sampling interval [1/m]
     std::size_t triples{};   ///< of existing neighbours
 
-    /// theta/pi: what (4.3) expects counted_peak_ratio to be on a Gaussian profile.
+    /// theta/pi: expected counted_peak_ratio of a Gaussian profile by (4.3).
     [[nodiscard]] T peak_ratio() const { return theta / numbers::pi_v<T>; }
 };
 

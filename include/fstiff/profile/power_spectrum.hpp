@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Power spectrum of a profile, and its fractal dimension from it, independent of the structure function.
+/// Power spectrum of a profile, and the fractal dimension from it, independent of the structure function.
 ///
 ///     C(q_k) = h |Z_k|^2 / (pi sum w_i^2),  Z transform of w_i (z_i - mean),  q_k = 2 pi k/(M h), one-sided
-///     ln C = -(5-2D) ln q + const,  D = 2 - H                    of a self-affine profile
+///     ln C = -(5-2D) ln q + const,  D = 2 - H                    for a self-affine profile
 ///
-/// The mean is weighted by the window w, gaps are bridged by straight lines. Jacobs et al. write pi C. D is the slope
-/// of a weighted line through means of C over eighths of an octave.
+/// The mean is weighted by the window w; straight lines bridge gaps. Jacobs et al. use pi C. D is the slope of a
+/// weighted line through means of C over eighths of an octave.
 ///
 /// Reference   Jacobs, Junge, Pastewka, Surf. Topogr. Metrol. Prop. 5 (2017) 013001; Welch, IEEE Trans. Audio 15 (1967)
 ///             70; Harris, Proc. IEEE 66 (1978) 51 (windows)
 /// Units       q [rad/m], C [m^3], wavelengths [m]
-/// Valid       16 points at least, heights that vary; wavelengths from 2 spacings to the length of the profile
+/// Valid       at least 16 points, heights that vary; wavelengths from 2 spacings to the length of the profile
 /// Accuracy    Parseval 1e-13; D of fractional Brownian profiles of 4096 points 0.02 in the mean
 ///             (tests/profile/power_spectrum_test.cpp)
 
@@ -29,7 +29,7 @@ struct PowerSpectrum {
     std::vector<T> wavenumber;  ///< q [rad/m], from 0 in steps of `step`
     std::vector<T> value;       ///< C [m^3]
     T step{};                   ///< dq [rad/m]
-    T independent{};            ///< how many of neighbouring values count as one
+    T independent{};            ///< number of neighbouring values that count as one
 
     [[nodiscard]] std::size_t size() const { return value.size(); }
 
@@ -61,7 +61,7 @@ struct SpectralFit {
     std::size_t bins{};          ///< means of C that the line goes through
 };
 
-/// Heights from the first to the last point that exists, gaps bridged.
+/// Heights from the first to the last existing point, gaps bridged.
 template <Real T>
 std::vector<math::Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
     std::vector<math::Accumulator<T>> heights;
@@ -82,13 +82,13 @@ std::vector<math::Accumulator<T>> bridged(const Profile<T>& profile, T mean, T s
     return heights;
 }
 
-/// A mean of C over an eighth of an octave: mean ln q, ln C without the bias of its logarithm, and its weight.
+/// Mean of C over an eighth of an octave: mean ln q, ln C without the bias of its logarithm, and its weight.
 template <Real F>
 struct SpectralBin {
     F x, y, weight;
 };
 
-/// Those of the values \p first to \p end - 1.
+/// Mean of the values \p first to \p end - 1.
 template <Real T, Real F = math::Accumulator<T>>
 std::vector<SpectralBin<F>> spectral_bins(const PowerSpectrum<T>& spectrum, std::size_t first, std::size_t end) {
     std::vector<SpectralBin<F>> bins;
@@ -173,7 +173,7 @@ template <Real T>
     require(fit.window.to > fit.window.from && fit.window.to <= (std::numeric_limits<T>::max)(), "window to",
             fit.window.to, "finite and greater than the beginning of the window");
 
-    // bins of an eighth of an octave from the longest wavelength on; an index is the wavelength longest/k
+    // bins of an eighth of an octave from the longest wavelength on; the index gives the wavelength longest/k
     const auto first = static_cast<std::size_t>(
         std::clamp(std::ceil(longest / static_cast<F>(fit.window.to) * F(1 - 1e-6)), F(1), last + 1));
     const auto end = static_cast<std::size_t>(

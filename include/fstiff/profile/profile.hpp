@@ -14,22 +14,22 @@
 
 namespace fstiff::inline v0_1 {
 
-/// A profile in SI units. What is measured of it (mean, rms) takes the points that exist.
+/// A profile in SI units. Its mean and rms are over the points that exist.
 template <Real T = double>
 struct Profile {
     std::vector<T> heights;  ///< z(i spacing) [m]; NaN marks a missing point
     T spacing{};             ///< between neighbours [m]
 
-    /// Points, missing ones included.
+    /// Number of points, including missing ones.
     [[nodiscard]] std::size_t size() const { return heights.size(); }
 
-    /// Points that are not missing.
+    /// Number of points that are not missing.
     [[nodiscard]] std::size_t present() const {
         return static_cast<std::size_t>(
             std::count_if(heights.begin(), heights.end(), [](T z) { return !std::isnan(z); }));
     }
 
-    /// From the first point to the last [m]; 0 for an empty profile.
+    /// Length from the first point to the last [m]; 0 for an empty profile.
     [[nodiscard]] T length() const { return heights.empty() ? T(0) : static_cast<T>(heights.size() - 1) * spacing; }
 
     /// \throws domain_error unless the spacing is positive, no height infinite, at least \p least points exist and they
@@ -88,7 +88,7 @@ template <Real T>
             ++count;
         }
     const auto n = static_cast<math::Accumulator<T>>(count);
-    const auto offset = firsts.value() / n;  // what the rounding of the mean left behind
+    const auto offset = firsts.value() / n;  // residual of the rounding of the mean
     return largest * static_cast<T>(std::sqrt(squares.value() / n - offset * offset));
 }
 

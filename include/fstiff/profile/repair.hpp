@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Spikes of a profile become missing points, and missing points are filled.
+/// Repair of a profile: spikes become missing points, and missing points are filled.
 ///
 ///     d_i = z_i - median(z_i-2, z_i-1, z_i+1, z_i+2);  a spike: |d_i - median d| > k 1.4826 MAD(d)
 ///     fill: the straight line between the nearest points that exist; at the ends the nearest height
 ///
-/// The median of four neighbours follows slopes, so that d has the scale of the roughness, not of the form.
+/// The median of four neighbours follows slopes, so that d has the scale of the roughness and not of the form.
 ///
 /// Reference   Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
 /// Units       heights [m]; k in standard deviations
-/// Valid       k > 0; 5 points at least for spikes, one that exists for filling
-/// Accuracy    none but rounding. k = 5 takes less than 1e-4 of Gaussian and of self-affine roughness
+/// Valid       k > 0; at least 5 points for spikes, one existing point for filling
+/// Accuracy    rounding. k = 5 removes less than 1e-4 of Gaussian and of self-affine roughness
 ///             (tests/profile/repair_test.cpp)
 
 #include <fstiff/math/tukey.hpp>
@@ -19,7 +19,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// How many spikes \p profile holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
+/// Number of spikes of \p profile beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
 math::Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);

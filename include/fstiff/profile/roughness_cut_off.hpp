@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// lambda_c of a profile by the table of the standards (surface/nesting_indices), from the roughness itself.
+/// lambda_c of a profile from the table of the standards (surface/nesting_indices), by the roughness itself.
 ///
-///     row: the first whose Ra, measured behind its own lambda_c, is in its range
-///     among those that the profile holds: 5 lambda_c <= length, 5 steps <= lambda_c, 30 lambda_s <= lambda_c
+///     row: the first whose Ra, measured with its own lambda_c, is in its range
+///     among those that the profile can contain: 5 lambda_c <= length, 5 steps <= lambda_c, 30 lambda_s <= lambda_c
 ///
-/// Ra grows with lambda_c, so what is in the range of the first such row is above the ranges of the rows before it: the
-/// choice is consistent in the sense of the standard. Where no row that the profile holds is, the longest one is taken.
+/// Ra grows with lambda_c, so that the Ra of the first such row is above the ranges of the rows before it: the choice
+/// is consistent in the sense of the standard. Without such a row the longest lambda_c of the profile is used.
 ///
 /// Reference   ISO 4288:1996, 7.2 and Table 1, which ISO 21920-3:2021 keeps as its last resort.
 /// Units       [m]
@@ -19,26 +19,26 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Why lambda_c is what it is.
+/// Reason for the value of lambda_c.
 enum class CutOffReason {
     roughness,   ///< Ra belongs to it
     length,      ///< Ra belongs to a longer one, which the length does not hold
     step,        ///< Ra belongs to a shorter one, which the step or lambda_s does not allow
     too_short,   ///< none: five of the shortest do not fit the length
-    too_coarse,  ///< none: what fits the length is too short for the step or lambda_s
-    given,       ///< asked for, or none was asked for; no outcome of roughness_cut_off()
+    too_coarse,  ///< none: those that fit the length are too short for the step or lambda_s
+    given,       ///< requested, or no filter requested; no outcome of roughness_cut_off()
     form_alone   ///< none: the form alone bounds the long waves; no outcome of roughness_cut_off()
 };
 
-/// The cut-off of the standards for one profile, and why.
+/// Cut-off of the standards for one profile, with its reason.
 template <Real T = double>
 struct RoughnessCutOff {
     std::optional<T> lambda_c{};  ///< [m]
-    T mean_deviation{};           ///< Ra behind it [m]; 0: none
+    T mean_deviation{};           ///< Ra after its filter [m]; 0: none
     CutOffReason reason{};
 };
 
-/// Mean of the absolute heights of \p roughness, whose mean line is 0: Ra [m]. 0 where every point is missing.
+/// Ra of \p roughness, whose mean line is 0: mean of the absolute heights [m]. 0 where every point is missing.
 template <Real T>
 [[nodiscard]] T mean_deviation(const Profile<T>& roughness) {
     math::Accumulator<T> sum = 0, points = 0;

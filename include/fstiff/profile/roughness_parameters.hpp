@@ -7,13 +7,13 @@
 ///     Rp, Rv, Rz = means over five sections of max z, -min z and max z - min z
 ///     Rdq^2 = <z'^2>   z' = (z_(i+3) - 9 z_(i+2) + 45 z_(i+1) - 45 z_(i-1) + 9 z_(i-2) - z_(i-3))/(60 h)
 ///
-/// The sections are the five lengths lambda_c in the middle of the profile where it holds them, else fifths of it.
+/// The sections are the five lengths lambda_c in the middle of the profile where it is long enough, else fifths of it.
 /// Means are over the points that exist; a slope needs seven points.
 ///
 /// Reference   ISO 21920-2:2021, ISO 21920-3:2021 (five sections); ISO 4287:1997, 4.4.1 (the slope)
 /// Units       heights, spacing, cut-off [m]; Rsk, Rku, Rdq dimensionless
-/// Valid       16 points at least, not all of one height; remove the form first
-/// Accuracy    1e-13 relative, beside the rounding of an offset (tests/profile/roughness_parameters_test.cpp)
+/// Valid       at least 16 points, not all of one height; remove the form first
+/// Accuracy    1e-13 relative, and the rounding of an offset (tests/profile/roughness_parameters_test.cpp)
 
 #include <fstiff/profile/profile.hpp>
 
@@ -21,7 +21,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// Roughness parameters of a profile, ISO 21920-2.
+/// Roughness parameters of a profile by ISO 21920-2.
 template <Real T = double>
 struct RoughnessParameters {
     T mean_deviation{};            ///< Ra [m]
@@ -41,7 +41,7 @@ struct RoughnessParameters {
 
 namespace detail {
 
-/// Means over the sections of [\p first, \p first + \p count) of \p z into \p result.
+/// Adds the means over the sections of [\p first, \p first + \p count) of \p z to \p result.
 template <Real F, Real T>
 void measure_sections(const std::vector<F>& z, std::size_t first, std::size_t count, F unit,
                       RoughnessParameters<T>& result) {
@@ -81,7 +81,7 @@ template <Real F>
 
 }  // namespace detail
 
-/// Parameters of \p profile, filtered with \p cutoff [m] or not at all.
+/// Roughness parameters of \p profile, which was filtered with \p cutoff [m] or not at all.
 /// \throws domain_error for a profile out of range, or a cut-off that is not positive.
 template <Real T>
 [[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
@@ -101,7 +101,7 @@ template <Real T>
         if (!std::isnan(z[i])) rest.add(z[i]);
     }
     const F points = static_cast<F>(profile.present());
-    const F offset = rest.value() / points;  // what the rounding of the mean left behind
+    const F offset = rest.value() / points;  // residual of the rounding of the mean
     math::CompensatedSum<F> firsts, squares, thirds, fourths;
     F high = -std::numeric_limits<F>::infinity(), low = -high;
     for (F& one : z) {

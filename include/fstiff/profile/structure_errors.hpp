@@ -7,8 +7,8 @@
 ///     W_n(q) = 4 (1 - cos q n)^2,  V_n = int W_n C dq,  M_n triples of n
 ///     C(q) = sum over all whole k of |q + 2 pi k|^-(1+p)                             the spectrum, sampled
 ///
-/// of a long Gaussian profile whose S grows as n^p; a sum over 48 wavenumbers an octave, positive whatever the
-/// rounding. Resamples are blocks of neighbouring cells; a triple belongs to the cell of its centre.
+/// for a long Gaussian profile whose S grows as n^p; a sum over 48 wave numbers an octave, positive despite rounding.
+/// Resamples are blocks of neighbouring cells; a triple belongs to the cell of its centre.
 ///
 /// Units       ln S2 in any unit
 /// Valid       lags rising, 0 < p < 2
@@ -21,7 +21,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Covariance of ln S2 at the lags \p step, \p triples of each, of a Gaussian profile whose S grows as n^\p power.
+/// Covariance of ln S2 at the lags \p step, with \p triples each, for a Gaussian profile whose S grows as n^\p power.
 template <Real T>
 Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector<std::size_t>& triples, T power) {
     constexpr int per_octave = 48;
@@ -46,7 +46,7 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
     }
     for (Eigen::Index row = 0; row < size; ++row) {
         const auto n = static_cast<std::size_t>(row);
-        // both halves of the spectrum: V twice, the integral twice; one value of a lag at least
+        // both halves of the spectrum: V twice, the integral twice; at least one value for a lag
         const T triples_of_it = (std::max)(static_cast<T>(triples[n]), T(1));
         shares.row(row) *= std::sqrt(turn / triples_of_it) / means[row];
     }
@@ -65,7 +65,7 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
     const std::vector<T>& z = profile.heights;
     const std::size_t cell = std::max<std::size_t>(1, z.size() / cells_wanted);
     const std::size_t cells = (z.size() + cell - 1) / cell;
-    // four times the longest lag, so that what a block holds is nearly independent of its neighbours
+    // four times the longest lag, so that blocks are nearly independent of their neighbours
     const std::size_t block =
         std::clamp<std::size_t>(4 * step.back() / cell + 1, 1, std::max<std::size_t>(1, cells / 4));
     math::BlockBootstrap<T> bootstrap(cells, block, static_cast<std::size_t>(resamples), seed);

@@ -11,7 +11,7 @@
 /// that their uncertainty enters the error of D. The log-periodic terms enter where they explain half of the scatter.
 ///
 /// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eq. (2.5); Aitken, Proc. R. Soc. Edinb. 55 (1935) 42
-/// Valid       4 lags at least, 0 < p < 2
+/// Valid       at least 4 lags, 0 < p < 2
 /// Accuracy    1e-10 of data that are a line (tests/profile/structure_fit_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
@@ -21,7 +21,7 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// What is missing of S2 at the first lag when no wave is shorter than that, of S2.
+/// Missing share of S2 at the first lag when no wave is shorter than that.
 template <Real T>
 T share_of_short_waves(T power) {
     using std::pow;
@@ -30,7 +30,7 @@ T share_of_short_waves(T power) {
            (pi * power * (4 - pow(T(2), power)) * pow(2 * pi, power));
 }
 
-/// How much more the short waves of an isotropic map are missed in its sections than those of a profile.
+/// Ratio of this share in sections of an isotropic map to that of a profile.
 template <Real T>
 T share_of_oblique_waves(T power) {
     return std::sqrt(numbers::pi_v<T>) * std::tgamma(1 + power / 2) / std::tgamma((1 + power) / 2);
@@ -66,14 +66,14 @@ parts::Matrix<T> forward_substituted(const parts::Matrix<T>& l, parts::Matrix<T>
 }
 
 /// A line through the values of ln S2 in one window. Rows are over all lags of the LogStructure, 0 beyond the window:
-/// what they give of the values, and of the columns a and b, tells how the line moves.
+/// their products with the values, and with the columns a and b, give the line and its changes.
 template <Real T = double>
 struct LogFit {
     parts::IndexRange range;
     T reference{};       ///< ln n of the middle of the window
     T level{}, slope{};  ///< ln S2 there, without a and b, and p
     parts::Vector<T> level_row, slope_row;
-    parts::Vector<T> fitted;        ///< what the whole sum above gives at the lags of range, to be compared with ln S2
+    parts::Vector<T> fitted;        ///< the whole sum above at the lags of range, to be compared with ln S2
     T short_waves{}, long_waves{};  ///< a, b
     T residual{};                   ///< weighted sum of squares
     bool finite_band{};             ///< a or b differs from 0 by two of its standard deviations
@@ -104,7 +104,7 @@ public:
 
     const parts::Vector<T>& y() const { return y_; }
 
-    /// The line in \p lags. The columns a and b are those of the window \p band.
+    /// Line in \p lags. The columns a and b are those of the window \p band.
     LogFit<T> fit(const parts::IndexRange& lags, const parts::IndexRange& band) const {
         LogFit<T> line = fit_with(lags, band, false);
         const T width = log_.lag[lags.last] - log_.lag[lags.first];
@@ -113,7 +113,7 @@ public:
         return line;
     }
 
-    /// Covariance of row_a * ln S2 and row_b * ln S2 by sampling alone, and with what a and b of \p band may be.
+    /// Covariance of row_a * ln S2 and row_b * ln S2 by sampling alone, and with the uncertainty of a and b of \p band.
     T covariance_of(const parts::Vector<T>& row_a, const parts::Vector<T>& row_b, const parts::IndexRange& band) const {
         const parts::Matrix<T> ends = band_columns(band);
         const T a = row_a.dot(ends.col(0)) * row_b.dot(ends.col(0)) * short_sd_ * short_sd_;
@@ -150,7 +150,7 @@ private:
                 columns.col(3 + 2 * harmonic) = angle.sin();
             }
         const parts::Matrix<T> root = cholesky<T>(covariance_.block(range.first, range.first, count, count));
-        // two more values, 0, for what a and b are before the fit
+        // two more values, 0: the prior of a and b
         parts::Matrix<T> weighted = parts::Matrix<T>::Zero(count + 2, terms);
         weighted.topRows(count) = forward_substituted<T>(root, columns);
         weighted(count, 2) = 1 / short_sd_;

@@ -5,17 +5,13 @@
 ///
 ///     S(n h)  = mean of (z_(i+n) - z_i)^2 over the pairs that exist                 eq. (2.8)
 ///     S2(n h) = mean of (z_(i+n) - 2 z_i + z_(i-n))^2 over the triples that exist
-///             = 4 S(tau) - S(2 tau)  in the mean, (4 - 2^(4-2D)) C tau^(4-2D)  of a power law S = C tau^(4-2D)
+///             = 4 S(tau) - S(2 tau)  in the mean, (4 - 2^(4-2D)) C tau^(4-2D)  for a power law S = C tau^(4-2D)
 ///
-/// As printed, (2.8) divides the sum over N-n+1 pairs by N-n; Divisor::paper does the same (pairs - 1). An offset
-/// cancels exactly. S2 does not see a tilt and waves longer than some eight lags: a wave enters S as (1 - cos q tau),
-/// S2 squared.
-///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8), docs/errata.md; Istas, Lang, Ann.
-///             Inst. H. Poincare (B) 33 (1997) 407; Kent, Wood, J. R. Stat. Soc. B 59 (1997) 679
+/// Divisor::paper divides by pairs - 1, as (2.8) does. S2 does not depend on a tilt: docs/theory.md, section 2.
+/// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eq. (2.8), docs/errata.md; Istas, Lang, Ann. Inst. H.
+///             Poincare (B) 33 (1997) 407; Kent, Wood, J. R. Stat. Soc. B 59 (1997) 679
 /// Units       lag [m], S, S2 [m^2]
-/// Valid       lags of 1 to N-1 samples (S2: (N-1)/2), as many pairs as the divisor needs; heights finite or NaN
-///             (missing)
+/// Valid       lags of 1 to N-1 samples (S2: (N-1)/2), enough pairs for the divisor; heights finite or NaN (missing)
 /// Accuracy    1e-13 in double for 2^16 points, offset up to 1e6 times the roughness
 ///             (tests/profile/structure_function_test.cpp, tests/profile/second_differences_test.cpp)
 
@@ -25,7 +21,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// S at some lags; the vectors have one length. A lag at which no pair exists is left out.
+/// S at some lags; all vectors have one length. A lag without a pair is left out.
 template <Real T = double>
 struct StructureFunction {
     std::vector<std::size_t> step;   ///< lag in samples
@@ -38,10 +34,10 @@ struct StructureFunction {
 
 namespace parts {
 
-/// What the sum of (2.8) is divided by.
+/// Divisor of the sum of (2.8).
 enum class Divisor { pairs, paper };
 
-/// 1, 2, 3, ... \p longest, thinned to \p per_octave steps an octave where they are denser.
+/// Lags 1, 2, 3, ... \p longest, thinned to \p per_octave steps an octave where they are denser.
 [[nodiscard]] inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave = 12) {
     std::vector<std::size_t> lags;
     const double octave = static_cast<double>(std::max<std::size_t>(per_octave, 1));
@@ -79,12 +75,12 @@ T height_scale(const Profile<T>& profile) {
     return low < high ? math::power_of_two_below(high / 2 - low / 2) : T(1);  // a range that cannot overflow
 }
 
-/// What the sum over \p pairs is divided by.
+/// Divisor of the sum over \p pairs.
 constexpr std::size_t divided_by(std::size_t pairs, Divisor divisor) {
     return divisor == Divisor::paper && pairs > 0 ? pairs - 1 : pairs;
 }
 
-/// The mean of squares of differences, \p sum of them of heights in units of \p scale.
+/// Mean of the squares of differences from their \p sum, with heights in units of \p scale.
 template <Real T>
 T mean_square(math::Accumulator<T> sum, math::Accumulator<T> count, math::Accumulator<T> scale) {
     const T value = static_cast<T>(sum / count * scale * scale);
@@ -145,8 +141,8 @@ template <Real T>
 
 namespace parts {
 
-/// S2 of \p profile at \p lags (in samples, any order); a lag of which no triple exists is left out. `pairs` counts
-/// triples. \throws domain_error as structure_function(), for a lag above (N-1)/2.
+/// S2 of \p profile at \p lags (in samples, any order); a lag without a triple is left out. `pairs` counts triples.
+/// \throws domain_error as structure_function(), for a lag above (N-1)/2.
 template <Real T>
 [[nodiscard]] StructureFunction<T> second_differences(const Profile<T>& profile, std::span<const std::size_t> lags) {
     const T scale = 2 * height_scale(profile);  // a second difference is at most four heights

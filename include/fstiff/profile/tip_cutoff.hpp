@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Lengths of a profile that a round tip has not shaped.
+/// Lengths of a profile that are not affected by the shape of a round tip.
 ///
 ///     kappa_min(n h) = min of (z_(i-n) - 2 z_i + z_(i+n)) / (n h)^2                 the sharpest peak at that scale
-///     cut-off        = 2 n h, the least stencil from which on kappa_min > -1/(2 R_tip)
+///     cut-off        = 2 n h, the shortest stencil from which on kappa_min > -1/(2 R_tip)
 ///
-/// The trace of a tip of radius R has kappa_min >= -1/R at every scale; those within a factor of two of it show the
-/// tip.
+/// The trace of a tip of radius R has kappa_min >= -1/R at every scale; scales within a factor of two of it show the
+/// shape of the tip.
 ///
 /// Reference   Sanner, Nohring, Thimons, Jacobs, Pastewka, Appl. Surf. Sci. Adv. 7 (2022) 100190,
 ///             doi:10.1016/j.apsadv.2021.100190; here twelve scales an octave
 /// Units       lengths [m], curvature [1/m]
-/// Valid       R > 0; a triple of existing points at the scale asked for
+/// Valid       R > 0; a triple of existing points at the given scale
 /// Accuracy    rounding of three heights (tests/profile/tip_cutoff_test.cpp)
 
 #include <fstiff/profile/structure_function.hpp>
@@ -21,7 +21,7 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// The least (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
+/// Minimum (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
 /// \throws domain_error for a step of 0, a spacing that is not positive or an infinite height.
 template <Real T>
 [[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
@@ -39,8 +39,8 @@ template <Real T>
     return least;
 }
 
-/// The length below which \p profile may show the tip instead of the surface [m]; 0 when it nowhere does, infinity when
-/// it does so at every scale up to a quarter of its length.
+/// Length below which \p profile may show the tip instead of the surface [m]; 0 when it does not at any scale, infinity
+/// when it does at every scale up to a quarter of its length.
 /// \throws domain_error unless the radius is positive, and as above.
 template <Real T>
 [[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Dependence of D and G on the window of lags: its bends, its halves, and the straight windows beside it.
+/// Sensitivity of D and G to the window of lags: its bends, its halves, and the straight windows next to it.
 ///
 ///     D = 2 - slope/2        ln G by (2.4) from ln S2 at the reference lag of the line
 ///     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, by their widths in ln tau
@@ -20,7 +20,7 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.
+/// Whether ln S2 bends: its quadratic or its cubic term, each compared with its own sampling error.
 template <Real F>
 bool is_curved(const LineFitter<F>& fitter, const parts::LogStructure<F>& log, const parts::IndexRange& range) {
     const parts::Vector<F> x =
@@ -37,8 +37,8 @@ bool is_curved(const LineFitter<F>& fitter, const parts::LogStructure<F>& log, c
     return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
 }
 
-/// Whether a part of the window is a plateau: a local slope below 0.2, below \p slope of the fit by 0.3 and more than
-/// chance.
+/// Whether a part of the window is a plateau: a local slope below 0.2, below \p slope of the fit by 0.3 and by more
+/// than chance.
 template <Real F>
 bool flattens(const parts::LogStructure<F>& log, const parts::IndexRange& range, F slope) {
     for (Eigen::Index k = range.first; k <= range.last; ++k)
@@ -47,7 +47,7 @@ bool flattens(const parts::LogStructure<F>& log, const parts::IndexRange& range,
     return false;
 }
 
-/// D and ln G of a line, and how they move with the values of ln S2.
+/// D and ln G of a line, and their derivatives by the values of ln S2.
 template <Real F>
 struct FractalLine {
     F dimension{}, log_g{};  // G in units of the spacing
@@ -102,7 +102,7 @@ std::vector<parts::IndexRange> neighbours_of(const parts::LogStructure<F>& log, 
     return found;
 }
 
-/// What the windows beside the one of \p main say of D and ln G: the shares of the window in their errors.
+/// Shares of the window in the errors of D and ln G, from the windows next to that of \p main.
 template <Real T>
 void set_neighbours(FractalFit<T>& result, const FractalLine<math::Accumulator<T>>& main,
                     const parts::IndexRange& range, const parts::LogStructure<math::Accumulator<T>>& log,
@@ -144,9 +144,9 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<math::Accumulator<T
     of_dimension /= weights, of_log_g /= weights, product /= weights;
     if (result.automatic_window &&
         log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<F>(parts::min_window_ratio))) {
-        // In so short a window the search allows a bend that moves D by up to half the tolerance, of the standard
-        // deviation t. What the difference of the halves, with the error s, shows of it is in their share; t^2 s^2/(t^2
-        // + s^2) is not.
+        // In so short a window the search allows a bend that changes D by up to half the tolerance, with the standard
+        // deviation t. The difference of the halves, with the error s, contributes its part to their share; the rest
+        // t^2 s^2/(t^2 + s^2) is added here.
         const F t = static_cast<F>(result.slope_tolerance) / std::sqrt(F(12));
         F s = 0;  // the halves depart from the whole in opposite directions
         int halves = 0;

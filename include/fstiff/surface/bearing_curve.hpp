@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The bearing curve (Abbott-Firestone): the height above which a given share of a profile or map stands.
+/// Bearing curve (Abbott-Firestone): the height above which a given share of a profile or map lies.
 ///
 ///     z(s)   with   number of heights above z(s) = s N,  s = 0 ... 1
 ///
-/// z(0) is the highest point, z(1) the lowest. Of a map it is the bearing area, of a profile the bearing length; both
-/// are one curve for an isotropic surface.
+/// z(0) is the highest point, z(1) the lowest. The curve is the bearing area for a map and the bearing length for a
+/// profile; both are equal for an isotropic surface.
 ///
 /// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; ISO 21920-2 and ISO 25178-2 (material ratio)
 /// Units       heights in any unit, shares from 0 to 1
-/// Valid       heights finite, or NaN where a point is missing; one at least exists
-/// Accuracy    each height is one of those given: the one at place s N from above, the lowest at s = 1
+/// Valid       heights finite, or NaN where a point is missing; at least one exists
+/// Accuracy    each height is one of the given heights: number s N from above, the lowest at s = 1
 ///             (tests/surface/bearing_curve_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -26,17 +26,17 @@
 
 namespace fstiff::inline v0_1 {
 
-/// Heights by the share of the points that stand above.
+/// Heights by the share of the points above them.
 template <Real T = double>
 struct BearingCurve {
-    std::vector<T> share;   ///< of the points that stand above, from 0 to 1
+    std::vector<T> share;   ///< of the points above the height, from 0 to 1
     std::vector<T> height;  ///< falls with the share
 
     [[nodiscard]] std::size_t size() const { return share.size(); }
 };
 
-/// The curve of \p heights at \p steps + 1 equal steps of the share. \throws domain_error when no height exists, or for
-/// no steps.
+/// Curve of \p heights at \p steps + 1 equal steps of the share. \throws domain_error when no height exists, or for 0
+/// steps.
 template <Real T>
 [[nodiscard]] BearingCurve<T> bearing_curve(std::span<const T> heights, std::size_t steps = 200) {
     require(steps >= 1, "steps of a bearing curve", steps, "at least 1");

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Bearing curves from few numbers: the core of the heights, or skewness and kurtosis.
+/// Bearing curves from few numbers: Sk, Spk, Svk, Smr1, Smr2 (three lines), or skewness and kurtosis (Johnson).
 ///
-/// Of Sk, Spk, Svk, Smr1, Smr2 three straight lines on probability paper, from zeta_2 = Phi^-1(1 - Smr2) to
-/// zeta_1 = Phi^-1(1 - Smr1) with the rise Sk, and beyond them lines with the areas of the standard's triangles:
+///     core     zeta_2 = Phi^-1(1 - Smr2) to zeta_1 = Phi^-1(1 - Smr1), rise Sk
+///     tails    int_0^Smr1 (f - u) dt = Spk Smr1/2:  slope Spk Smr1/2/(phi(zeta_1) - zeta_1 Smr1); the same below
+///     Johnson  f = sinh((zeta + c)/w) (S_U)  or  f = 1/(1 + exp(-(zeta + c)/w)) (S_B), scaled to mean 0 and rms 1
 ///
-///     int_0^Smr1 (f - u) dt = Spk Smr1/2     slope Spk Smr1/2/(phi(zeta_1) - zeta_1 Smr1), and the same below
-///
-/// A Gaussian surface gives itself back, one line. Of skewness and kurtosis Johnson's curves, which have both exactly:
-///
-///     f = sinh((zeta + c)/w)                   S_U, kurtosis above that of a lognormal of this skewness
-///     f = 1/(1 + exp(-(zeta + c)/w))           S_B, below it
-///
-/// shifted and scaled to the mean 0 and the rms 1. They rise everywhere.
-///
+/// S_U for a kurtosis above that of a lognormal of this skewness, S_B below it; both numbers are matched exactly.
+/// Derivation  docs/theory.md, section 2
 /// Reference   ISO 25178-2:2021 (Sk ...); Johnson, Biometrika 36 (1949) 149 (S_U, S_B)
-/// Units       heights in any unit; skewness and kurtosis dimensionless, the latter 3 of a Gaussian
-/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, kurtosis from least_kurtosis(skewness),
-///             which is skewness^2 + 1.25 up to a skewness of 1.5, to 100. No surface has a kurtosis below skewness^2 +
-///             1
+/// Units       heights in any unit; skewness and kurtosis dimensionless, the latter 3 for a Gaussian
+/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, least_kurtosis() <= kurtosis <= 100
 /// Accuracy    areas and moments 1e-8 over knots 1/128 apart in zeta, from -8 to 8
 ///             (tests/surface/bearing_family_test.cpp)
 
@@ -37,7 +29,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Heights about the upper end of the core, u = 0. \throws domain_error naming the parameter that is out of range.
+/// Curve with the upper end of the core at height u = 0. \throws domain_error naming the parameter out of range.
 template <Real T>
 [[nodiscard]] BearingSlope<T> bearing_of_core(const MaterialRatio<T>& core) {
     require_positive("Sk", core.core_height);
@@ -45,7 +37,7 @@ template <Real T>
     require(core.reduced_valley_depth >= 0, "Svk", core.reduced_valley_depth, "0 or more");
     const T first = core.peak_share, second = core.core_and_peak_share, end = 8;
     require(first >= 0 && first < second && second <= 1, "Smr1", first, "from 0 to below Smr2, which is 1 at most");
-    // the slope of a tail of the share s beyond |zeta| = z with the area h s/2
+    // slope of a tail of the share s beyond |zeta| = z with the area h s/2
     const auto tail = [](T height, T share, T z) { return height * share / 2 / (math::normal_density(z) - z * share); };
     std::vector<typename BearingSlope<T>::Knot> knots;
     const bool peaks = first > 0 && core.reduced_peak_height > 0, valleys = second < 1 && core.reduced_valley_depth > 0;
@@ -79,8 +71,8 @@ template <Real T, class F>
     return {m + middle, v, third / (v * std::sqrt(v)), fourth / (v * v)};
 }
 
-/// Johnson's curve at zeta with f(0) = 0 and f'(0) = 1: steepness is 1/w, bend f''(0)/(f'(0) steepness), 0 of a
-/// symmetrical curve and 1 of a lognormal one.
+/// Johnson's curve at zeta with f(0) = 0 and f'(0) = 1: steepness is 1/w, bend f''(0)/(f'(0) steepness), 0 for a
+/// symmetrical curve and 1 for a lognormal one.
 template <Real T>
 [[nodiscard]] T johnson(bool bounded, T steepness, T bend, T zeta) {
     const T x = steepness * zeta;
@@ -93,14 +85,14 @@ template <Real T>
                  : -std::expm1(-x) / ((1 - level) * std::exp(-x) + level) / steepness;
 }
 
-/// One of Johnson's curves, and by how much it misses the skewness and the kurtosis.
+/// One of Johnson's curves, with its errors of skewness and kurtosis.
 template <Real T>
 struct FittedJohnson {
     T log_steepness, bend, off;
 };
 
-/// That of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps, from \p steepness and
-/// \p t.
+/// Curve of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps, from \p steepness
+/// and \p t.
 template <Real T>
 [[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis, T steepness, T t) {
     const auto off = [&](T log_steepness, T bend) {
@@ -133,7 +125,7 @@ template <Real T>
     return {s, t, std::sqrt(size(r))};
 }
 
-/// The same from the leading order of small steepnesses on, and where that does not lead there, from greater ones.
+/// Same as above, starting from the leading order of small steepnesses, and on failure from greater ones.
 template <Real T>
 [[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis) {
     const T excess = kurtosis - 3, square = skewness * skewness, least = T(1e-7);
@@ -155,7 +147,8 @@ template <Real T>
     return normal_moments<T>([&](T zeta) { return curve.height(zeta); });
 }
 
-/// Between which skewness and kurtosis bearing_of_moments takes.
+/// Ranges of skewness and kurtosis of bearing_of_moments. The lower limit of the kurtosis is skewness^2 + 1.25 up to a
+/// skewness of 1.5; no distribution has a kurtosis below skewness^2 + 1.
 template <Real T>
 inline constexpr T most_skewness = T(3);
 template <Real T>
@@ -165,8 +158,8 @@ template <Real T>
     return skewness * skewness + (std::max)(T(1.25), std::abs(skewness) / 2 + T(0.5));
 }
 
-/// The curve of mean 0 and rms 1 with \p skewness and \p kurtosis; a straight line of 0 and 3.
-/// \throws domain_error where no surface has both, or beyond what is valid above.
+/// Curve of mean 0 and rms 1 with \p skewness and \p kurtosis; a straight line for 0 and 3.
+/// \throws domain_error where no surface has both, or beyond the valid range above.
 template <Real T>
 [[nodiscard]] BearingSlope<T> bearing_of_moments(T skewness, std::type_identity_t<T> kurtosis) {
     require(std::abs(skewness) <= most_skewness<T>, "skewness", skewness, "between -3 and 3");

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The bearing curve on probability paper, where a Gaussian surface is a straight line, and its slope about a level.
+/// Bearing curve on probability paper, where a Gaussian surface is a straight line, and its slope about a level.
 ///
 ///     h = f(zeta),  zeta = Phi^-1((rank + 1/2)/N)       heights in rising order; equal heights have their mean rank
 ///     s(c, w) = slope of the straight line through f that fits best with the weights exp(-(zeta - c)^2/(2 w^2))
 ///
-/// A surface f(zeta) is, about the level c, a Gaussian surface whose rms height is s: sigma everywhere under a
-/// Gaussian, less on a worn plateau, more where peaks are sharp. The line is fitted at 61 values of zeta that are
-/// evenly spaced in [c - 3 w, c + 3 w], as far as there are points; f is straight between points. A level beyond the
-/// points is moved to the last of them.
-///
-/// Knots closer than 1/512 in zeta are left out, so that a million heights become some 4000 knots, and all points of
-/// the tails stay.
-///
-/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; probability paper as in ISO 13565-3; the slope: this
-///             project, docs/validation.md
+/// About the level c a surface f(zeta) is a Gaussian surface of rms height s. The line is fitted at 61 equidistant zeta
+/// in [c - 3 w, c + 3 w] within the points; a level beyond them is moved to the last point. Knots closer than 1/512 in
+/// zeta are left out: a million heights give some 4000 knots, with all points of the tails.
+/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; probability paper as in ISO 13565-3; slope: this project
 /// Units       heights in any unit; zeta dimensionless
-/// Valid       two different heights at least; missing ones (NaN) are left out; w > 0
-/// Accuracy    the slope within 2e-4 of that of all heights (tests/surface/bearing_slope_test.cpp)
+/// Valid       at least two different heights; missing ones (NaN) are left out; w > 0
+/// Accuracy    slope within 2e-4 of that of all heights (tests/surface/bearing_slope_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/accumulate.hpp>
@@ -42,7 +36,7 @@ public:
         T height;  ///< f(zeta)
     };
 
-    /// Of heights in any order; knots closer than \p spacing are left out.
+    /// Curve of heights in any order; knots closer than \p spacing are left out.
     /// \throws domain_error unless two of them differ, and all that exist are finite.
     [[nodiscard]] static BearingSlope of_heights(std::span<const T> heights, T spacing = T(1) / 512) {
         std::vector<T> sorted;
@@ -53,7 +47,8 @@ public:
             sorted, [](std::size_t, std::size_t, T) {}, spacing);
     }
 
-    /// Of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of equal
+    /// Curve of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of
+    /// equal ones.
     /// ones.
     template <class Use>
     [[nodiscard]] static BearingSlope of_sorted(std::span<const T> sorted, const Use& use, T spacing = T(1) / 512) {
@@ -70,7 +65,7 @@ public:
         return BearingSlope(std::move(knots));
     }
 
-    /// Of knots with rising scores and heights. \throws domain_error unless there are two, and both rise.
+    /// Curve of knots with rising scores and heights. \throws domain_error unless there are two, and both rise.
     explicit BearingSlope(std::vector<Knot> knots) : knots_(std::move(knots)) {
         require(knots_.size() >= 2, "different heights of a bearing curve", knots_.size(), "at least 2");
         for (std::size_t i = 0; i < knots_.size(); ++i) {
@@ -87,14 +82,14 @@ public:
         }
     }
 
-    /// The curve of heights \p factor times as high. \throws domain_error unless they rise after rounding, too.
+    /// Curve with heights times \p factor. \throws domain_error unless they also rise after rounding.
     [[nodiscard]] BearingSlope scaled(T factor) const {
         std::vector<Knot> knots = knots_;
         for (Knot& knot : knots) knot.height *= factor;
         return BearingSlope(std::move(knots));
     }
 
-    /// The curve between two scores: levels beyond them are taken for the nearer one.
+    /// Curve between two scores: levels beyond them are moved to the nearer one.
     /// \throws domain_error unless low < high, and the curve has a part between them.
     [[nodiscard]] BearingSlope between(T low, T high) const {
         const T from = (std::max)(low, lowest()), to = (std::min)(high, highest());
@@ -106,17 +101,16 @@ public:
         return BearingSlope(std::move(knots));
     }
 
-    /// f(zeta); straight on beyond the ends.
+    /// f(zeta), extended by straight lines beyond the ends.
     [[nodiscard]] T height(T score) const { return on_line(above(score), score); }
 
-    /// s: the slope of the curve about \p center, over a width of \p width.
+    /// s: slope of the curve about \p center over the width \p width.
     [[nodiscard]] T slope(T center, T width) const {
         const T c = std::clamp(center, lowest(), highest());
         const T from = (std::max)(c - 3 * width, lowest()), to = (std::min)(c + 3 * width, highest());
         T mass = 0, score = 0, rise = 0, square = 0, product = 0;
         const T base = height(from), step = (to - from) / (nodes - 1);
-        // of a Gaussian at even steps each value is the one before times a factor, which falls by the same ratio every
-        // time
+        // Gaussian weights at even steps: each is the one before times a factor that falls by a constant ratio
         const T first = (from - c) / width, apart = step / width, fall = std::exp(-apart * apart);
         T weight = std::exp(-first * first / 2), factor = std::exp(-apart * (first + apart / 2));
         for (int k = 0; k < nodes; ++k, weight *= factor, factor *= fall) {
@@ -134,11 +128,11 @@ public:
 private:
     static constexpr int nodes = 61;
 
-    /// Of equal cells between the ends of the curve, as many as there are lines: that of \p score.
+    /// Cell of \p score, of equal cells between the ends of the curve, as many as there are lines.
     [[nodiscard]] std::size_t cell_of(T score) const {
         return static_cast<std::size_t>(std::clamp((score - lowest()) * cells_per_score_, T(0), T(knots_.size() - 1)));
     }
-    /// The knot that ends the line on which \p score lies.
+    /// Knot at the end of the line that contains \p score.
     [[nodiscard]] std::size_t above(T score) const {
         std::size_t i = first_[cell_of(score)];
         while (i + 1 < knots_.size() && knots_[i].score < score) ++i;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The parameters of a contact: what each is called, its units, the values it can have, and how it varies.
+/// Parameters of a contact: name, units, range, and form of variation.
 ///
-/// Measured surfaces and their errors, bands, fits, scenes and documents all read the one table below; a new parameter
-/// is an enumerator and its row. How a parameter x varies about a value v, with z a standard normal number:
+/// Measured surfaces and their errors, bands, fits, scenes and documents read the table below; a new parameter is an
+/// enumerator and its row. Variation of a parameter x about a value v, with z a standard normal number:
 ///
 ///     as_it_is   any finite x         fitted as u = x                      drawn as x = v + error z
-///     log        0 < x                fitted as u = ln x                   drawn as x = v exp(s z), s^2 = ln(1 + (error/v)^2)
+///     log        0 < x                fitted as u = ln x                   drawn as x = v exp(s z), with
+///                                                                          s^2 = ln(1 + (error/v)^2)
 ///     between    low < x < high       fitted as u = ln((x-low)/(high-x))   drawn as x = v + error z, within the range
 ///
-/// Units       SI; the shown unit is the one in which tables show a parameter to people
-/// Valid       ranges as in the table; the lower end of r is a value of it (no correlation), from which no fit can
-///             start
+/// Units       SI; the shown unit is that of tables for people
+/// Valid       ranges as in the table; the lower end of r (no correlation) is valid, but a fit cannot start from it
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -43,10 +43,10 @@ enum class Parameter {
 
 namespace parts {
 
-/// How a parameter varies; see above.
+/// Form of variation of a parameter; see above.
 enum class Variation { as_it_is, log, between };
 
-/// An end of a range, and how a sentence writes it.
+/// An end of a range, and its spelling in a sentence.
 struct RangeEnd {
     long double value;
     std::string_view text;
@@ -65,19 +65,19 @@ struct ParameterRow {
     RangeEnd low{}, high{};     ///< of Variation::between
     bool low_included = false;  ///< whether the lower end is a value of the parameter
 
-    /// The symbol with the shown unit in brackets: "sigma [µm]".
+    /// Symbol with the shown unit in brackets: "sigma [um]", with a micro sign.
     [[nodiscard]] std::string heading() const;
-    /// The values that the parameter can have, to follow "must be".
+    /// Values that the parameter can have, to follow "must be".
     [[nodiscard]] std::string range() const;
-    /// The values that a fit can start from, to follow "must be".
+    /// Values that a fit can start from, to follow "must be".
     [[nodiscard]] std::string starting_range() const;
 };
 
-// UTF-8 by its bytes, which no compiler reads in a code page
+// UTF-8 by its bytes, which compilers do not convert by a code page
 inline constexpr std::string_view micrometre = "\xC2\xB5m", per_square_millimetre = "1/mm\xC2\xB2";
 
 // clang-format off
-/// In the order of Parameter.
+/// Table of the parameters, in the order of Parameter.
 inline constexpr std::array parameter_table{
     ParameterRow{Parameter::rms_height,        "rms_height",        "sigma",  "sigma",  "m",     micrometre, 1e6,  Variation::log},
     ParameterRow{Parameter::peak_radius,       "peak_radius",       "R",      "R",      "m",     micrometre, 1e6,  Variation::log},
@@ -92,9 +92,9 @@ inline constexpr std::array parameter_table{
     ParameterRow{Parameter::hardness,          "hardness",          "hardness", "hardness", "Pa", "GPa",  1e-9, Variation::log}};
 // clang-format on
 
-/// How many of them are of the surface: they come first.
+/// Number of the parameters of a surface, which come first.
 inline constexpr std::size_t surface_parameter_count = static_cast<std::size_t>(Parameter::theta) + 1;
-/// Their rows.
+/// Rows of the parameters of a surface.
 inline constexpr auto surface_parameter_table = std::span(parameter_table).first<surface_parameter_count>();
 
 consteval std::array<Named<Parameter>, parameter_table.size()> parameter_keys() {
@@ -114,15 +114,15 @@ inline constexpr auto names<Parameter> = parts::parameter_keys();
 
 namespace parts {
 
-/// The place of \p which in arrays of parameters.
+/// Index of \p which in arrays of parameters.
 [[nodiscard]] constexpr std::size_t index_of(Parameter which) noexcept { return static_cast<std::size_t>(which); }
 
-/// The row of \p which.
+/// Row of \p which.
 [[nodiscard]] constexpr const ParameterRow& row_of(Parameter which) noexcept {
     return parameter_table[index_of(which)];
 }
 
-/// Whether \p x is a value that \p which can have. False for NaN.
+/// Whether \p x is a valid value of \p which. False for NaN.
 template <Real T>
 [[nodiscard]] constexpr bool parameter_in_range(Parameter which, T x) noexcept {
     const ParameterRow& row = row_of(which);
@@ -136,7 +136,7 @@ template <Real T>
     return (row.low_included ? x >= low : x > low) && x < high;
 }
 
-/// \p which as a variable without ends, in which it is fitted, and back.
+/// Transform of \p which to a variable without ends, in which it is fitted, and back.
 template <Real T = double>
 class ParameterScale {
 public:
@@ -145,7 +145,7 @@ public:
           low_(static_cast<T>(row_of(which).low.value)),
           high_(static_cast<T>(row_of(which).high.value)) {}
 
-    /// Whether \p x has a variable: in the range, and at no end of it.
+    /// Whether \p x can be transformed: in the range, and not at an end of it.
     [[nodiscard]] bool inside(T x) const noexcept {
         constexpr T greatest = (std::numeric_limits<T>::max)();
         if (variation_ == Variation::between) return x > low_ && x < high_;

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The longest and the shortest wave of a surface whose D, G, roughness and density of islands are known.
+/// Longest and shortest wave of a surface with given D, G, rms height and density of islands.
 ///
 ///     sum of cosines   sigma^2 = G^(2D-2) lambda^(4-2D) / (2 (1 - gamma^-(4-2D)))          of (2.1), endless
 ///     Gaussian map     S(tau)  = 2 sigma^2 (pi tau/lambda)^(2H) Gamma(1-H)/Gamma(1+H)      sections, endless
 ///     Gaussian map     m2/m0   = 2 pi^2/lambda^2  H/(1-H)  (b^(2-2H) - 1)/(1 - b^(-2H))    b = lambda/shortest
 ///
-/// D and G say how S grows with the lag; that it ends at 2 sigma^2 makes the longest wave lambda. The map has the
-/// spectrum of self_affine_map() with LongWaves::none, and H = 2 - D. The shortest wave is free, and with it m2, on
-/// which the number of islands depends: a Gaussian surface has 0.0385 m2/m0 of them at most (topography/islands.hpp).
-///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.1), (2.3). The second line follows from
-///             the spectrum q^(-2H-2) and the integral of u^(-2H-1) (1 - J0(u)) over u > 0, which is
-///             2^(-2H-1) Gamma(1-H)/(H Gamma(1+H)) (DLMF 10.22.43 by parts).
+/// lambda: longest wave; H = 2 - D; the map has the spectrum of self_affine_map() with LongWaves::none. The shortest
+/// wave follows from m2, which decides the number of islands. Derivation: docs/theory.md, section 2.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.1), (2.3); DLMF 10.22.43
 /// Units       lengths [m], m2/m0 [1/m^2]; m2 is that of a profile
 /// Valid       as Fractal; gamma > 1; 0 < H < 1
-/// Accuracy    1e-13 of the formulae in double; against generated surfaces tests/surface/cut_offs_test.cpp
+/// Accuracy    1e-13 of the formulae in double (tests/surface/cut_offs_test.cpp, also for generated surfaces)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -28,7 +24,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// The longest wave of the sum of cosines (2.1) that has the rms height \p rms [m].
+/// Longest wave of the sum of cosines (2.1) with the rms height \p rms [m].
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] T longest_cosine(const Fractal<T>& fractal, T rms, T gamma = T(1.5)) {
@@ -41,8 +37,8 @@ template <Real T>
     return fractal.roughness * std::pow(2 * ratio * ratio * -std::expm1(-power * std::log(gamma)), 1 / power);
 }
 
-/// The longest wave of the Gaussian map of rms height \p rms [m] whose sections have S = C tau^(4-2D), C of (2.4)
-/// exact.
+/// Longest wave of the Gaussian map of rms height \p rms [m] whose sections have S = C tau^(4-2D), with the exact C of
+/// (2.4).
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] T longest_wave(const Fractal<T>& fractal, T rms) {
@@ -66,9 +62,9 @@ template <Real T>
            -std::expm1(-2 * hurst * b);
 }
 
-/// The shortest wave at which slope_ratio() is \p ratio [1/m^2].
-/// \throws domain_error as above, and when the longest wave alone has a greater one, or the shortest would be 1e-9 of
-/// it.
+/// Shortest wave at which slope_ratio() is \p ratio [1/m^2].
+/// \throws domain_error as above, and when the longest wave alone has a greater ratio, or the shortest wave is below
+/// 1e-9 of it.
 template <Real T>
 [[nodiscard]] T shortest_wave(T hurst, T longest, T ratio) {
     require_positive("ratio", ratio);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Fractal parameters of a profile, and how its structure function scales with them.
+/// Fractal parameters of a profile, and the scaling of its structure function.
 ///
 ///     S(tau) = C tau^(4-2D)                                                         eq. (2.3)
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.1)-(2.5); the constants C are discussed
-///             in docs/errata.md.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.1)-(2.5); the constants C:
+///             docs/errata.md
 /// Units       D dimensionless; G in the length unit of heights and distances (SI: m); S in its square
 /// Valid       1 < D < 2, G > 0
 

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Peaks, core and valleys by the material ratio curve: Sk, Spk, Svk, Smr1, Smr2 of a map, Rk, Rpk, Rvk, Rmr1, Rmr2 of
-/// a profile.
+/// Peaks, core and valleys of the material ratio curve: Sk, Spk, Svk, Smr1, Smr2 of a map, Rk, Rpk ... of a profile.
 ///
 ///     z(t), t = 0 ... 1     the heights in falling order at t = i/(N-1), straight lines between them
-///     [a, a + 0.4]          where z(a) - z(a + 0.4) is least; the first where several are
-///     z = u - Sk t          the line of least squares in z through z(t) over that region, as an integral over t
+///     [a, a + 0.4]          where z(a) - z(a + 0.4) is least; the first of equal ones
+///     z = u - Sk t          least-squares line in z through z(t) over that region, as an integral over t
 ///     z(Smr1) = u           z(Smr2) = u - Sk
-///     Spk Smr1/2     = int_0^Smr1 (z(t) - u) dt                   triangles of equal area
-///     Svk (1-Smr2)/2 = int_Smr2^1 (u - Sk - z(t)) dt
+///     Spk Smr1/2 = int_0^Smr1 (z(t) - u) dt          Svk (1-Smr2)/2 = int_Smr2^1 (u - Sk - z(t)) dt
 ///
-/// Positions count as one where their differences of height agree to 1e-14 of the range of the heights, and so do
-/// heights. A curve that does not stand above u has Smr1 = Spk = 0, one that does not fall below u - Sk has Smr2 = 1
-/// and Svk = 0.
-///
-/// Reference   ISO 25178-2:2021 (Sk, Spk, Svk, Smr1, Smr2), ISO 21920-2:2021 and before it ISO 13565-2:1996 (the
-///             profile). The filter of ISO 13565-1, which spares deep valleys, is not applied: the heights are taken as
-///             they are.
+/// Smr1 = Spk = 0 where z(0) <= u; Smr2 = 1 and Svk = 0 where z(1) >= u - Sk. Ties: 1e-14 of the range of the heights.
+/// Reference   ISO 25178-2:2021 (map), ISO 21920-2:2021 and ISO 13565-2:1996 (profile); the filter of ISO 13565-1,
+///             which spares deep valleys, is not applied
 /// Units       heights in any unit; shares from 0 to 1, where the standards print per cent
-/// Valid       heights finite, or NaN where a point is missing; 16 at least exist, not all of one height
+/// Valid       heights finite, or NaN where a point is missing; at least 16 exist, not all of one height
 /// Accuracy    1e-12 of the range of the heights (tests/surface/material_ratio_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -35,21 +29,21 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// The core of the material ratio curve, and what stands above and below it.
+/// Core of the material ratio curve, with the parts above and below it.
 template <Real T = double>
 struct MaterialRatio {
     T core_height{};           ///< Sk, Rk
     T reduced_peak_height{};   ///< Spk, Rpk
     T reduced_valley_depth{};  ///< Svk, Rvk
-    T peak_share{};            ///< Smr1, Rmr1: of the points that stand above the core
-    T core_and_peak_share{};   ///< Smr2, Rmr2: of the points that do not lie below the core
+    T peak_share{};            ///< Smr1, Rmr1: of the points above the core
+    T core_and_peak_share{};   ///< Smr2, Rmr2: of the points not below the core
 };
 
-/// Of \p heights in any order. \throws domain_error when fewer than 16 exist, or all are of one height.
+/// Core of \p heights in any order. \throws domain_error when fewer than 16 exist, or all are of one height.
 template <Real T>
 [[nodiscard]] MaterialRatio<T> material_ratio(std::span<const T> heights);
 
-/// Heights, and differences of them, that count as one, over the range of the heights: a few roundings.
+/// Difference below which heights, and differences of them, are equal, over the range of the heights: a few roundings.
 template <Real F>
 inline constexpr F tie = (std::max)(F(1e-14), 64 * std::numeric_limits<F>::epsilon());
 
@@ -64,13 +58,12 @@ public:
         const F part = place - static_cast<F>(i);
         return z_[i] * (1 - part) + z_[i + 1] * part;
     }
-    /// The first place where the curve is down to \p level; 0 where it begins below, the last place where it ends
-    /// above.
+    /// First place where the curve is down to \p level; 0 where it begins below, the last place where it ends above.
     [[nodiscard]] F first_at_or_below(F level) const {
         const auto found = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z > level + tie<F>; });
         return place_of(found, level);
     }
-    /// The first place behind which it is below \p level, with the same ends.
+    /// First place after which the curve is below \p level, with the same ends.
     [[nodiscard]] F first_below(F level) const {
         const auto found = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z >= level - tie<F>; });
         return place_of(found, level);
@@ -84,7 +77,7 @@ public:
             from = next;
         }
     }
-    /// int (z - level) over the places.
+    /// Integral of z - level over the places.
     [[nodiscard]] F area_above(F level, F from, F to) const {
         math::CompensatedSum<F> sum;
         visit(from, to, [&](F a, F b, F za, F zb) { sum.add((b - a) * ((za - level) + (zb - level)) / 2); });
@@ -101,13 +94,13 @@ private:
     const std::vector<F>& z_;
 };
 
-/// Where the curve falls least over \p width places: the first of the places that agree to 1e-12 of its range.
+/// Place where the curve falls least over \p width places: the first of those that agree to 1e-12 of its range.
 template <Real F>
 [[nodiscard]] F flattest_place(const std::vector<F>& z, F width) {
     const FallingCurve<F> curve(z);
     const std::size_t whole = static_cast<std::size_t>(width);
     const F part = width - static_cast<F>(whole), last = static_cast<F>(z.size() - 1) - width;
-    // the fall is piecewise linear in its place: its least value is where one of its ends is at a height
+    // the fall is piecewise linear in its place: its minimum is where one of its ends is at a height
     const auto visit = [&](const auto& use) {
         for (std::size_t i = 0; static_cast<F>(i) <= last; ++i) {
             if (use(static_cast<F>(i), z[i] - curve.at(static_cast<F>(i) + width))) return;

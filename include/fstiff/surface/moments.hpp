@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The spectral moments of a profile of an isotropic surface, and what they make of its peaks.
+/// Spectral moments of a profile of an isotropic surface, and the radius and density of its peaks.
 ///
 ///     m0 = sigma^2      m2 = g^2/2      m4 = sigma_kappa^2      alpha = m0 m4/m2^2
 ///     R sigma_kappa = 3 sqrt(pi)/8                               eq. (4.10) of the reference paper
@@ -29,7 +29,7 @@ struct SpectralMoments {
 
     /// Nayak's alpha.
     [[nodiscard]] T bandwidth() const { return (m0 / m2) * (m4 / m2); }
-    /// Of the sum of two independent surfaces.
+    /// Moments of the sum of two independent surfaces.
     [[nodiscard]] SpectralMoments operator+(const SpectralMoments& other) const {
         return {m0 + other.m0, m2 + other.m2, m4 + other.m4};
     }
@@ -42,7 +42,7 @@ inline constexpr T min_plausible_gradient = T(1e-6);  ///< rms gradient below wh
 template <Real T>
 inline constexpr T max_plausible_gradient = T(1);  ///< and above which
 
-/// Whether a rough surface may have \p rms_gradient [1]; else a unit of its lengths is likely wrong. False for NaN.
+/// Whether \p rms_gradient [1] is plausible for a rough surface; else a unit is likely wrong. False for NaN.
 template <Real T>
 [[nodiscard]] constexpr bool is_plausible_gradient(T rms_gradient) {
     return rms_gradient >= min_plausible_gradient<T> && rms_gradient <= max_plausible_gradient<T>;
@@ -56,7 +56,8 @@ template <Real T>
 
 }  // namespace parts
 
-/// Of the mean peak radius R [m] and the density of peaks D_p [1/m^2] of a surface of the rms height \p rms_height [m].
+/// Moments from the mean peak radius R [m] and the density of peaks D_p [1/m^2] of a surface of rms height
+/// \p rms_height [m].
 /// \throws domain_error unless all are finite and positive.
 template <Real T>
 [[nodiscard]] SpectralMoments<T> moments_of_peaks(T rms_height, T peak_radius, T peak_density) {
@@ -69,7 +70,7 @@ template <Real T>
 
 namespace parts {
 
-/// Of the rms gradient g of the surface and Nayak's alpha: m2 = g^2/2, m4 = alpha m2^2/m0.
+/// Moments from the rms gradient g of the surface and Nayak's alpha: m2 = g^2/2, m4 = alpha m2^2/m0.
 /// \throws domain_error unless all are finite and positive.
 template <Real T>
 [[nodiscard]] SpectralMoments<T> moments_of_gradient(T rms_height, T rms_gradient, T alpha) {
@@ -85,7 +86,7 @@ template <Real T>
 [[nodiscard]] T peak_radius_of(const SpectralMoments<T>& moments) {
     return radius_times_rms_curvature<T>() / std::sqrt(moments.m4);
 }
-/// D_p [1/m^2] of an isotropic Gaussian surface of these moments, Nayak's.
+/// D_p [1/m^2] of an isotropic Gaussian surface of these moments, by Nayak.
 template <Real T>
 [[nodiscard]] T peak_density_of(const SpectralMoments<T>& moments) {
     return moments.m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);

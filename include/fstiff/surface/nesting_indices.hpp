@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The cut-offs that the standards offer, and the shortest waves that a measurement of a given step can hold.
+/// Cut-offs of the standards, and the shortest waves that a measurement of a given step can contain.
 ///
 ///     lambda_c [mm]   lambda_s [um]   greatest step [um]   tip radius [um]   Ra of the roughness [um]
 ///       0.08            2.5             0.5                  2                 to 0.02
@@ -9,20 +9,12 @@
 ///       0.8             2.5             0.5                  2 (5 above 0.5)   to 2
 ///       2.5             8               1.5                  5                 to 10
 ///       8               25              5                    10                to 80
-///     series of nesting indices: 1, 2, 2.5, 5, 8 times powers of ten
+///     series of nesting indices: 1, 2, 2.5, 5, 8 times powers of ten;   lambda_s >= 5 steps
 ///
-/// Every step of the table is a fifth of its lambda_s, or a little less. So lambda_s is the least index of the series
-/// that is five steps: the table's own for the table's steps, and for any other step, of an atomic force microscope as
-/// well.
-///
-/// Reference   ISO 3274:1996, Table 1 (cut-offs, steps, tips), taken over by ISO 21920-3:2021; ISO 4288:1996, Table 1
-///             (Ra); ISO 25178-3:2012, Tables 1 to 3 (series, step at most a fifth of the index). Smaller and greater
-///             lengths than theirs continue the series; smaller tips than 2 um the ratio 1.25 of its lambda_s, greater
-///             than 10 um 2.5.
+/// Reference   ISO 3274:1996, ISO 4288:1996 and ISO 21920-3:2021 (table), ISO 25178-3:2012 (series, steps)
 /// Units       lengths [m]
-/// Valid       lengths greater than 0
-/// Accuracy    indices are the nearest numbers to the decimal ones; a length that exceeds an index by less than 1e-6 of
-///             it counts as equal, as steps have rounding (tests/surface/nesting_indices_test.cpp)
+/// Valid       lengths greater than 0; smaller and greater ones continue the series
+/// Accuracy    indices are the nearest numbers to the decimal ones (tests/surface/nesting_indices_test.cpp)
 
 #include <fstiff/core/error.hpp>
 
@@ -42,14 +34,15 @@ inline constexpr std::array<CutOffRow, 5> cut_off_table{{{0.08e-3, 2.5e-6, 0.5e-
                                                          {2.5e-3, 8e-6, 1.5e-6, 5e-6, 10e-6},
                                                          {8e-3, 25e-6, 5e-6, 10e-6, 80e-6}}};
 
-/// How many steps of a measurement lambda_s holds at least.
+/// Minimum number of steps in lambda_s.
 inline constexpr int steps_of_lambda_s = 5;
-/// How many lambda_c a profile holds at least: the sampling lengths of an evaluation length.
+/// Minimum number of lambda_c in a profile: the sampling lengths of an evaluation length.
 inline constexpr int lambda_c_of_length = 5;
-/// lambda_c over lambda_s at least: rounded down from the table's smallest, 0.08 mm over 2.5 um.
+/// Minimum of lambda_c over lambda_s: rounded down from the smallest of the table, 0.08 mm over 2.5 um.
 inline constexpr double min_ratio_of_cut_offs = 30;
 
-/// The least index of the series that is at least \p length. \throws domain_error unless 1e-15 <= length <= 1e6.
+/// Smallest index of the series that is at least \p length; a length above an index by less than 1e-6 of it counts as
+/// equal, because steps have rounding errors. \throws domain_error unless 1e-15 <= length <= 1e6.
 template <Real T>
 [[nodiscard]] T nesting_index(T length) {
     require(length >= T(1e-15) && length <= T(1e6), "length", length, "between 1e-15 and 1e6");
@@ -63,7 +56,8 @@ template <Real T>
     return decade < 0 ? T(10) / power : T(10) * power;
 }
 
-/// lambda_s of a stylus of \p tip_radius. \throws domain_error unless the radius is greater than 0.
+/// lambda_s of a stylus of \p tip_radius; below 2 um the ratio is 1.25, above 10 um 2.5, as in the table at these ends.
+/// \throws domain_error unless the radius is greater than 0.
 template <Real T>
 [[nodiscard]] T lambda_s_of_tip(T tip_radius) {
     require_positive("tip radius", tip_radius);
@@ -73,8 +67,8 @@ template <Real T>
     return nesting_index(T(2.5) * tip_radius);
 }
 
-/// The shortest waves that a measurement of \p step shows: the least index of five steps and of the \p resolution, and
-/// that of the tip; 0 for what is not known. \throws domain_error for lengths out of range.
+/// Shortest waves that a measurement of \p step contains: the smallest index of five steps and of the \p resolution,
+/// and that of the tip; 0 for unknown ones. \throws domain_error for lengths out of range.
 template <Real T>
 [[nodiscard]] T shortest_lambda_s(T step, T resolution = 0, T tip_radius = 0) {
     require_positive("step", step);

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Two-dimensional roughness spectra of isotropic surfaces: a band that obeys a power law, and shells measured on a
-/// map.
+/// Two-dimensional roughness spectra of isotropic surfaces: a band with a power law, and shells measured on a map.
 ///
 ///     sigma^2 = 2 pi int q C dq      G(q)^2 = 2 pi int_q1^q q'^3 C dq'      G(q2) = g, the rms gradient
 ///     m0 = sigma^2      m2 = g^2/2      m4 = (3/4) pi int q^5 C dq          the moments of a profile of the surface
 ///     C(q) = C0 q_rolloff^(-2-2H)  from q1 to q_rolloff,   C0 q^(-2-2H)  from there to q2
+///     q_rolloff = q1:  m0 = 2 pi C0 F(-2H)   m2 = pi C0 F(2-2H)   m4 = (3/4) pi C0 F(4-2H),  F(s) = (q2^s - q1^s)/s
 ///
-/// The band that has three given moments and a Hurst exponent, with q_rolloff = q1 and F(s) = (q2^s - q1^s)/s:
-///
-///     m0 = 2 pi C0 F(-2H)   m2 = pi C0 F(2-2H)   m4 = (3/4) pi C0 F(4-2H)   alpha = m0 m4/m2^2 fixes q2/q1 alone
-///
-/// alpha grows with the upper end of a band. cut_at_bandwidth ends it where alpha has a given value: the short waves
-/// that are left out decide m4, and with it the radius and the density of the peaks, but hardly the height.
-///
+/// alpha = m0 m4/m2^2 fixes q2/q1 alone. Derivation: docs/theory.md, section 2.
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398 (moments, alpha); Persson et al., J. Phys. Condens. Matter 17
-///             (2005) R1 (spectrum, Hurst exponent).
+///             (2005) R1 (spectrum, Hurst exponent)
 /// Units       q [rad/m], C0 such that C is in m^4, m0 [m^2], m2 dimensionless, m4 [1/m^2]
-/// Valid       0 < H <= 1, 0 < q1 <= q_rolloff < q2; alpha > 3/2, below which no isotropic surface is
+/// Valid       0 < H <= 1, 0 < q1 <= q_rolloff < q2; alpha > 3/2, the lower limit of isotropic surfaces
 /// Accuracy    1e-13 relative in double (tests/surface/roughness_spectrum_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -39,13 +33,13 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// int_1^x q^(s-1) dq = (x^s - 1)/s with log_x = ln x.
+/// Integral int_1^x q^(s-1) dq = (x^s - 1)/s with log_x = ln x.
 template <Real T>
 [[nodiscard]] T power_integral(T s, T log_x) {
     return std::abs(s * log_x) < (std::numeric_limits<T>::min)() ? log_x : std::expm1(s * log_x) / s;
 }
 
-/// d ln/d ln x of it: x^s/power_integral.
+/// Logarithmic derivative of power_integral by x: x^s/power_integral.
 template <Real T>
 [[nodiscard]] T power_integral_slope(T s, T log_x) {
     return std::exp(s * log_x) / power_integral(s, log_x);
@@ -53,7 +47,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// C(q) = C0 q^(-2-2H) from q_rolloff to q2, constant from q1 to q_rolloff.
+/// Band C(q) = C0 q^(-2-2H) from q_rolloff to q2, constant from q1 to q_rolloff.
 template <Real T = double>
 struct BandSpectrum {
     T C0{};         ///< [m^(2-2H)]
@@ -71,7 +65,7 @@ struct BandSpectrum {
         require(q2 > q_rolloff && q2 <= (std::numeric_limits<T>::max)(), "q2", q2, "greater than q1 and q_rolloff");
     }
 
-    /// int q^n C dq over the band.
+    /// Integral of q^n C dq over the band.
     [[nodiscard]] T integral(int n) const {
         const T s = T(n) - 1 - 2 * hurst, begin = std::pow(q_rolloff, s);
         const T flat = begin * -std::expm1(T(n + 1) * std::log(q1 / q_rolloff)) / T(n + 1);
@@ -85,7 +79,7 @@ struct BandSpectrum {
     [[nodiscard]] T rms_gradient() const { return std::sqrt(2 * m2()); }
 };
 
-/// A spectrum in shells of |q|: what the modes of a map between two wave numbers add up to. In ascending order of |q|.
+/// Spectrum in shells of |q|, in ascending order: sums over the modes of a map between two wave numbers.
 template <Real T = double>
 struct SpectrumShells {
     /// One ring of wave vectors.
@@ -114,7 +108,7 @@ struct SpectrumShells {
 
 namespace parts {
 
-/// \p spectrum of heights \p factor times as high.
+/// \p spectrum with heights times \p factor.
 template <Real T>
 [[nodiscard]] SpectrumShells<T> scaled(SpectrumShells<T> spectrum, std::type_identity_t<T> factor) {
     for (auto& shell : spectrum.shells) shell.q2_h2 *= factor * factor, shell.q_h2 *= factor * factor;
@@ -122,8 +116,8 @@ template <Real T>
     return spectrum;
 }
 
-/// The least Hurst exponent with which a band without a flat part has the moments \p moments and is at most \p widest =
-/// q2/q1 wide, such as the length of a profile over two steps; 0 where any does, 1 where none does. To 1e-12.
+/// Smallest Hurst exponent with which a band without a flat part has the moments \p moments and at most the ratio
+/// \p widest = q2/q1, such as the length of a profile over two steps; 0 where any has, 1 where none has. To 1e-12.
 template <Real T>
 [[nodiscard]] T least_hurst(const SpectralMoments<T>& moments, std::type_identity_t<T> widest) {
     require(widest > 1, "widest band", widest, "greater than 1");
@@ -145,7 +139,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// The band without a flat part that has the moments \p moments and the Hurst exponent \p hurst.
+/// Band without a flat part with the moments \p moments and the Hurst exponent \p hurst.
 /// \throws domain_error unless 0 < H <= 1 and alpha > 3/2, with ln(q2/q1) between 0.001 and 60.
 template <Real T>
 [[nodiscard]] BandSpectrum<T> band_of_moments(const SpectralMoments<T>& moments, std::type_identity_t<T> hurst) {
@@ -184,7 +178,8 @@ template <Real T>
 
 namespace parts {
 
-/// The waves of \p band up to the wave number at which Nayak's alpha reaches \p alpha; all of them where it does not.
+/// Waves of \p band up to the wave number at which Nayak's alpha reaches \p alpha; all of them where it does not. The
+/// omitted short waves decide m4, and with it radius and density of the peaks, but hardly change the height.
 /// \throws domain_error as BandSpectrum::validate, and unless alpha > 2, which a flat part alone does not reach.
 template <Real T>
 [[nodiscard]] BandSpectrum<T> cut_at_bandwidth(BandSpectrum<T> band, std::type_identity_t<T> alpha) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What heights are multiplied by before their spectrum is taken.
+/// Windows that heights are multiplied by before their spectrum is computed.
 ///
 ///     hann: w_i = sin^2(pi (i + 1/2)/N)      none: w_i = 1           i = 0 ... N-1
 ///
-/// Without a window the step between the two ends of a measured surface is taken for roughness.
+/// Without a window the step between the two ends of a measured surface appears as roughness.
 ///
 /// Reference   Harris, Proc. IEEE 66 (1978) 51.
 /// Units       none
-/// Valid       one point at least
+/// Valid       at least one point
 /// Accuracy    2 ulp (tests/surface/spectrum_window_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -31,7 +31,7 @@ inline constexpr auto names<SpectrumWindow> = name_list<SpectrumWindow>({{Spectr
 
 namespace parts {
 
-/// w_i of \p points.
+/// Weights w_i for \p points.
 template <Real T>
 [[nodiscard]] T window_weight(SpectrumWindow window, std::size_t i, std::size_t points) {
     if (window == SpectrumWindow::none) return T(1);

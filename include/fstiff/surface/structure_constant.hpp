@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The coefficient C of the structure function S(tau) = C tau^(4-2D), and the fractal roughness G that belongs to it.
+/// Coefficient C of the structure function S(tau) = C tau^(4-2D), and the fractal roughness G from it.
 ///
 ///     C = c(D) G^(2D-2)                                                             eq. (2.4)
 ///     exact           c = (2 pi)^(4-2D) g / ((4-2D) ln gamma)    mean of S over one log-period of the profile (2.1)
@@ -9,11 +9,9 @@
 ///     majumdar_tien   c = g / ((4-2D) ln gamma)                  (2.4) / (2 ln gamma)
 ///     g = Gamma(2D-3) sin((2D-3) pi/2) = pi / (2 Gamma(4-2D) sin(pi (D-1)))         regular at D = 1.5
 ///
-/// A G that is inverted with `paper` from a true Weierstrass-Mandelbrot profile is some 3 to 5 times too large
-/// (docs/errata.md); with `exact` the G that was put in comes back.
-///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3), (2.4); Majumdar, Tien, Wear 136
-///             (1990).
+/// With `paper`, G of a true Weierstrass-Mandelbrot profile is some 3 to 5 times too large (docs/errata.md).
+/// Derivation  docs/theory.md, section 2
+/// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eqs. (2.3), (2.4); Majumdar, Tien, Wear 136 (1990)
 /// Units       c dimensionless; C in m^(2D-2); G [m]; gamma dimensionless
 /// Valid       1 < D < 2 (c diverges at both ends), gamma > 1
 /// Accuracy    20 ulp for 1.001 <= D <= 1.999 (tests/surface/structure_constant_test.cpp)
@@ -30,7 +28,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// Which coefficient links S to G.
+/// Convention of the coefficient between S and G.
 enum class StructureConvention { exact, paper, majumdar_tien };
 
 }  // namespace parts
@@ -43,7 +41,7 @@ inline constexpr auto names<parts::StructureConvention> =
 
 namespace parts {
 
-/// c(D), dimensionless.
+/// Coefficient c(D), dimensionless.
 /// \throws domain_error unless 1 < D < 2 and gamma > 1.
 template <Real T>
 [[nodiscard]] T structure_constant(T fractal_dimension, StructureConvention convention = StructureConvention::exact,
@@ -69,7 +67,7 @@ template <Real T>
     return c * std::pow(fractal.roughness / lag, 2 * (fractal.dimension - 1)) * lag * lag;
 }
 
-/// ln(G / lag), where S(\p lag) = \p value: the logarithm, because G itself leaves every range of numbers as D -> 1.
+/// ln(G / lag), where S(\p lag) = \p value: the logarithm, because G itself exceeds every range of numbers as D -> 1.
 /// \throws domain_error naming the argument that is out of range.
 template <Real T>
 [[nodiscard]] T log_fractal_roughness(T fractal_dimension, T lag, T value,

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Two rough faces as one: the sum of both, against a smooth face, has the same contact.
+/// Two rough faces as one: the contact of both is that of their sum with a smooth face.
 ///
 ///     m0, m2, m4      add, and with them sigma^2, g^2, and 1/R^2 by eq. (4.10)
 ///     D_p             m4/(6 pi sqrt(3) m2), where m4 and m2 of each face are those of its R and D_p
-///     R_p             R_p + R_p: no point of the sum is higher
+///     R_p             R_p + R_p: upper bound of the sum
 ///     r, theta        sigma_m^2 = r sigma sigma_kappa adds, r = sigma_m^2/(sigma sigma_kappa),
 ///                     sin^2(theta) = mean of sin^2(theta), weighted by sigma_m^2
-///     D, G            S(tau) adds: D and G of the power law that touches it at tau = D_p^(-1/2), where the peaks are
+///     D, G            S(tau) adds: the power law tangent to the sum at tau = D_p^(-1/2), the distance of the peaks
 ///
-/// The heights of the faces are taken for independent, both for isotropic. theta holds for faces sampled at one step;
-/// at two steps it is a mean of both. The sum of two power laws of different D is none: its D falls from that of the
-/// rougher face at short lags to that of the smoother one at long lags. Where G of a face is not known, m2 stands for
-/// S.
-///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625 (two
-///             rough faces as one); Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3), (4.1)-(4.3),
-///             (4.10).
+/// Assumes independent heights and isotropic faces sampled at one step. Derivation: docs/theory.md, section 2.
+/// Reference   Nayak (1971); Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625; Buczkowski et al. (2014)
 /// Units       SI
 /// Valid       parameters in the range of Roughness, Fractal and PeakDistribution
-/// Accuracy    1e-13 of the formulae; a face 1e9 times lower leaves the other as it is
-///             (tests/surface/two_faces_test.cpp)
+/// Accuracy    1e-13; a face 1e9 times lower leaves the other unchanged (tests/surface/two_faces_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/surface/fractal.hpp>
@@ -35,25 +28,25 @@
 
 namespace fstiff::inline v0_1 {
 
-/// What the contact needs to know of one face.
+/// Parameters of one face.
 template <Real T = double>
 struct RoughFace {
     Roughness<T> roughness{};
-    SpectralMoments<T> moments{};  ///< of the spectrum; those of R and D_p where nothing else is known
+    SpectralMoments<T> moments{};                               ///< of the spectrum; else those of R and D_p
     std::optional<T> fractal_dimension{}, fractal_roughness{};  ///< G [m]
     std::optional<T> r{}, theta{};                              ///< both or none [1, rad]
 };
 
 namespace parts {
 
-/// Whether G, which leaves every range of numbers as D -> 1, is one.
+/// Whether G, which exceeds every range of numbers as D -> 1, is finite and positive.
 template <Real T>
 [[nodiscard]] bool is_number(T roughness) {
     return roughness >= (std::numeric_limits<T>::min)() && roughness <= (std::numeric_limits<T>::max)();
 }
 
 /// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2, or none where G
-/// leaves the range of numbers.
+/// exceeds the range of numbers.
 template <Real T>
 [[nodiscard]] RoughFace<T> scaled(RoughFace<T> face, T factor) {
     const T square = factor * factor;
@@ -105,7 +98,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// The sum of two faces. What one of them does not know (D; r and theta) the sum does not know, nor a G beyond the
+/// Sum of two faces. Parameters that one face has not (D; r and theta) are missing in the sum, as is a G beyond the
 /// range of numbers.
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>

@@ -5,14 +5,14 @@
 ///
 ///     A(tx, ty) = <z(x, y) z(x + tx, y + ty)>/<z^2>     z about the mean of the map, straight within each cell of lags
 ///     r(phi)    = distance from lag 0, in the direction phi, at which A first falls to s = 0.2
-///     Sal = min r     Str = min r/max r                 over 720 directions of half a turn; the other half is the same
+///     Sal = min r     Str = min r/max r                 over 720 directions of half a turn; the other half is equal
 ///
-/// Means are over the pairs that exist, or of a periodic map across its edges. Lags reach to half of each side; where A
-/// stays above s to there, Str is not known.
+/// Means are over the pairs that exist, for a periodic map also across its edges. Lags reach to half of each side; Str
+/// is not available where A stays above s up to there.
 ///
 /// Reference   ISO 25178-2:2021 (fACF, Sal, Str), ISO 25178-3:2012 (s = 0.2)
 /// Units       lags, Sal [m], A and Str dimensionless
-/// Valid       maps of 4 x 4 points at least; periodic ones without missing points; remove the form first
+/// Valid       maps of at least 4 x 4 points; periodic ones without missing points; remove the form first
 /// Accuracy    A 1e-13 of A(0) = 1, r 1e-12 of the lag (tests/topography/areal_autocorrelation_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -24,7 +24,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// Which pairs of points a lag has.
+/// Pairs of points of a lag.
 enum class LagPairs {
     measured,  ///< those within the map
     periodic   ///< those across its edges too
@@ -38,22 +38,22 @@ inline constexpr auto names<parts::LagPairs> = name_list<parts::LagPairs>({{part
 
 namespace parts {
 
-/// The autocorrelation of a map at every lag up to a reach.
+/// Autocorrelation of a map at every lag up to a reach.
 template <Real T = double>
 struct ArealAutocorrelation {
-    /// A of ty = j dy, j = 0 ... reach_y, in row j, and of tx = (i - reach_x) dx in column i; A(-tx, -ty) = A(tx, ty).
+    /// A at ty = j dy, j = 0 ... reach_y, in row j, and at tx = (i - reach_x) dx in column i; A(-tx, -ty) = A(tx, ty).
     /// NaN at a lag without a pair.
     typename HeightMap<T>::Array value;
     Eigen::Index reach_x{}, reach_y{};  ///< longest lags, in steps
     T dx{}, dy{};                       ///< [m]
 
-    /// At the lag of \p i steps along x and \p j along y, of either sign.
+    /// A at the lag of \p i steps along x and \p j along y, of either sign.
     [[nodiscard]] T at(Eigen::Index i, Eigen::Index j) const {
         return j < 0 ? value(-j, reach_x - i) : value(j, reach_x + i);
     }
 };
 
-/// How fast the autocorrelation falls.
+/// Texture parameters: lags at which the autocorrelation falls to the threshold.
 template <Real T = double>
 struct TextureParameters {
     std::optional<T> shortest;      ///< Sal [m]; none where A stays above the threshold in every direction
@@ -63,7 +63,7 @@ struct TextureParameters {
     T longest_direction{};          ///< [rad]
 };
 
-/// The mean over all directions.
+/// Mean of the autocorrelation over all directions.
 template <Real T = double>
 struct RadialAutocorrelation {
     std::vector<T> lag;             ///< mean length of the lags of a shell [m]; 0 first
@@ -71,7 +71,7 @@ struct RadialAutocorrelation {
     std::vector<std::size_t> lags;  ///< with a pair, in the shell
 };
 
-/// Means over shells as wide as the longer step, about whole multiples of it, to the shorter reach.
+/// Means over shells as wide as the longer step, about whole multiples of it, up to the shorter reach.
 template <Real T>
 [[nodiscard]] RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
     using Index = Eigen::Index;
@@ -102,7 +102,7 @@ template <Real T>
     return result;
 }
 
-/// sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, of \p u(row, column) padded with
+/// Sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, with \p u(row, column) padded with
 /// zeros to \p width x \p height.
 template <Real T, class Values>
 void correlate_map(const Values& u, Eigen::Index rows, Eigen::Index columns, std::size_t height, std::size_t width,
@@ -112,7 +112,7 @@ void correlate_map(const Values& u, Eigen::Index rows, Eigen::Index columns, std
     const auto half = static_cast<Index>(width / 2);
     math::RealFft<T> along_x(width);
     math::ComplexFft<T> along_y(height);
-    Eigen::Array<Complex, Eigen::Dynamic, 1> waves(rows * (half + 1));  // one column of the map behind the other
+    Eigen::Array<Complex, Eigen::Dynamic, 1> waves(rows * (half + 1));  // one column of the map after the other
     std::vector<T> line(static_cast<std::size_t>(columns));
     std::vector<Complex> in, out;
     for (Index j = 0; j < rows; ++j) {
@@ -139,7 +139,7 @@ void correlate_map(const Values& u, Eigen::Index rows, Eigen::Index columns, std
     }
 }
 
-/// A along straight lines from lag 0, straight within each cell of lags: a parabola between the lines of the grid.
+/// A along straight lines from lag 0, bilinear within each cell of lags: a parabola between the lines of the grid.
 template <Real T>
 class LagRays {
 public:
@@ -173,7 +173,7 @@ public:
     }
 
 private:
-    /// Between the grid points, at \p u steps along x and \p v along y; v >= 0.
+    /// A between the grid points, at \p u steps along x and \p v along y; v >= 0.
     [[nodiscard]] T value(T u, T v) const {
         const auto i = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::floor(u)), -a_.reach_x, a_.reach_x - 1);
         const auto j = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::floor(v)), 0, a_.reach_y - 1);
@@ -181,8 +181,8 @@ private:
         return (a_.at(i, j) * (1 - x) + a_.at(i + 1, j) * x) * (1 - y) +
                (a_.at(i, j + 1) * (1 - x) + a_.at(i + 1, j + 1) * x) * y;
     }
-    /// Where in [0, 1] the parabola through \p begin, \p middle and \p end first falls to the threshold; above 1:
-    /// nowhere.
+    /// Position in [0, 1] at which the parabola through \p begin, \p middle and \p end first falls to the threshold;
+    /// above 1: none.
     [[nodiscard]] T first_fall(T begin, T middle, T end) const {
         const T a = 2 * (begin - 2 * middle + end), b = 4 * middle - 3 * begin - end, c = begin - threshold_;
         if (end <= threshold_ && a == T(0)) return c / (begin - end);
@@ -255,7 +255,7 @@ template <Real T>
             result.shortest = ray.length;
             result.shortest_direction = phi;
         }
-        // one without an end is longer than all that have one
+        // a direction without a crossing is longer than all that have one
         if (all_end == ray.ends ? ray.length > result.longest : all_end) {
             result.longest = ray.length;
             result.longest_direction = phi;

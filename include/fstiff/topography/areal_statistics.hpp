@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Statistics of a map by finite differences, and its parameters by ISO 25178-2: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq,
-/// Sdr.
+/// Statistics of a map by finite differences, and its parameters by ISO 25178-2: Sa, Sq, Ssk, Sku, Sp, Sv ... Sdr.
 ///
 ///     m0 = <z^2> = Sq^2   Sa = <|z|>   Ssk = <z^3>/Sq^3    Sku = <z^4>/Sq^4   Sp = max z   Sv = -min z   Sz = Sp + Sv
 ///     m2, m4: means along x and along y of the squares of (z_(i+1) - z_i)/dx and (z_(i+1) - 2 z_i + z_(i-1))/dx^2
 ///     alpha = m0 m4/m2^2    Sdq = sqrt(m2 along x + m2 along y)    Sdr = <area of a cell>/(dx dy) - 1
 ///     summit: higher than all its eight neighbours; its curvature -(d2z/dx2 + d2z/dy2)/2 by three points
 ///
-/// z is counted from the mean; means are over what exists. A point at the border or beside a missing one is neither a
-/// summit nor counted in their area, nor is a plateau a summit. A cell's area is the mean of its two triangulations.
-///
-/// Reference   Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Nayak, J. Lubr. Technol. 93 (1971) 398; ISO
-///             25178-2:2021, D.3, eq. (D.15) for the area
+/// z is relative to the mean. Points at the border or next to a missing one are neither summits nor counted in the area
+/// of the density; a plateau is no summit. The area of a cell is the mean of its two triangulations.
+/// Reference   Longuet-Higgins (1957); Nayak (1971); ISO 25178-2:2021, D.3, eq. (D.15) for the area
 /// Units       heights [m], m2 [1], m4 [1/m^2], density [1/m^2], curvature [1/m]; Ssk, Sku, Sdq, Sdr [1]
-/// Valid       maps of 3 x 3 points with three neighbours along x and along y; remove the form first
-/// Accuracy    1e-13 in double, beside the rounding of an offset (tests/topography/areal_statistics_test.cpp,
+/// Valid       maps of at least 3 x 3 points with three neighbours along x and along y; remove the form first
+/// Accuracy    1e-13 in double, and the rounding of an offset (tests/topography/areal_statistics_test.cpp,
 ///             tests/topography/areal_parameters_test.cpp)
 
 #include <fstiff/topography/height_map.hpp>
@@ -27,7 +24,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// Moments of a map, and what follows from them.
+/// Moments of a map, and parameters that follow from them.
 template <Real T = double>
 struct ArealStatistics {
     T mean_height{};         ///< [m]
@@ -83,7 +80,7 @@ DifferenceSums<math::Accumulator<T>> mean_differences(const HeightMap<T>& map, c
     return d;
 }
 
-/// Rows top to bottom - 1, columns left to right - 1.
+/// Block of rows top to bottom - 1 and columns left to right - 1.
 struct MapBlock {
     Eigen::Index top{}, bottom{}, left{}, right{};
 };
@@ -142,7 +139,7 @@ template <Real T>
     result.m4_y = static_cast<T>(m4_y);
     result.m4 = static_cast<T>((m4_x + m4_y) / 2);
     result.rms_gradient = static_cast<T>(std::sqrt(m2_x + m2_y));
-    // formed of rms values, so that no power leaves the range of numbers
+    // formed from rms values, so that no power exceeds the range of numbers
     const S root = std::sqrt(variance) * unit * std::sqrt((m4_x + m4_y) / 2) / ((m2_x + m2_y) / 2);
     result.nayak = static_cast<T>(root * root);
     for (const T value : {result.m0, result.m2, result.m4, result.nayak})
@@ -161,7 +158,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// Roughness parameters of a map, ISO 25178-2.
+/// Roughness parameters of a map by ISO 25178-2.
 template <Real T = double>
 struct ArealParameters {
     T mean_deviation{};                     ///< Sa [m]
@@ -175,7 +172,7 @@ struct ArealParameters {
     std::optional<T> developed_area_ratio;  ///< Sdr; none where no cell has its four points
 };
 
-/// Parameters of \p map. \throws domain_error for a map out of range.
+/// Roughness parameters of \p map. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map) {
     return areal_parameters(map, parts::areal_statistics(map));
@@ -183,7 +180,7 @@ template <Real T>
 
 namespace parts {
 
-/// Mean over the cells of their area over dx dy, less 1.
+/// Mean area of the cells over dx dy, minus 1.
 template <Real T>
 [[nodiscard]] std::optional<T> developed_area_ratio(const HeightMap<T>& map) {
     using S = math::Accumulator<T>;
@@ -213,7 +210,7 @@ template <Real T>
 
 }  // namespace parts
 
-/// Parameters of \p map with the statistics \p known. \throws domain_error for a map out of range.
+/// Roughness parameters of \p map with the statistics \p known. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const parts::ArealStatistics<T>& known) {
     using S = math::Accumulator<T>;

@@ -4,14 +4,14 @@
 /// A map on a coarser grid: each new cell has the mean height of the area that it covers.
 ///
 /// Units       as the map
-/// Valid       maps without missing points; no more cells than there are
+/// Valid       maps without missing points; at most as many cells as there are points
 /// Accuracy    the mean height is kept to 1e-14 of the largest (tests/topography/coarsen_test.cpp)
 
 #include <fstiff/topography/height_map.hpp>
 
 namespace fstiff::inline v0_1::parts {
 
-/// Each row of \p fine on \p to longer cells, turned: cell j of row i stands in row j, column i.
+/// Each row of \p fine on \p to longer cells, transposed: cell j of row i is in row j, column i.
 template <Real T>
 typename HeightMap<T>::Array coarsened_rows(const typename HeightMap<T>::Array& fine, Eigen::Index to) {
     const Eigen::Index from = fine.cols();
@@ -28,7 +28,7 @@ typename HeightMap<T>::Array coarsened_rows(const typename HeightMap<T>::Array& 
 }
 
 /// \p map on \p columns by \p rows cells over the same area.
-/// \throws domain_error for missing points, less than 1 cell and more than there are.
+/// \throws domain_error for missing points, for less than 1 cell and for more cells than points.
 template <Real T>
 [[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index columns, Eigen::Index rows) {
     require(columns >= 1 && columns <= map.columns(), "columns", columns, "from 1 to those of the map");
@@ -41,7 +41,7 @@ template <Real T>
     return coarse;
 }
 
-/// \p map with \p points along its longer side (as it is where it has no more), cells as square as they were.
+/// \p map with \p points along its longer side (unchanged where it has no more), with the same aspect of the cells.
 template <Real T>
 [[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index points) {
     require(points >= 1, "points", points, "at least 1");

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Form of a map, removed: its mean, or a least-squares plane, quadratic or cubic surface.
+/// Removal of the form of a map: its mean, or a least-squares plane, quadratic or cubic surface.
 ///
 ///     form = sum of c_kl P_k(u) P_l(v),  k + l <= degree,  u, v in [-1, 1] over the map, P_k Legendre's polynomials
 ///
 /// The fit is over the points that exist and is repeated on its residual, so that an offset or a tilt far above the
-/// roughness costs no digits. A surface that the points do not determine is refused.
+/// roughness costs no digits. A form that the points do not determine is refused.
 ///
 /// Units       heights [m]
-/// Valid       maps of 3 x 3 points at least, every height finite or NaN (missing; stays missing)
+/// Valid       maps of at least 3 x 3 points, every height finite or NaN (missing; stays missing)
 /// Accuracy    1e-15 of the largest height, offset and tilt of 1e6 times the roughness (tests/topography/form_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -33,17 +33,17 @@ inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none
 
 namespace parts {
 
-/// A map without its form, which knows what was removed.
+/// A map without its form, with the data of the removed form.
 template <Real T = double>
 struct LevelledMap {
     HeightMap<T> map;
     MapForm removed = MapForm::none;
-    /// The map before lambda_s and lambda_c, where there is one; those behind several cut-offs may share it.
+    /// Map before lambda_s and lambda_c, if any; maps filtered with several cut-offs may share it.
     std::shared_ptr<const HeightMap<T>> unfiltered{};
-    T lambda_c{};             ///< of the filter that took the long waves [m]; 0: none
+    T lambda_c{};             ///< of the filter of the long waves [m]; 0: none
     std::array<T, 2> tilt{};  ///< of the form along x and y, last point less first [m]; NaN: a corner is missing
 
-    /// What the structure functions are taken of.
+    /// Map for the structure functions.
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
 };
 
@@ -66,13 +66,13 @@ void each_term(Eigen::Index degree, const Use& use) {
         for (Eigen::Index l = 0; k + l <= degree; ++l) use(t++, k, l);
 }
 
-/// 1 where a point of row \p j exists, 0 where it is missing: by rows, since a map may be as large as memory allows.
+/// 1 where a point of row \p j exists, 0 where it is missing: by rows, because a map may be as large as memory allows.
 template <Real S, Real T>
 Eigen::Array<S, 1, Eigen::Dynamic> existing(const HeightMap<T>& map, Eigen::Index j) {
     return map.heights.row(j).isNaN().select(Eigen::Array<S, 1, Eigen::Dynamic>::Zero(map.columns()), S(1));
 }
 
-/// Means of f_s f_t over the points that exist; row by row, since v is constant along a row.
+/// Means of f_s f_t over the points that exist; row by row, because v is constant along a row.
 template <Real T, class Polynomials>
 auto normal_matrix(const HeightMap<T>& map, const Polynomials& px, const Polynomials& py, Eigen::Index degree) {
     using S = math::Accumulator<T>;
@@ -108,13 +108,13 @@ template <Real T>
         throw domain_error("map of which " + std::to_string(map.present()) + " points exist: must be at least " +
                            terms_shown + " to remove this form");
     const auto px = legendre_of_side<S>(map.columns()), py = legendre_of_side<S>(map.rows());
-    // so that no sum leaves the range of numbers
+    // so that no sum exceeds the range of numbers
     const S unit =
         math::power_of_two_below(static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
     const auto each_term = [&](const auto& use) { parts::each_term(degree, use); };
     using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>() / unit;
-    // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
+    // for a map of 1e5 points a side with all points in two neighbouring rows: 1e-10
     const math::PivotedQr<S> solver(normal_matrix(map, px, py, degree), S(1e-12));
     if (solver.rank() < terms)
         throw domain_error("map whose points determine " + std::to_string(solver.rank()) + " of the " + terms_shown +
@@ -147,9 +147,9 @@ template <Real T>
     return result;
 }
 
-/// \p map levelled, with the form that was removed. \p resolution [m] is the step in which the heights were printed or
-/// counted; 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, but for its
-/// rounding, once its form is removed.
+/// \p map levelled, with the removed form. \p resolution [m] is the step in which the heights were printed or counted;
+/// 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, apart from rounding,
+/// after the removal of its form.
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
     LevelledMap<T> flat{remove_form(map, form), form};

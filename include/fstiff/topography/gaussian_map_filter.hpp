@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Gaussian filter of maps, and the robust one, which ignores grooves and spikes: a map without short or long waves.
+/// Gaussian filter of maps, and the robust one, which ignores grooves and spikes: removes short or long waves.
 ///
 ///     low pass w_ji = sum s((l-i) dx, (k-j) dy) z_kl / sum s((l-i) dx, (k-j) dy),  high pass z - w    cut-off c
 ///     s(x, y) = exp(-pi (x^2 + y^2)/(a c)^2),  a = sqrt(ln 2/pi);  a wave of length l passes by exp(-ln 2 (c/l)^2)
 ///     robust: both sums with Tukey's weights delta_kl (math/tukey), regression of order 0
 ///
-/// Rows and then columns are summed, over the points that exist: a constant is kept at the edges and beside gaps, a
-/// tilt is not, so remove the form first. A missing point stays missing. A point with less than 1 % of the Gaussian
-/// weight left keeps its first w.
-///
+/// Rows and then columns are summed over the existing points: a constant is kept at the edges and at gaps, a tilt is
+/// not, so remove the form first. A missing point stays missing. A point keeps its first w where less than 1 % of the
+/// Gaussian weight is left.
 /// Reference   ISO 16610-61:2015; ISO 16610-28:2016 (ends); ISO 16610-71:2014 (robust)
 /// Units       heights, cut-off [m]
-/// Valid       2 steps of the coarser side <= cut-off <= the shorter side; robust: more than half of the points are
-///             surface
-/// Accuracy    1e-13 of the range of the heights against the double sum, robust 1e-10 of the rms height
-///             (tests/topography/gaussian_map_filter_test.cpp, tests/topography/robust_gaussian_map_filter_test.cpp)
+/// Valid       2 steps of the coarser side <= cut-off <= shorter side; robust: more than half of the points are surface
+/// Accuracy    1e-13 of the range of the heights, robust 1e-10 of the rms height (tests/topography/
+///             gaussian_map_filter_test.cpp, robust_gaussian_map_filter_test.cpp)
 
 #include <fstiff/math/gaussian_smoother.hpp>
 #include <fstiff/math/tukey.hpp>
@@ -27,7 +25,7 @@ namespace fstiff::inline v0_1::parts {
 template <Real F>
 using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The weighted sums of every row of \p z, then of every column.
+/// Weighted sums of every row of \p z, then of every column.
 template <Real F, Real T>
 void smooth_both_ways(F* z, const HeightMap<T>& map,
                       std::pair<math::GaussianSmoother<F>, math::GaussianSmoother<F>>& along) {
@@ -38,7 +36,7 @@ void smooth_both_ways(F* z, const HeightMap<T>& map,
     for (std::size_t i = 0; i < width; i += lines) along.second.of_lines(z + i, width, 1, (std::min)(lines, width - i));
 }
 
-/// \throws domain_error for a map out of range, or a cut-off that it cannot hold.
+/// \throws domain_error for a map out of range, or a cut-off that is not valid for it.
 template <Real T>
 void require_cut_off(const HeightMap<T>& map, T cutoff) {
     map.validate();
@@ -47,7 +45,7 @@ void require_cut_off(const HeightMap<T>& map, T cutoff) {
             "cut-off", cutoff, "at least 2 steps and at most the shorter side of the map");
 }
 
-/// Along x and along y.
+/// Weights along x and along y.
 template <Real T>
 [[nodiscard]] std::pair<math::GaussianSmoother<math::Accumulator<T>>, math::GaussianSmoother<math::Accumulator<T>>>
 smoothers(const HeightMap<T>& map, T cutoff) {
@@ -59,7 +57,7 @@ smoothers(const HeightMap<T>& map, T cutoff) {
     return {along(map.columns(), map.dx), along(map.rows(), map.dy)};
 }
 
-/// Heights about their mean; 0 where a point is missing.
+/// Heights relative to their mean; 0 where a point is missing.
 template <Real T>
 [[nodiscard]] FilteredHeights<math::Accumulator<T>> present_or_zero(const HeightMap<T>& map,
                                                                     const MapHeights<T>& heights) {
@@ -121,7 +119,7 @@ template <Real T>
     return high;
 }
 
-/// The long waves of \p map. \throws domain_error for a cut-off or a map out of range.
+/// Long waves of \p map. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
 [[nodiscard]] math::RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) {
     using F = math::Accumulator<T>;
@@ -147,7 +145,7 @@ template <Real T>
     return result;
 }
 
-/// \p map without them. \throws domain_error as above.
+/// \p map without its long waves. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] HeightMap<T> robust_high_pass(const HeightMap<T>& map, T cutoff) {
     HeightMap<T> high = robust_waviness(map, cutoff).waviness;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The Gaussian map whose heights have the order of those of a map, and the bearing curve that leads back.
+/// Gaussian map whose heights have the order of those of a map, and the bearing curve that maps it back.
 ///
 ///     h(x, y) = f(zeta(x, y))      zeta = Phi^-1((rank + 1/2)/N)       the map is sigma zeta
 ///
@@ -9,7 +9,7 @@
 ///
 /// Reference   surface/bearing_slope.hpp
 /// Units       heights [m]
-/// Valid       as HeightMap::validate says; missing points stay missing
+/// Valid       as HeightMap::validate; missing points stay missing
 /// Accuracy    rounding (tests/topography/gaussian_order_test.cpp)
 
 #include <fstiff/surface/bearing_slope.hpp>

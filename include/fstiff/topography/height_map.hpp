@@ -19,14 +19,14 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// Range of the heights that exist; without any, low is the largest number and high the lowest.
+/// Range of the heights that exist; for none of them low is the largest number and high the lowest.
 template <Real T>
 struct HeightRange {
     T low = (std::numeric_limits<T>::max)(), high = std::numeric_limits<T>::lowest();
     Eigen::Index present{};
 };
 
-/// Range of \p count heights \p z in one pass, in lanes that compilers turn into vectors.
+/// Range of \p count heights \p z in one pass, in lanes that compilers vectorise.
 template <Real T>
 HeightRange<T> height_range(const T* z, Eigen::Index count) {
     constexpr std::size_t lanes = 16;
@@ -58,7 +58,7 @@ HeightRange<T> height_range(const T* z, Eigen::Index count) {
     return range;
 }
 
-/// HeightMap::validate() of heights \p z, row after row, wherever they are.
+/// HeightMap::validate() for heights \p z in row order at any address.
 template <Real T>
 void validate_map(const T* z, Eigen::Index rows, Eigen::Index columns, T dx, T dy, Eigen::Index least) {
     require_positive("dx", dx);
@@ -89,15 +89,15 @@ struct HeightMap {
 
     [[nodiscard]] Eigen::Index columns() const { return heights.cols(); }
     [[nodiscard]] Eigen::Index rows() const { return heights.rows(); }
-    /// Points, missing ones included.
+    /// Number of points, including missing ones.
     [[nodiscard]] Eigen::Index size() const { return heights.size(); }
-    /// Points that are not missing.
+    /// Number of points that are not missing.
     [[nodiscard]] Eigen::Index present() const { return heights.size() - heights.isNaN().count(); }
-    /// Nominal area: every point stands for one cell dx dy [m^2].
+    /// Nominal area: one cell dx dy for every point [m^2].
     [[nodiscard]] T area() const { return static_cast<T>(heights.size()) * dx * dy; }
 
-    /// \throws domain_error unless both spacings are positive, no height is infinite, the map has \p least points a
-    /// side, as many exist, and they are not all of one height.
+    /// \throws domain_error unless both spacings are positive, no height is infinite, the map has at least \p least
+    /// points a side, as many exist, and they are not all of one height.
     void validate(Eigen::Index least = 3) const {
         parts::validate_map(heights.data(), rows(), columns(), dx, dy, least);
     }
@@ -132,7 +132,7 @@ T height_scale(const HeightMap<T>& map) {
     return range.low < range.high ? math::power_of_two_below(range.high / 2 - range.low / 2) : T(1);
 }
 
-/// Mean of \p term(height) over the points that exist, a sum a row so that rounding does not add up.
+/// Mean of \p term(height) over the points that exist, with one sum per row so that rounding does not accumulate.
 template <Real T, class Term>
 math::Accumulator<T> mean_over_points(const HeightMap<T>& map, const Term& term) {
     math::Accumulator<T> sum = 0;
@@ -145,7 +145,7 @@ math::Accumulator<T> mean_over_points(const HeightMap<T>& map, const Term& term)
     return sum / static_cast<math::Accumulator<T>>(map.present());
 }
 
-/// Heights of a map about one of its points, in a unit: an offset is gone before anything is squared.
+/// Heights of a map relative to one of its points, in a unit: removes an offset before anything is squared.
 template <Real T>
 struct MapHeights {
     using S = math::Accumulator<T>;

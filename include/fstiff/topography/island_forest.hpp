@@ -4,7 +4,7 @@
 /// Islands that grow while points are raised one by one: union-find with their number, area and height.
 ///
 /// Reference   Tarjan, J. ACM 22 (1975)
-/// Valid       maps of 2^31 - 1 points at most; points in any order, which changes the rounding of sums of twice_mean
+/// Valid       maps of at most 2^31 - 1 points; points in any order, which affects the rounding of sums of twice_mean
 /// Accuracy    counts and areas exact, heights as compensated sums (tests/topography/islands_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -17,7 +17,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// Which neighbours of a point are its own island's: the four that share a side, or those that share a corner too.
+/// Neighbours that belong to the island of a point: the four that share a side, or also those that share a corner.
 enum class Connectivity { four, eight };
 
 /// Whether an island that reaches the edge of the map counts.
@@ -31,7 +31,7 @@ inline constexpr auto names<parts::BorderIslands> =
 
 namespace parts {
 
-/// Height of an island above the level: its highest point, or twice its mean; of a paraboloid the same.
+/// Height of an island above the level: its highest point, or twice its mean; both are equal for a paraboloid.
 enum class IslandHeight { peak, twice_mean };
 
 }  // namespace parts
@@ -40,7 +40,7 @@ template <>
 inline constexpr auto names<parts::IslandHeight> = name_list<parts::IslandHeight>(
     {{parts::IslandHeight::peak, "peak"}, {parts::IslandHeight::twice_mean, "twice-mean"}});
 
-/// What counts as an island, and at which levels.
+/// Options: islands that count, and cutting levels.
 template <Real T = double>
 struct IslandOptions {
     parts::Connectivity connectivity = parts::Connectivity::eight;
@@ -55,7 +55,7 @@ struct IslandOptions {
 
 namespace parts {
 
-/// What is known of all islands that count.
+/// Totals of all islands that count.
 template <Real S>
 struct IslandTotal {
     std::int64_t islands{}, points{};
@@ -69,11 +69,11 @@ struct IslandTotal {
         height_error += next.error;
         height = next.sum;
     }
-    /// Sum of the heights above \p level: rounded once, however high all islands stand.
+    /// Sum of the heights above \p level: rounded once, whatever the height of all islands.
     S height_above(S level) const { return std::fma(-static_cast<S>(islands), level, height) + height_error; }
 };
 
-/// In which of \p tiles by \p tiles parts of a map a point lies.
+/// Index of the tile of a point, of \p tiles by \p tiles parts of a map.
 class TileGrid {
 public:
     TileGrid(Eigen::Index rows, Eigen::Index columns, std::size_t tiles)
@@ -93,14 +93,14 @@ private:
     std::vector<std::size_t> of_column_, of_row_;
 };
 
-/// Islands that grow as points are raised. The root of an island is its highest point; of equal ones the first.
+/// Islands that grow as points are raised. The root of an island is its highest point; for equal ones the first.
 template <Real T>
 class IslandForest {
 public:
     using S = math::Accumulator<T>;
 
-    /// \p datum is what mean heights are summed from. A point that changes no height leaves their sum alone where \p
-    /// quick; else it is taken out and put in again, with its rounding.
+    /// \p datum is the zero of the sums of mean heights. With \p quick, a point that changes no height leaves their sum
+    /// unchanged; else its island is subtracted and added again, with its rounding.
     IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum, bool quick)
         : z_(map.heights.data()),
           columns_(static_cast<std::int32_t>(map.columns())),
@@ -154,7 +154,7 @@ public:
     S reference(T level) const { return twice_mean_ ? 2 * (static_cast<S>(level) - datum_) : static_cast<S>(level); }
 
 private:
-    // parent_: of a root, minus its number of points
+    // parent_: for a root, minus its number of points
     static constexpr std::int32_t under_water = (std::numeric_limits<std::int32_t>::min)();
     static std::size_t at(std::int32_t point) { return static_cast<std::size_t>(point); }
 

@@ -3,13 +3,13 @@
 /// \file
 /// Representative islands of a map, those at the level of the greatest density, and their spread.
 ///
-/// Of equal densities the highest level counts. The spread comes from tiles drawn with replacement: an island belongs
-/// to the tile of its highest point, and the maximum is sought again in each draw. The standard deviation is multiplied
-/// by sqrt(n/(n-1)) for n tiles.
+/// The highest level counts where densities are equal. The spread comes from tiles drawn with replacement: an island
+/// belongs to the tile of its highest point, and each draw has its own maximum. The standard deviation is multiplied by
+/// sqrt(n/(n-1)) for n tiles.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4; Efron, Ann. Stat. 7 (1979)
 /// Units       level, R [m], density [1/m^2]
-/// Valid       as island_curve(), with islands in two tiles at least
+/// Valid       as island_curve(), with islands in at least two tiles
 /// Accuracy    errors of density and R 1.14 and 1.16 times the scatter of 60 maps (tests/topography/islands_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
@@ -19,7 +19,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// How the spread of the representative island is found.
+/// Options of the spread of the representative island.
 struct IslandSpread {
     std::size_t tiles = 4;        ///< a side; 1 leaves the spread out
     std::size_t resamples = 400;  ///< of the tiles
@@ -29,7 +29,7 @@ struct IslandSpread {
 
 }  // namespace parts
 
-/// R and D_p at the level at which islands are densest.
+/// R and D_p at the level of the greatest island density.
 template <Real T = double>
 struct RepresentativeIslands {
     std::size_t index{};  ///< in the curve
@@ -56,14 +56,14 @@ struct TileTotal {
     void add(const TileTotal& other) { islands += other.islands, points += other.points, height += other.height; }
 };
 
-/// Sets the errors of \p result from resamples of the tiles \p held, \p area points each; \p lines are those of all
-/// tiles at the highest level, then at the next.
+/// Sets the errors of \p result from resamples of the tiles \p held, with \p area points each; \p lines are those of
+/// all tiles at the highest level, then at the next.
 template <Real T>
 void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
                     const std::vector<TileTotal<math::Accumulator<T>>>& lines, const std::vector<std::size_t>& held,
                     const std::vector<math::Accumulator<T>>& area, const IslandSpread& spread) {
     using S = math::Accumulator<T>;
-    // relative to the pair of the whole map, so that no square leaves the range of numbers
+    // relative to the values of the whole map, so that no square exceeds the range of numbers
     const S whole_density = static_cast<S>(result.islands) / static_cast<S>(map.present());
     const S cell = static_cast<S>(map.dx) * static_cast<S>(map.dy);
     math::BlockDraw draw(held.size(), 1, spread.seed);
@@ -83,7 +83,7 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
             for (const std::size_t tile : drawn) sum.add(lines[level + tile]);
             if (sum.islands > best.islands) best = sum;
         }
-        if (!(best.height > S(0))) continue;  // a draw without islands says nothing
+        if (!(best.height > S(0))) continue;  // skips draws without islands
         const S d = best.islands / points / whole_density - 1;
         const S r = best.points * cell / (2 * numbers::pi_v<S> * best.height) / static_cast<S>(result.radius) - 1;
         d1 += d;
@@ -107,7 +107,7 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
 
 }  // namespace parts
 
-/// The curve, and the pair of density and radius at its greatest density.
+/// Curve, and the density and radius at its greatest density.
 /// \throws domain_error as above, when no island counts at any level, or when fewer than two tiles hold points.
 template <Real T>
 [[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,

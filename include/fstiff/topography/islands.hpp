@@ -11,7 +11,7 @@
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4
 /// Units       levels, heights, R [m], areas [m^2], densities [1/m^2], bearing area 0 to 1
-/// Valid       maps of 3 x 3 points at least, 2^31 - 1 points at most, heights that vary
+/// Valid       maps of at least 3 x 3 and at most 2^31 - 1 points, heights that vary
 /// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness (tests/topography/islands_test.cpp).
 ///             Greatest density of narrow Gaussian bands 1.02 to 1.08 of (2 pi)^(-3/2) e^(-1/2) m2/m0
 
@@ -26,7 +26,7 @@ namespace fstiff::inline v0_1 {
 
 namespace detail {
 
-/// The number of the bin of a height, which never falls as the height rises.
+/// Bin number of a height, which does not decrease as the height rises.
 template <Real T>
 class HeightBins {
 public:
@@ -44,7 +44,7 @@ private:
     T low_, scale_{};
 };
 
-/// The heights of \p map, of the range \p range, that have the rising \p ranks; 0 is that of the highest.
+/// Heights of \p map, of the range \p range, that have the rising \p ranks; 0 is the highest.
 template <Real T>
 std::vector<T> heights_of_ranks(const HeightMap<T>& map, const parts::HeightRange<T>& range,
                                 const std::vector<std::size_t>& ranks) {
@@ -104,7 +104,7 @@ struct LevelBands {
     static constexpr std::uint8_t absent = 255;  ///< of a missing point
 };
 
-/// For every point of \p map the number of the falling \p levels, most_levels at most, that are not below it.
+/// Number of the falling \p levels, at most most_levels, that are not below each point of \p map.
 template <Real T>
 std::vector<std::uint8_t> level_bands(const HeightMap<T>& map, const parts::HeightRange<T>& range,
                                       const std::vector<T>& levels) {
@@ -129,12 +129,12 @@ std::vector<std::uint8_t> level_bands(const HeightMap<T>& map, const parts::Heig
 
 }  // namespace detail
 
-/// Islands against the cutting level, from the highest level to the lowest; the vectors have one length. Where no
-/// island counts, means and radius are 0.
+/// Islands against the cutting level, from the highest level to the lowest; all vectors have one length. Means and
+/// radius are 0 where no island counts.
 template <Real T = double>
 struct IslandCurve {
     std::vector<T> level;         ///< [m]
-    std::vector<T> bearing_area;  ///< share of the points that stands above the level, counted islands or not
+    std::vector<T> bearing_area;  ///< share of the points above the level, in counted islands or not
     std::vector<std::size_t> islands;
     std::vector<T> density;      ///< [1/m^2]
     std::vector<T> mean_area;    ///< A_m [m^2]
@@ -157,7 +157,7 @@ struct IslandPoint {
     std::int32_t index;
 };
 
-/// Highest first, equal ones as they stand: radix sort of 11 bits a pass; std::stable_sort for long double.
+/// Sorts the highest first, equal ones in their order: radix sort of 11 bits a pass; std::stable_sort for long double.
 template <Real T>
 void sort_from_the_highest(std::vector<IslandPoint<T>>& points) {
     if constexpr (std::numeric_limits<T>::is_iec559 && (sizeof(T) == 4 || sizeof(T) == 8)) {
@@ -184,7 +184,7 @@ void sort_from_the_highest(std::vector<IslandPoint<T>>& points) {
     }
 }
 
-/// The points of \p map that exist, from the highest.
+/// Points of \p map that exist, from the highest.
 template <Real T>
 std::vector<IslandPoint<T>> sorted_points(const HeightMap<T>& map) {
     std::vector<IslandPoint<T>> points;
@@ -195,7 +195,7 @@ std::vector<IslandPoint<T>> sorted_points(const HeightMap<T>& map) {
     return points;
 }
 
-/// The places (k + 1/2) size/parts of a list of \p size.
+/// Places (k + 1/2) size/parts of a list of \p size.
 inline std::vector<std::size_t> middles_of_parts(std::size_t size, std::size_t parts) {
     const long double step = static_cast<long double>(size) / static_cast<long double>(parts);
     std::vector<std::size_t> places;
@@ -204,7 +204,7 @@ inline std::vector<std::size_t> middles_of_parts(std::size_t size, std::size_t p
     return places;
 }
 
-/// The range of the heights of \p map. \throws domain_error for a map or an option out of range.
+/// Range of the heights of \p map. \throws domain_error for a map or an option out of range.
 template <Real T>
 parts::HeightRange<T> checked_range(const HeightMap<T>& map, const IslandOptions<T>& options) {
     map.validate();
@@ -243,7 +243,7 @@ void add_level(IslandCurve<T>& curve, T level, T bearing_area, const parts::Isla
     curve.radius.push_back(radius);
 }
 
-/// The curve; the totals of every tile at every level go to \p record(level, forest).
+/// Computes the curve; passes the totals of every tile at every level to \p record(level, forest).
 template <Real T, class Record>
 IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
                              const Record& record) {
@@ -261,7 +261,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     std::sort(levels.begin(), levels.end(), std::greater<>());
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
 
-    // a mean height depends on the order of its sum, by its rounding: the order is that of the heights
+    // the rounding of a mean height depends on the order of its sum: the order is that of the heights
     const bool in_bands = levels.size() <= LevelBands::most_levels && options.height == parts::IslandHeight::peak;
     if (!in_bands && points.empty()) points = sorted_points(map);
     if (in_bands) points = {};

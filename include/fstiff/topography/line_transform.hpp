@@ -6,11 +6,11 @@
 ///     repeating   1, cos 2 pi k x/L, sin 2 pi k x/L          by a transform of real data
 ///     mirrored    cos pi k x/L at cell centres               by the same transform of re-ordered data (Makhoul)
 ///
-/// LinesTransform takes several lines at once, in the lanes of the machine's vectors (math/fft_of_lines.hpp).
+/// LinesTransform transforms several lines at once, in the lanes of the vector unit (math/fft_of_lines.hpp).
 ///
 /// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform of type II)
 /// Units       those of the data
-/// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take one of 2N or more
+/// Valid       at least 2 points; lengths that are products of 2, 3 and 5 are fast, others need one of 2N or more
 /// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -20,7 +20,7 @@
 
 namespace fstiff::inline v0_1 {
 
-/// How a map goes on beyond its edges.
+/// Continuation of a map beyond its edges.
 enum class Edges {
     mirrored,  ///< reflected at each edge, so that no step arises: for measured maps
     periodic   ///< repeated: for generated maps that repeat themselves
@@ -48,7 +48,7 @@ template <Real T>
     return k == 0 || (edges == Edges::periodic && k + 1 == points && points % 2 == 0) ? T(1) : T(2);
 }
 
-/// N real numbers into N coefficients c_k of an orthogonal basis and back.
+/// Transform of N real numbers into N coefficients c_k of an orthogonal basis, and its inverse.
 template <Real T>
 class LineTransform {
 public:
@@ -105,13 +105,13 @@ private:
     std::vector<std::complex<T>> spectrum_, turn_;
 };
 
-/// The same of `lines` lines at once, several times as fast.
+/// Same transform for `lines` lines at once, several times as fast.
 template <Real T>
 class LinesTransform {
     static constexpr std::size_t width = math::FftOfLines<T>::width;
 
 public:
-    /// Two to each lane: one is the real part of what is transformed, one the imaginary part.
+    /// Two lines per lane: one is the real part of the transformed data, one the imaginary part.
     static constexpr std::size_t lines = 2 * width;
 
     LinesTransform(std::size_t points, Edges edges) : points_(points), edges_(edges), values_(points * lines, T(0)) {
@@ -128,18 +128,18 @@ public:
                 turn_.push_back(std::polar(T(1), -numbers::pi_v<T> * T(k) / (2 * T(points))));
     }
 
-    /// Takes \p count lines; number i of line l is \p from[i step + l jump].
+    /// Reads \p count lines; number i of line l is \p from[i step + l jump].
     void load(const T* from, std::size_t step, std::size_t jump, std::size_t count) {
         if (count < lines) std::fill(values_.begin(), values_.end(), T(0));  // lines of one lane round together
         for (std::size_t i = 0; i < points_; ++i)
             for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] = from[i * step + l * jump];
     }
-    /// Each number times that of \p by, in the same order.
+    /// Multiplies each number by that of \p by, in the same order.
     void multiply(const T* by, std::size_t step, std::size_t jump, std::size_t count) {
         for (std::size_t i = 0; i < points_; ++i)
             for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] *= by[i * step + l * jump];
     }
-    /// Gives them back.
+    /// Writes the lines back.
     void store(T* to, std::size_t step, std::size_t jump, std::size_t count) const {
         for (std::size_t i = 0; i < points_; ++i)
             for (std::size_t l = 0; l < count; ++l) to[i * step + l * jump] = values_[i * lines + l];
@@ -185,13 +185,13 @@ private:
         V re, im;
     };
 
-    /// Where number \p i of a line stands in what is transformed.
+    /// Position of number \p i of a line in the transformed data.
     [[nodiscard]] std::size_t place(std::size_t i) const {
         const bool mirrored = edges_ == Edges::mirrored;
         return width * (!mirrored ? i : i % 2 == 0 ? i / 2 : points_ - 1 - i / 2);
     }
 
-    /// Wave \p k of the lines from \p l on becomes its coefficients, as LineTransform orders them.
+    /// Converts wave \p k of the lines from \p l on into its coefficients, in the order of LineTransform.
     EIGEN_ALWAYS_INLINE void keep(const Pair& z, std::size_t k, std::size_t l) {
         T* const values = values_.data() + l;
         if (edges_ == Edges::mirrored) {
@@ -203,7 +203,7 @@ private:
         z.re.store(values + (k == 0 ? 0 : 2 * k - 1) * lines);
         if (k > 0 && 2 * k < points_) z.im.store(values + 2 * k * lines);
     }
-    /// The inverse of keep().
+    /// Inverse of keep().
     [[nodiscard]] EIGEN_ALWAYS_INLINE Pair kept(std::size_t k, std::size_t l) const {
         const T* const values = values_.data() + l;
         const V none = V::all(0);

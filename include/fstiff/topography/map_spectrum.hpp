@@ -3,21 +3,18 @@
 /// \file
 /// Roughness spectrum of a map in shells of |q|, the input of Persson's theory, and its power spectral densities.
 ///
-///     z - mean = sum of h_q times the waves of the map as it goes on beyond its edges,    sum of |h_q|^2 = sigma^2
+///     z - mean = sum of h_q times the waves of the map continued beyond its edges,    sum of |h_q|^2 = sigma^2
 ///     mirrored   waves cos pi k x/L_x cos pi l y/L_y at cell centres;    periodic   waves exp(i q x)
 ///     shell i: |q| within half a wave number of i pi/L (mirrored), i 2 pi/L (periodic),  L the longer side
 ///     C(q)   = L_x L_y/(2 pi)^2 <|h_q|^2>                 over the waves of a shell;  sigma^2 = 2 pi int q C dq
 ///     C_x(q) = L_x/pi sum over q_y of |h_(q, q_y)|^2      one-sided, as that of a profile; C_y likewise
 ///
-/// Mirror images have no step at the edges, and unlike a window they keep sigma. radial_spectrum() is a picture: its
-/// window weighs sigma, and its shells end at the shortest wave of the coarser side. Jacobs et al.: (2 pi)^2 C, pi C_x.
-///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Jacobs et al., Surf. Topogr. 5 (2017) 013001; Makhoul, IEEE
-///             Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform)
+/// radial_spectrum() is for plots: its window changes the weights, and its shells end at the shortest wave of the
+/// coarser side. Derivation: docs/theory.md, section 2.
+/// Reference   Nayak (1971); Jacobs et al., Surf. Topogr. 5 (2017) 013001, with (2 pi)^2 C, pi C_x; Makhoul (1980)
 /// Units       heights [m], q [rad/m], C [m^4], C_x and C_y [m^3]
-/// Valid       maps of 4 x 4 points at least, without missing points; remove the form first
-/// Accuracy    1e-13 of the sum, 1e-11 of each shell of a sum of waves, 1e-12 of C
-///             (tests/topography/map_spectrum_test.cpp, tests/topography/radial_spectrum_test.cpp)
+/// Valid       maps of at least 4 x 4 points, none missing; remove the form first
+/// Accuracy    1e-13 of the sum, 1e-11 of a shell, 1e-12 of C (tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
@@ -29,8 +26,8 @@ namespace fstiff::inline v0_1 {
 
 namespace detail {
 
-/// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] but their mean: k along x, l along y, in units of 2 pi
-/// over the side. A cosine and a sine are a wave each.
+/// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] except their mean: k along x, l along y, in units of
+/// 2 pi over the side. A cosine and a sine are separate waves.
 template <Real T, class Use>
 void visit_waves(parts::GridField<T> heights, Edges edges, const Use& use) {
     const auto columns = static_cast<std::size_t>(heights.cols()), rows = static_cast<std::size_t>(heights.rows());
@@ -65,13 +62,13 @@ void visit_waves(parts::GridField<T> heights, Edges edges, const Use& use) {
     }
 }
 
-/// Shells of |q| about whole multiples of a width, for a map that has a spectrum.
+/// Grid of shells of |q| about whole multiples of a width, for a map that has a spectrum.
 template <Real T>
 struct ShellGrid {
     T unit_x{}, unit_y{};  ///< 2 pi over the sides [rad/m]
     T width{};             ///< least wave number [rad/m]
 
-    /// \throws domain_error for missing points and what HeightMap::validate says.
+    /// \throws domain_error for missing points, and as HeightMap::validate.
     explicit ShellGrid(const HeightMap<T>& map, Edges edges = Edges::periodic) {
         map.validate(4);
         map.require_whole("before its spectrum is taken");
@@ -84,7 +81,7 @@ struct ShellGrid {
         const T x = unit_x / width * k, y = unit_y / width * l;  // squares stay within the range of numbers
         return width * std::sqrt(x * x + y * y);
     }
-    /// Half way between two shells the outer one, whatever the rounding: sides of 3:2 have such waves.
+    /// Shell of a wave: halfway between two shells the outer one, despite rounding; sides of 3:2 have such waves.
     [[nodiscard]] std::size_t shell_of(T q) const {
         return static_cast<std::size_t>(q / width * (1 + 16 * std::numeric_limits<T>::epsilon()) + T(0.5));
     }
@@ -92,8 +89,8 @@ struct ShellGrid {
 
 }  // namespace detail
 
-/// The spectrum of \p map about its mean. Shells without any wave are left out.
-/// \throws domain_error for missing points and what HeightMap::validate says.
+/// Spectrum of \p map about its mean. Shells without a wave are left out.
+/// \throws domain_error for missing points, and as HeightMap::validate.
 template <Real T>
 [[nodiscard]] SpectrumShells<T> map_spectrum(const HeightMap<T>& map, Edges edges = Edges::mirrored) {
     const detail::ShellGrid<T> grid(map, edges);
@@ -127,7 +124,7 @@ struct SectionSpectrum {
     T step{};                   ///< [rad/m]
     bool halved{};              ///< whether the last value counts half in an integral: the number of points is even
 
-    /// int C dq [m^2].
+    /// Integral of C dq [m^2].
     [[nodiscard]] T integral() const {
         T sum = 0;
         for (std::size_t k = 0; k < value.size(); ++k) sum += halved && k + 1 == value.size() ? value[k] / 2 : value[k];
@@ -137,7 +134,7 @@ struct SectionSpectrum {
 
 }  // namespace detail
 
-/// The power spectrum of a map over all directions, and of its sections.
+/// Power spectrum of a map over all directions, and of its sections.
 template <Real T = double>
 struct RadialSpectrum {
     std::vector<T> wavenumber;       ///< mean |q| of a shell [rad/m]
@@ -167,14 +164,14 @@ template <Real T>
 
 }  // namespace detail
 
-/// The spectra of \p map about its mean. \throws domain_error for missing points and what HeightMap::validate says.
+/// Spectra of \p map about its mean. \throws domain_error for missing points, and as HeightMap::validate.
 template <Real T>
 [[nodiscard]] RadialSpectrum<T> radial_spectrum(const HeightMap<T>& map, SpectrumWindow window = SpectrumWindow::hann) {
     using Index = Eigen::Index;
     const detail::ShellGrid<T> grid(map);
     const Index rows = map.rows(), columns = map.columns();
     const T end = (std::min)(grid.unit_x * T(columns), grid.unit_y * T(rows)) / 2;
-    const std::size_t shells = grid.shell_of(end);  // those behind hold no more than a part of their waves
+    const std::size_t shells = grid.shell_of(end);  // later ones contain only a part of their waves
     std::vector<T> power(shells + 1), lengths(shells + 1);
     std::vector<std::size_t> waves(shells + 1);
     const auto section = [](Index points, T unit) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Spikes of a map become missing points; missing points are filled by the harmonic surface over their holes.
+/// Repair of a map: spikes become missing points; the harmonic surface fills the holes of missing points.
 ///
 ///     d = z - median of the 8 neighbours;  a spike: |d - median d| > k 1.4826 MAD(d)
-///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, level across the edges
+///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, zero slope across the edges
 ///
 /// Reference   Laplace's equation in five points; Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
 /// Units       heights [m]; k in standard deviations
 /// Valid       k > 0; maps of 3 points a side; at least one point exists
-/// Accuracy    fill 1e-10 of the range of harmonic heights; k = 5 takes less than 1e-4 of Gaussian roughness
+/// Accuracy    fill 1e-10 of the range of harmonic heights; k = 5 removes less than 1e-4 of Gaussian roughness
 ///             (tests/topography/repair_test.cpp)
 
 #include <fstiff/math/tukey.hpp>
@@ -19,7 +19,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// How many spikes \p map holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
+/// Number of spikes of \p map beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
 math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);
@@ -60,7 +60,7 @@ void visit_sides(const HeightMap<T>& map, Eigen::Index at, const Visit& visit) {
     if (j + 1 < map.rows()) visit(at + columns, across);
 }
 
-/// The missing points of a map, hole by hole.
+/// Missing points of a map, hole by hole.
 template <Real T>
 struct Holes {
     std::vector<int> number;           ///< of each point in `points`; -1: it exists

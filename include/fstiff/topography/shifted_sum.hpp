@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Sum of the heights of two measured faces, the lower one shifted along x and y: the gap of two rough faces.
+/// Sum of the heights of two measured faces, the lower one shifted along x and y: the roughness of both faces as one.
 ///
 ///     z(j, i) = z_upper(j, i) + z_lower(m(j + rows), m(i + columns)),   m mirrors an index at the edges of the map
 ///
-/// Both heights count outwards from their own body. Mirroring makes no steps, but ridges and valleys at the edges. A
+/// Both heights point outwards from their own body. Mirroring makes no steps, but ridges and valleys at the edges. A
 /// point that is missing on either face is missing in the sum.
 ///
 /// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625
 /// Units       [m]
-/// Valid       maps of one shape whose steps differ by 1e-6 of themselves at most
+/// Valid       maps of one shape whose steps differ by at most 1e-6 of themselves
 /// Accuracy    exact sums (tests/topography/shifted_sum_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -19,7 +19,7 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// Why two maps have no sum; empty where they have one.
+/// Reason why two maps have no sum; empty where they have one.
 template <Real T>
 [[nodiscard]] std::string no_sum_of(const HeightMap<T>& upper, const HeightMap<T>& lower) {
     const auto grid = [](const HeightMap<T>& map) {
@@ -32,8 +32,8 @@ template <Real T>
     return "";
 }
 
-/// \p lower is moved by \p rows and \p columns, whatever their sign and size.
-/// \throws domain_error for maps that no_sum_of() tells apart.
+/// Sum with \p lower shifted by \p rows and \p columns of any sign and size.
+/// \throws domain_error for maps for which no_sum_of() gives a reason.
 template <Real T>
 [[nodiscard]] HeightMap<T> shifted_sum(const HeightMap<T>& upper, const HeightMap<T>& lower, Eigen::Index rows,
                                        Eigen::Index columns) {
@@ -50,7 +50,7 @@ template <Real T>
     return sum;
 }
 
-/// At a random shift. \p state is that of splitmix64, and goes on: the same shifts of the same state on every platform.
+/// Sum at a random shift. \p state is that of splitmix64 and advances: the same state gives the same shifts.
 template <Real T>
 [[nodiscard]] HeightMap<T> random_sum(const HeightMap<T>& upper, const HeightMap<T>& lower, std::uint64_t& state) {
     const auto below = [&](Eigen::Index size) {

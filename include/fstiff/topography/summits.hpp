@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Summits of a map one by one: place, height and principal curvatures.
+/// Summits of a map: place, height and principal curvatures of each.
 ///
 ///     summit      higher than all its eight neighbours
 ///     curvatures  eigenvalues k1 >= k2 of -H, H the second differences of fourth order, over five points a side
 ///     top         z + g dx + (1/2) dx H dx at dx = -H^(-1) g: one Newton step, of at most one grid step along x and y
 ///
-/// A point at the border or beside a missing one is no summit, and not counted in the area. A paraboloid without a top,
-/// k2 <= 1e-3 k1, is left out: a point of a ridge.
+/// A point at the border or next to a missing one is no summit, and its area does not count. A summit with
+/// k2 <= 1e-3 k1, a paraboloid without a top, is a point of a ridge and left out.
 ///
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       heights above the mean plane and places [m], curvatures [1/m], area [m^2]
-/// Valid       maps of 3 x 3 points at least; remove the form first
+/// Valid       maps of at least 3 x 3 points; remove the form first
 /// Accuracy    rounding for a paraboloid; five points lose (8/45) (pi/samples of its wave)^4 of a curvature
 ///             (tests/topography/summits_test.cpp)
 
@@ -26,7 +26,7 @@ namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// One point of a map that is higher than its eight neighbours, as the top of a paraboloid.
+/// A point of a map that is higher than its eight neighbours, as the top of a paraboloid.
 template <Real T = double>
 struct Summit {
     T height;                        ///< of the top above the mean of the map [m]
@@ -48,20 +48,20 @@ struct Summits {
     T area{};                               ///< of the points that can be summits [m^2]
     T width{}, height{};                    ///< of the map [m]
     T rms_height{};                         ///< of the map [m]
-    T dx{}, dy{};            ///< steps of the map [m]: its edges are half a step outside of the outer points
-    std::size_t ridges = 0;  ///< points above their neighbours whose paraboloid has no top
+    T dx{}, dy{};                           ///< steps of the map [m]: its edges are half a step beyond the outer points
+    std::size_t ridges = 0;                 ///< points above their neighbours whose paraboloid has no top
 };
 
 namespace parts {
 
-/// Height, gradient and second derivatives at one point; steps along x and y are 1.
+/// Height, gradient and second derivatives at one point, for steps of 1 along x and y.
 template <Real T>
 struct PointShape {
     T z, z_x, z_y, z_xx, z_yy, z_xy;
 };
 
 /// Differences of fourth order over the 5 x 5 points about (\p j, \p i), of second order over 3 x 3 next to an edge or
-/// a missing point; over the height there.
+/// a missing point; heights are relative to the one at this point.
 template <Real T, class Heights>
 [[nodiscard]] PointShape<T> shape_by_differences(const Heights& z, Eigen::Index j, Eigen::Index i) {
     const auto at = [&](Eigen::Index down, Eigen::Index right) {
@@ -80,8 +80,8 @@ template <Real T, class Heights>
     return {T(0), odd(along_x), odd(along_y), even(along_x), even(along_y), odd(slope_x)};
 }
 
-/// The top of the paraboloid of \p shape: height, curvatures and place in m, with the steps \p dx and \p dy [m], at
-/// most \p reach grid steps away. Curvatures of both signs: there is no top.
+/// Top of the paraboloid of \p shape: height, curvatures and place in m, with the steps \p dx and \p dy [m], at most
+/// \p reach grid steps away. There is no top for curvatures of both signs.
 template <Real T>
 [[nodiscard]] Summit<T> top_of(const PointShape<T>& shape, T dx, T dy, T reach) {
     const auto& [z, z_x, z_y, z_xx, z_yy, z_xy] = shape;
@@ -97,7 +97,7 @@ template <Real T>
     return {z + rise, max_curvature, min_curvature, right * dx, down * dy};
 }
 
-/// Least k2/k1 of a summit.
+/// Minimum k2/k1 of a summit.
 template <Real T>
 inline constexpr T min_curvature_ratio = T(1e-3);
 
@@ -137,8 +137,8 @@ template <Real T>
 
 namespace parts {
 
-/// Another map of the same surface, as far as this one tells: \p tiles by \p tiles of it, drawn with replacement. \p
-/// state is that of splitmix64, and goes on.
+/// Random summits of another map of the same surface: \p tiles by \p tiles of this map, drawn with replacement.
+/// \p state is that of splitmix64 and advances.
 template <Real T>
 [[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, std::uint64_t& state) {
     std::vector<std::size_t> times(tiles * tiles, 0);
