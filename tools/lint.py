@@ -32,7 +32,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, and of folders.
 FILE_LINES, FUNCTION_LINES = 400, 60
-TOTALS = {"include": 27100, "src without io": 23590, "tools": 3560}
+TOTALS = {"include": 27100, "src without io": 23590, "tools": 3600}
 
 
 def read(path):
