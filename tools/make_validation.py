@@ -133,7 +133,7 @@ def statistics_alone(rows, groups):
 
     with_shape = [name for law in TRACES for name in (law, law + ", shape")]
     lines = ["`hybrid` of statistics alone: share of the points within 15 %, within 25 % of boundary elements, all seeds. The moments are σ, g "
-             "and alpha of the map; with them nothing, skewness and kurtosis, Sk, Spk, Svk, Smr1, Smr2, or all heights.", ""]
+             "and alpha of the map: alone, or with skewness and kurtosis, Sk, Spk, Svk, Smr1, Smr2, or all heights.", ""]
     lines += table(["class", "moments", "and skewness, kurtosis", "and Sk to Smr2", "and the bearing curve"],
                    [[group] + [of(law, [group]) for law in STATISTICS] for group in groups])
     lines += ["The same of traces, 256 points of 8 to 16 waves each (across the lay of machined maps): by their moments, then with their "

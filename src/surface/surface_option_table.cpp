@@ -72,7 +72,7 @@ constexpr SurfaceOptionRow rows[] = {
     {"window", estimate, &Of::window, always,
      "shortest and longest lag that give D, such as \"1 um,100 um\"; the default is chosen automatically"},
     {"missing", file, &Of::missing, if_not_default,
-     "number or word that stands for missing points of a text or .npy, such as -9999; none: every number is a "
+     "number or word that marks missing points of a text or .npy, such as -9999; none: every number is a "
      "height",
      {.form = TextForm::or_number}},
     {"resample", file_of_profile, &Of::resample, if_not_default,

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""tools/lint.py on small trees: it accepts a good one, and names what is wrong with each bad one.
+"""tools/lint.py and tests/check/links.py on small trees: they accept a good one, and name what is wrong with each bad one.
 
     tests/check/lint_refuse.py --compiler g++"""
 import argparse
@@ -13,8 +13,9 @@ import tempfile
 
 sys.dont_write_bytecode = True
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
-sys.path.insert(0, str(TOOLS))
+sys.path[:0] = [str(TOOLS), str(TOOLS.parent / "tests/check")]
 import lint  # noqa: E402
+import links  # noqa: E402
 
 lint.API_NAMES = 4
 lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
@@ -217,6 +218,15 @@ SNIPPETS = [
     ("", "```cpp\n#include <only_here>\n```\n"),
     ("a block is not closed", "```cpp\nint main() {}\n"),
 ]
+LINKS = [
+    ("", "docs/a.md", "# A, `b` (c)\n## A [b](a.md)\n## A b\n```\n# No\n[](none.md)\n```\n[](#a-b-c) [](a.md#a-b) [x](#a-b-1) `[](none.md)`\n"
+         "[x](https://none) [x](../src/io/text.hpp#L1) ![](../src)\n"),
+    ("docs/a.md:2: none.md: there is no such file", "docs/a.md", "# A\n[](none.md)\n"),
+    ("docs/a.md:1: #b: there is no such heading", "docs/a.md", "[](#b)\n# A\n"),
+    ("README.md:1: docs/a.md#no: there is no such heading", "docs/a.md", "# A\n```\n# No\n```\n", "README.md", "[x][1] [y](docs/a.md#no)\n"),
+    ("../../some: there is no such file", "docs/a.md", "[x](../../some)\n", "../some", "\n"),
+    ("../src/io/text.hpp#x: only headings", "docs/a.md", "[x](../src/io/text.hpp#x)\n"),
+]
 
 
 def complaints(run):
@@ -323,6 +333,7 @@ def main():
     on_trees(lint.sizes, SIZES)
     on_trees(lint.words, PROSE)
     on_trees(lint.api, APIS)
+    on_trees(links.problems, LINKS)
     on_documents(options.compiler, options.flags, options.eigen)
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
