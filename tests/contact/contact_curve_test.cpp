@@ -91,7 +91,7 @@ TEST_CASE("A point that the model does not reach leaves the others alone") {
     CHECK(sunk[0].reason.starts_with("eta_new = "));
 }
 
-TEST_CASE("What is no pressure or separation is refused before anything is computed") {
+TEST_CASE("What is not a pressure or separation is refused before anything is computed") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const RoughContact contact(fine, peaks, HertzLaw<double>{}, 112.6e9);
     for (const double bad : {0.0, -1.0, nan, inf})

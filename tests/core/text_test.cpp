@@ -141,7 +141,7 @@ TEST_CASE("reading is rounded once and takes no more than the number", "[text]")
     CHECK(hexadecimal<double>("ap1").value == 20);
 }
 
-TEST_CASE("what is no number is not read", "[text]") {
+TEST_CASE("what is not a number is not read", "[text]") {
     for (const std::string text : {"", " 1", "+1", "-", ".", "-.", "e5", "inf", "nan", "-inf", "INF", ",5", "um"}) {
         INFO(text);
         const auto read = decimal<double>(text);

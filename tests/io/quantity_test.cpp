@@ -78,7 +78,7 @@ TEST_CASE("A number without a unit is refused with the units that it may have") 
     CHECK(refusal.find("m, mm, um, nm") != std::string::npos);
 }
 
-TEST_CASE("What is no finite number with a unit of the dimension is refused by name, value and units") {
+TEST_CASE("What is not a finite number with a unit of the dimension is refused by name, value and units") {
     for (const std::string text :
          {"", " ", "um", "inf um", "nan um", "-inf um", "0x10 um", "1,5 um", "1e400 um", "1e308 km", "1e-400 um",
           "1 um 2", "1 GPa", "- 1 um", "--1 um", "+-1 um", ". um", "1e um", "1..2 um"}) {

@@ -71,7 +71,7 @@ TEST_CASE("A map that is written reads back bit for bit, as a matrix and as trip
     check_bits(map.heights, back.map().heights);
 }
 
-TEST_CASE("What is no profile or map is not written") {
+TEST_CASE("What is not a profile or map is not written") {
     std::ostringstream output;
     CHECK(!test::refusal([&] { io::write_csv(output, Profile<double>{{1, 2}, 1e-6}); }).empty());
     HeightMap<double> map;

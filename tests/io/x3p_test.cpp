@@ -227,7 +227,7 @@ TEST_CASE("An increment beside heights of floating point is said, and may be ign
                   .record.warnings.empty());
 }
 
-TEST_CASE("An archive that is no X3P file is called what it is") {
+TEST_CASE("An archive that is not an X3P file is called what it is") {
     CHECK(refusal(zipped({{"xl/workbook.xml", "x"}})).find("Excel workbook (.xlsx)") != std::string::npos);
     CHECK(refusal(zipped({{"LAYER_0.raw", "x"}, {"index.xml", "x"}})).find("Sensofar") != std::string::npos);
     CHECK(refusal(zipped({{"heights.npy", "x"}})).find("NumPy") != std::string::npos);

@@ -146,7 +146,7 @@ TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", FSTIFF_TEST_SCALARS_
     }
 }
 
-TEST_CASE("F_a is finite at the ends and refuses what is no number") {
+TEST_CASE("F_a is finite at the ends and refuses what is not a number") {
     CHECK(gaussian_moment(0.5, 1e300) == 0);
     CHECK(test::ulps(gaussian_moment(0.0, -1e300), std::sqrt(2 * std::numbers::pi)) <= 2);
     CHECK(std::isfinite(gaussian_moment(0.5, -1e300)));
