@@ -108,10 +108,10 @@ def main():
             continue
         middle, low, high = (math.exp(x) for x in (statistics.median(logs[name]), *ends))
         out[name] = {"ratio": middle, "low": low, "high": high, "rounds": len(logs[name])}
-        verdict = "SLOWER" if low > 1 + options.threshold else "faster" if high < 1 / (1 + options.threshold) else ""
-        if verdict == "SLOWER":
+        change = "SLOWER" if low > 1 + options.threshold else "faster" if high < 1 / (1 + options.threshold) else ""
+        if change == "SLOWER":
             slower.append(name)
-        print(f"{name:{width}}  {middle:7.3f}   {low:.3f} to {high:.3f}  {verdict}".rstrip())
+        print(f"{name:{width}}  {middle:7.3f}   {low:.3f} to {high:.3f}  {change}".rstrip())
     if options.json:
         with open(options.json, "w") as file:
             json.dump(out, file, indent=1)

@@ -28,7 +28,7 @@ const Friction& rough() {
     return kept;
 }
 
-/// A slip, and one back of it. Partial slip is a difference of two pressures, which those of law_points() tell.
+/// A slip, and one back of it. Partial slip is a difference of two pressures, which those of law_points() give.
 struct Slip {
     double separation, pressure, forth, back, traction, traction_back;
     template <int Directions>

@@ -20,7 +20,7 @@ const Rows rows_of_kernel([] {
     law_rows<Axis::even, HertzByUser>("hertz", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
     law_rows<Axis::even, GradualYield>("gradual_yield", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
     law_rows<Axis::graded, ElasticPlastic>("elastic_plastic", {1e-3, 1e-6, 1e-9, 1e-10, 1e-12}, 1);
-    // not told where the kink is: the error is what the nodes allowed by default leave, and is admitted
+    // not given the place of the kink: the error is what the nodes allowed by default leave, and is admitted
     law_rows<Axis::rough, ElasticPlastic>("elastic_plastic_untold", {1e-3, 1e-6}, 1000);
 });
 

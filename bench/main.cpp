@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The benchmark program: bench/README.md says what the rows mean.
+// The benchmark program: bench/README.md describes the rows.
 #include "row.hpp"
 
 int main(int argc, char** argv) {

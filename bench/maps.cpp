@@ -2,10 +2,10 @@
 // Maps of many kinds, for the second table of docs/validation.md, as CSV.
 //
 //     fstiff_maps truth FIRST LAST                    K by boundary elements for seeds FIRST to LAST of every kind
-//     fstiff_maps laws bench/map_truth.csv [EVERY]    K of laws over it; EVERY: of each so many maps one, to check a file
+//     fstiff_maps laws bench/map_truth.csv [EVERY]    K of laws over it; EVERY: one map of so many, to check a file
 //     fstiff_maps list                                KIND;GROUP of every kind, those of docs/accuracy.md too
 //     fstiff_maps one KIND SEED SIZE P_STAR...        K by boundary elements of one map; SIZE 4: 1,024 points a side
-//     fstiff_maps flowed KIND SEED HARDNESS SHARE...  the same of unloading, HARDNESS H/(E g) and SHARE p/H
+//     fstiff_maps flowed KIND SEED HARDNESS SHARE...  the same for unloading, HARDNESS H/(E g) and SHARE p/H
 //     fstiff_maps file KIND SEED SIZE FILE.gsf        the map, with steps of 0.5 um
 #include "support/map_kinds.hpp"
 

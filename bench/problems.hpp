@@ -52,7 +52,7 @@ inline const std::vector<Problem>& problems(const std::string& grid) {
 /// What a method returns for a problem: values and error estimates in the order of Problem::truth, and its cost.
 struct Values {
     std::array<double, 4> value{};
-    std::array<double, 4> error{};  ///< infinity: the method does not say
+    std::array<double, 4> error{};  ///< infinity: the method gives none
     long evaluations = 0;           ///< of the integrand
 };
 inline constexpr std::array<double, 4> no_estimate{
@@ -65,7 +65,7 @@ struct Accuracy {
     double evaluations = 0;          ///< mean per problem
     long values = 0;
     long wrong = 0;            ///< values off by more than 1e-6
-    long beyond_estimate = 0;  ///< values further from the truth than the method said, and than 4 ulp
+    long beyond_estimate = 0;  ///< values further from the truth than the estimate of the method, and than 4 ulp
 };
 
 class AccuracyCollector {

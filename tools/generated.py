@@ -116,7 +116,7 @@ def legendre(points, tolerance, number=float, cosine=lambda share: math.cos(math
 
 
 def table(head, lines):
-    """Lines of a table of Markdown whose numbers stand at the right."""
+    """Lines of a table of Markdown with right-aligned numbers."""
     return ["| " + " | ".join(line) + " |" for line in (head, ["---"] + ["---:"] * (len(head) - 1), *lines)] + [""]
 
 

@@ -198,7 +198,7 @@ def missing_files(root):
 
 
 def glossary(root):
-    """Every row has a word and a sentence; every name stands in the code of a header, Owner::name in the type Owner."""
+    """Every row has a word and a sentence; every name is in the code of a header, Owner::name in the type Owner."""
     code = "\n".join(re.sub(r'"[^"\n]*"', "", re.sub("//.*", "", read(path)))
                      for path in sorted((root / "include/fstiff").rglob("*.hpp")))
 
@@ -226,7 +226,7 @@ def glossary(root):
         for name in re.findall("`([^`]*)`", names):
             count += 1
             if not (parts := re.fullmatch(r"(?:(\w+)::)?(\w+)", name)):
-                problems.append(f"'{word}': `{name}` is no name, nor Owner::name")
+                problems.append(f"'{word}': `{name}` is not a name, nor Owner::name")
             elif not exists(*parts.groups()):
                 problems.append(f"'{word}': `{name}` does not exist in include/fstiff")
     print(f"{len(words)} words, {count} names of the code")
@@ -384,7 +384,7 @@ def api(root, update=False):
 
 
 def same(expected, actual):
-    """Whether actual is what a document shows; a line "..." stands for any lines, " ..." for the rest of a line."""
+    """Whether actual is what a document shows; a line "..." matches any lines, " ..." for the rest of a line."""
     def lines(text):
         return [line.rstrip() for line in text.strip().split("\n")]
     pattern = "".join(r"(?:.*\n)*?" if line == "..." else

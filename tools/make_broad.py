@@ -7,7 +7,7 @@
                                                                   a stiffness differs by more than 1e-3
 
 A map is (Hurst exponent, wave number of the roll-off, waves below it, cut-off, points a side, seed); wave numbers count waves a side.
-The shortest wave has four points; of two maps also eight, on a grid twice as fine, which says what the grid costs.
+The shortest wave has four points; of two maps also eight, on a grid twice as fine, which gives the error of the grid.
 """
 import csv
 import pathlib

@@ -17,7 +17,7 @@ the type, and once more to 3e-5). A coefficient is printed with as many digits a
 the largest relative error, over all pieces and powers, of the first n terms alone.
 
 Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check compares with the files instead of writing them
-(without mpmath it says SKIPPED).
+(without mpmath it prints SKIPPED).
 """
 import pathlib
 import sys

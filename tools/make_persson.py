@@ -9,7 +9,7 @@
     tools/make_persson.py               writes the table anew, 17 digits
     tools/make_persson.py --check       compares all rows to 1e-16; writes nothing
 
-Needs mpmath; without it --check says SKIPPED.
+Needs mpmath; without it --check prints SKIPPED.
 """
 import csv
 import pathlib

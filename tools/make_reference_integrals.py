@@ -15,7 +15,7 @@ Each is accepted where the two differ by less than 1e-31 of the integral (1e-21 
     tools/make_reference_integrals.py --check [ROWS]        compares that many integrals, by default 40, and all of G_n, to 20
                                                             digits; writes nothing
 
-Needs mpmath; without it --check says SKIPPED. Inputs are read as the exact doubles that the tables print.
+Needs mpmath; without it --check prints SKIPPED. Inputs are read as the exact doubles that the tables print.
 """
 import csv
 import pathlib
@@ -75,7 +75,7 @@ def integrals(r, theta, eta, agree):
         return total
 
     # from 0 to where exp(-t^2/2), or for eta > 0 what is left of exp((eta^2 - t^2)/2), is below 1e-40; marks where something
-    # narrow may stand: the layer of width 1/k at 0, the Gaussian of mean r eta and width c, where F_a turns on
+    # narrow may be: the layer of width 1/k at 0, the Gaussian of mean r eta and width c, where F_a turns on
     end = sqrt(max(eta, mpf(0)) ** 2 + 190)
     marks = {mpf(0), end, mpf(1), mpf(4), 1 / k, 5 / k, c, 5 * c}
     for n in (-13, -4, 0, 4, 13):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes tests/data/roughness_reference.csv: roughness parameters, spectra and autocorrelations by numpy and scipy, of the maps in
-tests/data, of rows of them, of both with points missing, and of measured files. Nothing of fstiff is used.
+tests/data, of rows of them, of both with points missing, and of measured files. fstiff is not used.
 
     tools/make_roughness_reference.py [FOLDER]             writes the table; FOLDER holds the measured files
     tools/make_roughness_reference.py --check [FOLDER]     compares to 1e-9 (a density of 1e-12 of the greatest keeps 1e-16/1e-6 of its amplitude through an FFT); rows of files that are not there are left out
@@ -9,7 +9,7 @@ tests/data, of rows of them, of both with points missing, and of measured files.
     ISO 21920-2:2021, ISO 25178-2:2021; Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001 (spectra, whose
     C_1D/pi and C_2D/(2 pi)^2 are the ones here)
 
-Made with numpy 2.4.6 and scipy 1.17.1. Needs both; without them --check says SKIPPED. Lengths are in metres.
+Made with numpy 2.4.6 and scipy 1.17.1. Needs both; without them --check prints SKIPPED. Lengths are in metres.
 """
 import csv
 import io
@@ -144,7 +144,8 @@ def material(z, letter):
 
 def fast_size(points):
     """The least multiple of 4 without a prime factor above 5: the length to which profiles are padded."""
-    return next(size for size in range((points + 3) // 4 * 4, 2 * points, 4) if scipy.fft.next_fast_len(size, real=True) == size)
+    sizes = range((points + 3) // 4 * 4, 2 * points, 4)
+    return next(size for size in sizes if scipy.fft.next_fast_len(size, real=True) == size)
 
 
 def profile(z, h, _, cutoff=None):

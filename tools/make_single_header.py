@@ -4,8 +4,8 @@
 With --io fstiff_io.cpp, the readers and writers of files too: one source to compile with the program, which includes fstiff.hpp.
 
 HEADER is a name as in an include, fstiff/contact/rough_contact.hpp; without one, fstiff/fstiff.hpp and fstiff/io.hpp. The includes
-are followed depth first, each header is written once, where the first include of it stood, and so is each header of Eigen and of
-the standard library. One licence line stands on top. Eigen and C++20 are needed as by the headers apart. The one source reads
+are followed depth first, each header is written once, at the place of its first include, and so is each header of Eigen and of
+the standard library. One licence line is on top. Eigen and C++20 are needed as by the headers apart. The one source reads
 neither X3P nor compressed files of Digital Surf, which need other libraries.
 """
 import argparse
@@ -30,7 +30,7 @@ class Amalgamation:
         self.headers = 0
 
     def add(self, name):
-        """Adds the header, its own includes first where they stand. Raises ValueError for what cannot be put into one file."""
+        """Adds the header, its own includes first at their places. Raises ValueError for what cannot be put into one file."""
         if name in self.seen:
             return
         self.seen.add(name)

@@ -164,7 +164,7 @@ def text(value, form="<I"):
 
 
 def sized(content):
-    """Behind the length of its length, and its length."""
+    """The text after the length of its length, and its length."""
     return b"\2" + text(content, "<H")
 
 

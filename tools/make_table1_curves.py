@@ -12,13 +12,13 @@ tools/make_reference_integrals.py, the surfaces from Table 1 of the paper, and b
     tools/make_table1_curves.py                    writes the values anew: eta by Newton's method, 12 digits
     tools/make_table1_curves.py --check [ROWS]     compares that many rows, by default 4, to 1e-10; writes nothing
 
-Needs mpmath; without it --check says SKIPPED.
+Needs mpmath; without it --check prints SKIPPED.
 """
 import csv
 import random
 import sys
 
-import make_reference_integrals as reference  # says SKIPPED, and ends, without mpmath
+import make_reference_integrals as reference  # prints SKIPPED, and ends, without mpmath
 from mpmath import mp, mpf, pi, sqrt
 
 TABLE = reference.DATA / "table1_curves.csv"

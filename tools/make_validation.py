@@ -219,7 +219,7 @@ def main():
         printed = printed_by(options.program)
         if len(printed) != len(families) or differs(families, printed, ("law", "family", "p_star"), 1.5e-4):
             sys.exit("bench/validation.csv is not what fstiff_validation prints")
-    # summits push each other down to 1e-6, and where a pressure hangs on that, K does a little
+    # summits push each other down to 1e-6, and where a pressure depends on that, K does a little
     if options.maps and differs(maps, printed_by(options.maps, "laws", TRUTH, "25"), ("law", "kind", "seed", "p_star"), 2e-3):
         sys.exit("bench/map_validation.csv is not what fstiff_maps laws prints")
     document = between_markers(DOCUMENT, validation=of_families(families), maps=of_maps(maps))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The constants of include/fstiff/contact/peak_nodes.hpp: where they come from, and whether they do what it says.
+"""The constants of include/fstiff/contact/peak_nodes.hpp: their source, and a check of its claims.
 
     J = sum over j of step t'(j step) f(t(j step)),   f(t) = t^b erf(k t) exp(-t^2/2) F_a((eta - r t)/c),   c^2 = 1 - r^2,
     (a, b) = (0, 0), (1/2, -1/2), (3/2, -1/2), (1, -1),   k = tan(theta)/sqrt 2
@@ -26,7 +26,7 @@ that the constant may have there. (For LAYER into the inverse: the less, the bol
     map --check   checks the header's statement on a finer grid, that one node fewer does not do, and that the truth is one
     steps         prints the values needed, and compares them with the header
 
-Needs nothing but Python; uses nothing of the library.
+Needs nothing but Python; does not use the library.
 """
 import argparse
 import math

@@ -7,7 +7,7 @@
 // A row holds the evaluations of the integrand summed over its problems (may not rise by more than 0.2 %, which leaves
 // room for a node at the very end of a window that another rounding lets in), the largest relative error (may not
 // exceed four times the baseline plus 4 ulp: rounding differs between processors and compilers), the values that are
-// further from the truth than their error estimate says, and the heap allocations of all calls (neither may rise).
+// further from the truth than their error estimate, and the heap allocations of all calls (neither may rise).
 #include "support/allocations.hpp"
 
 #include "../methods.hpp"
@@ -163,7 +163,7 @@ std::map<std::string, Row> read(const std::string& path) {
     std::ifstream file(path);
     std::string line;
     if (!file || !std::getline(file, line) || line != header)
-        throw std::runtime_error(path + " is no baseline: its first line must be " + header);
+        throw std::runtime_error(path + " is not a baseline: its first line must be " + header);
     std::map<std::string, Row> out;
     while (std::getline(file, line)) {
         Row row;

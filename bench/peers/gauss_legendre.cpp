@@ -190,8 +190,7 @@ Values tuned(const Problem& p, double depth, double column_depth) {
 /// As many nodes as the problem needs for 1e-12 on the plain grid, in both directions.
 Values tuned_to_problem(const Problem& p) {
     constexpr double depth = 31.6, column_depth = 31.1;
-    const bool far =
-        p.r * p.r * p.eta * p.eta > 1.3 * (1 - p.r * p.r) && p.eta > 0;  // the Gaussian stands clear of t = 0
+    const bool far = p.r * p.r * p.eta * p.eta > 1.3 * (1 - p.r * p.r) && p.eta > 0;  // the Gaussian is clear of t = 0
     return far ? tuned<40, 0>(p, depth, column_depth) : tuned<32, 0>(p, depth, column_depth);
 }
 

@@ -3,7 +3,8 @@
 // What every peer in two dimensions is given: the substitutions t = s^2 and zeta = eta + c w^2, which remove the branch
 // points, and a box that moves with the Gaussian, so that no method wastes its nodes on zeros.
 //
-//     J[a,b] = c^a/(2 theta) int 2 s^(2b+1) erf(k s^2) int 2 w^(2a+1) exp(-(w^2 + x)^2/2 - s^4/2) dw ds,  x = (eta - r s^2)/c
+//     J[a,b] = c^a/(2 theta) int 2 s^(2b+1) erf(k s^2) int 2 w^(2a+1) exp(-(w^2 + x)^2/2 - s^4/2) dw ds
+//     x = (eta - r s^2)/c
 #include "../problems.hpp"
 
 namespace bench {

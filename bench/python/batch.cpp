@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C++ side of batch.py: the same law and the same contact, on the same pressures.
 //
-//     batch LAW PRESSURES OUT      doubles of the file PRESSURES; K of both goes to OUT, the least seconds of the batches to stdout
+//     batch LAW PRESSURES OUT      doubles of the file PRESSURES; K of both goes to OUT, the least seconds to stdout
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>

@@ -34,7 +34,7 @@ Law tabulated_law() {
                          {.min_pressure = 1e4, .max_pressure = 1e9, .outside = fstiff::OutsideRange::extrapolate});
 }
 
-/// Of small oscillations about the preload [Hz].
+/// Frequency of small oscillations about the preload [Hz].
 double frequency(const Law& law, double preload) {
     const double stiffness = law.slope_at_separation(law.separation(preload / area)) * area + bolt_stiffness;
     return std::sqrt(stiffness / mass) / (2 * std::numbers::pi);

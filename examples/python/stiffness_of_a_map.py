@@ -38,7 +38,7 @@ curves = fstiff.run(scene, surface=measured)
 for row in curves.answer.rows[::5]:
     K, low, high = (row[f"stiffness{end}_Pa_per_m"] for end in ("", "_p05", "_p95"))
     print(f"{row['pressure_Pa'] / 1e6:3.0f} MPa: K {K:.2e} Pa/m ({low:.2e} to {high:.2e}) by {row['law']}")
-print(curves.answer.verdict[0])
+print(curves.answer.explanation[0])
 
 # %% The truth at a few pressures: the elastic contact of the map itself, by boundary elements.
 truth = fstiff.truth(heights, [10e6, 30e6, 100e6, 300e6], effective_modulus=curves.effective_modulus, spacing=step, lambda_s="none")

@@ -62,7 +62,7 @@ def check_snakemake(fstiff, work):
     )
     check_same(work / "all.jsonl", serial(fstiff, work / "grid.toml", work / "serial.jsonl"), "snakemake")
     if b"<svg" not in (work / "k.svg").read_bytes():
-        sys.exit("snakemake: k.svg is no picture")
+        sys.exit("snakemake: k.svg is not a picture")
 
 
 def check_dask(fstiff, work, python):

@@ -9,7 +9,7 @@
     curves = fstiff.run("scene.toml")                           # the columns of `fstiff run --format csv`
 
 Every number is in SI units: m, Pa, Pa/m, rad. A length may be a text with its unit too, such as "0.5 um". What is wrong with
-an argument is said in one sentence by a ValueError; FileError, a ValueError and an OSError, is of files.
+an argument is a ValueError with one sentence; FileError, a ValueError and an OSError, is for files.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def law_names() -> list[str]:
-    """The laws that a contact can have, such as "hertz" and "hybrid"; docs/scene.md says what each of them is."""
+    """The laws that a contact can have, such as "hertz" and "hybrid"; docs/scene.md describes each of them."""
     return _core.law_names()
 
 
@@ -44,7 +44,7 @@ def numbers(values: npt.ArrayLike, name: str) -> Numbers:
 class Points(Table["Numbers"]):
     """The states of a contact: a mapping from the column names of `fstiff run --format csv` to arrays, in SI units.
 
-    A point at which the model has no state is NaN in every column; `reasons` says why, by the index of the point.
+    A point at which the model has no state is NaN in every column; `reasons` has the reason, by the index of the point.
     """
 
     def __init__(self, columns: dict[str, Numbers], reasons: dict[int, str], law: str) -> None:
@@ -117,11 +117,11 @@ class Contact:
     peak_radius         R, mean radius of the peaks [m]
     peak_density        D_p, peaks per area [1/m^2]
     r, theta            of the joint distribution of heights and curvatures [1, rad]; both must be given for a law that
-                        takes it, and r = 0 says that heights and curvatures are independent
+                        takes it, and r = 0 means that heights and curvatures are independent
     fractal_dimension   D of a profile, 1 to 2, for the fractal laws
     rms_gradient, max_peak_height   of the surface [1, m]; None where not known
     skewness, kurtosis  of the heights, which the hybrid law takes; both or none, kurtosis 3 of Gaussian heights
-    poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws, which say what they need
+    poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws, which name what they need
     interaction         "none", "effective_separation" or "as_printed", over interaction_length [m]
 
     A number that is wrong or missing raises ValueError. Threads may share a contact; evaluations do not hold the GIL.
@@ -173,7 +173,7 @@ class Contact:
         }
         known = [name for name, value in of_surface.items() if value is not None]
         if surface is not None and known:
-            raise ValueError(f"{known[0]}: must not stand beside surface, which has it")
+            raise ValueError(f"{known[0]}: must not be given with surface, which has it")
         missing = [name for name in ("rms_height", "peak_radius", "peak_density") if name not in known]
         if surface is None and missing:
             raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface")

@@ -83,7 +83,7 @@ def identify(
     scene      a Scene, or what Scene() takes with `surface`
     measured   a file, or a mapping with the columns "pressure" [Pa], "stiffness" [Pa/m] or "reflection", and "error" if known
     fit        names of parameters, such as ["sigma", "Dp"] or, of hybrid, ["sigma", "g"]; the others keep their values
-    law        law to fit; by default contact.laws, or where it is not there plastic if the peaks flow, else hybrid
+    law        law to fit; by default contact.laws; without it plastic if the peaks yield, else hybrid
     wave       the kind of wave whose reflections were measured
     """
     if isinstance(fit, str):
@@ -115,7 +115,7 @@ def ultrasound(
     reflection_error   standard error of |R|, where no curve has its own
     frequency          [Hz]
     impedance          of the body that the wave comes from [kg/(m^2 s)]; or its density [kg/m^3] and velocity of sound [m/s]
-    impedance2 ...     of the body beyond; the same where nothing of it is given
+    impedance2 ...     of the body beyond; by default those of the first body
     """
     own = {"stiffness": stiffness, "reflection_error": reflection_error, "frequency": frequency, "impedance": impedance}
     own |= {"density": density, "velocity": velocity, "impedance2": impedance2, "density2": density2, "velocity2": velocity2}

@@ -24,11 +24,11 @@ class Answer(Table["npt.NDArray[Any]"]):
     """The answer of a scene: a mapping from the keys of `answer` in `fstiff run --format json` to arrays, a pressure each.
 
     "pressure_Pa", "stiffness_Pa_per_m", the ends of its 90 % band "stiffness_p05_Pa_per_m" and "stiffness_p95_Pa_per_m", "law";
-    "stiffness_N_per_m" where the scene has an area, "loading_stiffness_Pa_per_m" where peaks flow. What a row has not is NaN.
+    "stiffness_N_per_m" where the scene has an area, "loading_stiffness_Pa_per_m" where peaks yield. Values that a row lacks are NaN.
 
     rows           the same as a list of dicts
     causes         for each pressure the share that each cause has of the band
-    verdict        at most three sentences: which stiffness it is, which law gave it, what makes its band
+    explanation    at most three sentences: which stiffness it is, which law gave it, what makes its band
     outside_band   what the band does not hold
     """
 
@@ -37,7 +37,7 @@ class Answer(Table["npt.NDArray[Any]"]):
 
         self.rows: list[dict[str, Any]] = document["answer"]
         self.causes: list[dict[str, float]] = [row["causes"] for row in self.rows]
-        self.verdict: list[str] = document["verdict"]
+        self.explanation: list[str] = document["explanation"]
         self.outside_band: str = document["outside_band"]
         keys = dict.fromkeys(key for row in self.rows for key in row if key != "causes")
         self._values = {key: np.asarray([row.get(key, np.nan) for row in self.rows]) for key in keys}
@@ -53,19 +53,19 @@ class Answer(Table["npt.NDArray[Any]"]):
             causes = sorted(row["causes"].items(), key=lambda one: -one[1])
             due = ", ".join(f"{cause} {share:.0%}" for cause, share in causes if share >= 0.1)
             rows.append([shown(row["pressure_Pa"] * 1e-6), *K, row["law"], due])
-        sentences = [*self.verdict, self.outside_band] if self.rows else ["no law answers"]
+        sentences = [*self.explanation, self.outside_band] if self.rows else ["no law answers"]
         return f"<fstiff.Answer>\n{text_table(rows)}" + "".join(f"\n{one}" for one in sentences)
 
 
 class Curves(Table["npt.NDArray[Any]"]):
     """The curves of a scene: a mapping from the column names of `fstiff run --format csv` to arrays.
 
-    The numbers are those of the CSV, digit for digit; all curves stand one below the other. `law` is an array of texts. An empty
+    The numbers are those of the CSV, digit for digit; all curves are one below the other. `law` is an array of texts. An empty
     cell of the CSV, of a quantity that the law does not give, is NaN, as pandas reads it.
 
     answer              one stiffness for each pressure, with its band, its law and its causes
     warnings            sentences on what may not hold
-    verdict             which stiffness the answer is, which law gave it, and what makes its band
+    explanation         which stiffness the answer is, which law gave it, and what makes its band
     effective_modulus   [Pa]
     doubtful            the command would have ended with exit code 4
     """
@@ -79,7 +79,7 @@ class Curves(Table["npt.NDArray[Any]"]):
         self.name = name
         self.warnings: list[str] = found["warnings"]
         self.answer = Answer(json.loads(found["document"]))
-        self.verdict = self.answer.verdict
+        self.explanation = self.answer.explanation
         self._best: bool = found["best"]
         self.effective_modulus: float = found["effective_modulus"]
         self.doubtful: bool = found["doubtful"]

@@ -95,7 +95,7 @@ def peaks(
     r, theta      correlation of heights and curvatures, and the angle of the sampling [rad], or a text such as "pi/4"
     exponential   with theta: r is that of an exponential autocorrelation
     rho1, rho2    autocorrelation at one sampling step and at two
-    heights       (from, to, count), in rms heights: where the density of the height is wanted
+    heights       (from, to, count), in rms heights: where the density of the height is computed
     """
     rest = heights if heights is None or isinstance(heights, str) else ",".join(repr(one) for one in heights)
     own = {"r": r, "theta": theta, "exponential": exponential, "rho1": rho1, "rho2": rho2, "heights": rest}

@@ -113,11 +113,11 @@ class Surface:
             if len(spacing) != 2:
                 raise ValueError("spacing: must be one length, or (dx, dy)")
             if dx is not None or dy is not None:
-                raise ValueError("spacing: must not stand beside dx or dy")
+                raise ValueError("spacing: must not be given with dx or dy")
             dx, dy = spacing
         elif spacing is not None:
             if dx is not None or dy is not None:
-                raise ValueError("spacing: must not stand beside dx or dy")
+                raise ValueError("spacing: must not be given with dx or dy")
             dx = dy = spacing
         if dx is None or (dy is None and self.heights.ndim == 2):
             raise ValueError("spacing: is missing; an array needs the distance of its points [m]")
@@ -184,7 +184,7 @@ def surface_of_topography(topography: Any, name: str) -> Surface:
 
 
 def open_surface(file: str | os.PathLike[str], channel: str | int | None = None, **options: Any) -> Surface:
-    """Opens a file of heights: what `fstiff formats` lists, and where SurfaceTopography is installed, what it reads besides.
+    """Opens a file of heights: any that `fstiff formats` lists, and the formats of SurfaceTopography where it is installed.
 
     options   of the reading, such as spacing, units and format: see SurfaceOptions
 
@@ -230,7 +230,7 @@ def _by_surface_topography(path: str, channel: str | int | None) -> Any:
         if isinstance(channel, int):
             return reader.topography(channel_index=channel)
         return reader.topography(channel_index=[one.name for one in reader.channels].index(channel))
-    except Exception:  # its readers raise whatever they met in the file; that of fstiff says more
+    except Exception:  # its readers raise whatever they met in the file; that of fstiff is clearer
         return None
 
 
@@ -332,7 +332,7 @@ class Measurement(Document):
     def __getattr__(self, name: str) -> Parameter:
         surface = self.__dict__.get("_values", {}).get("surface", {})
         if name not in surface:
-            raise AttributeError(f"{name}: is no parameter of this surface, which has {', '.join(surface)}")
+            raise AttributeError(f"{name}: is not a parameter of this surface, which has {', '.join(surface)}")
         return Parameter(surface[name]["value"], surface[name]["error"], surface[name].get("unit", ""))
 
     def to_dataframe(self) -> pd.DataFrame:
@@ -457,7 +457,7 @@ def measure(
                 several files of one surface, which are pooled
     peaks       of a map, for R and D_p: its islands (default) or its summits
     window      shortest and longest lag that give D [m]; None chooses them
-    resamples   behind the standard errors, 400 by default, drawn with `seed`
+    resamples   for the standard errors, 400 by default, drawn with `seed`
     options     see SurfaceOptions
     """
     own = {"peaks": peaks, "window": window, "resamples": resamples, "seed": seed}

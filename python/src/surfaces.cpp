@@ -101,7 +101,7 @@ Found fit(const nb::dict& options, const Heights& heights) {
     given.take("all_lags", how.all_lags);
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
-    (void)fit_options(how);  // what is wrong with them is said before the file is read
+    (void)fit_options(how);  // their errors are reported before the file is read
     SurfaceInput input = input_of(how.surface, heights);
     const auto of = [&](const auto& result) {
         return found(fractal_json(how, input, result), warnings_of(how, input, result), result.doubtful());
@@ -153,7 +153,7 @@ Found spectrum(const nb::dict& options, const Heights& heights) {
     return found(answer_of(how, input, spectrum_of(how, input)));
 }
 
-/// Of heights; by numbers, where \p heights are none.
+/// Density from heights; from numbers if there are no \p heights.
 Found peaks(const nb::dict& options, const std::optional<Heights>& heights) {
     const Given given(options);
     auto how = request_of<PeakDensityRequest>(given);

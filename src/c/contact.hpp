@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the handle of a contact holds.
+// Content of the handle of a contact.
 
 #include "c/guard.hpp"
 #include "scene/one_contact.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What commands answer to requests, as documents.
+// Answers of commands to requests, as documents.
 #include "c/guard.hpp"
 
 #include "io/number.hpp"
@@ -42,7 +42,7 @@ public:
             if (key.empty() || sign == std::string::npos)
                 throw domain_error("options: \"" + line.substr(0, 40) + "\": must be key = value");
             if (!values_.emplace(key, io::detail::trimmed(std::string_view(line).substr(sign + 1))).second)
-                throw domain_error("options: " + key + " is there twice");
+                throw domain_error("options: " + key + " is listed twice");
         }
     }
     /// Whether the option \p key is there.
@@ -70,8 +70,8 @@ public:
     /// \throws domain_error for an option that nobody has read.
     void require_known() const {
         if (!values_.empty())
-            throw domain_error("options: " + values_.begin()->first.substr(0, 40) + " is none; must be among " +
-                               known_);
+            throw domain_error("options: " + values_.begin()->first.substr(0, 40) +
+                               " is not an option; must be one of " + known_);
     }
 
 private:
@@ -121,7 +121,7 @@ private:
 SurfaceInput input_of(const SurfaceOptions& options, const fstiff_heights& from) {
     const std::size_t rows = std::max<std::size_t>(from.rows, 1);
     if (from.columns > static_cast<std::size_t>(-1) / rows)
-        throw argument_error("rows times columns: must not be longer than memory can be");
+        throw argument_error("rows times columns: must fit into memory");
     require_array(from.heights, rows * from.columns, "heights");
     if (from.rows == 0)
         return surface_of_heights(options, Profile<double>{{from.heights, from.heights + from.columns}, from.dx},
@@ -137,7 +137,7 @@ SurfaceInput input_of(const SurfaceOptions& options, const fstiff_heights& from)
 /// The heights, or the file that \p options name.
 std::optional<SurfaceInput> surface_of(SurfaceOptions& options, const fstiff_heights* heights) {
     if (!heights) return options.file.empty() ? std::nullopt : std::optional(read_surface_input(options));
-    if (!options.file.empty()) throw domain_error("file: must not be given beside heights");
+    if (!options.file.empty()) throw domain_error("file: must not be given with heights");
     options.file = "heights";
     return input_of(options, taken(heights, "heights"));
 }
@@ -176,11 +176,11 @@ std::vector<double> numbers_at(const Json& document, const std::string& path) {
         if (!document.at(place)) break;
         take(document.at(place + path.substr(star + 1)));
     }
-    if (!found) throw argument_error(path + ": is no path of the document");
+    if (!found) throw argument_error(path + ": is not a path of the document");
     return numbers;
 }
 
-/// The document \p made, of which the warnings become the message.
+/// The document \p made; its warnings become the message.
 fstiff_document* warned(fstiff_document made, const std::vector<std::string>& warnings) {
     std::string lines;
     for (const std::string& one : warnings) lines += (lines.empty() ? "" : "\n") + one;
@@ -294,7 +294,7 @@ int fstiff_document_word(const fstiff_document* document, const char* path, char
         const std::string key = &not_null(path, "path");
         const auto* found = not_null(document, "document").numbers.at(key);
         const std::string* word = found ? found->word() : nullptr;
-        if (!word) throw argument_error(key + ": is no path of a text in the document");
+        if (!word) throw argument_error(key + ": is not a path of a text in the document");
         return text_into(*word, buffer, capacity, length);
     });
 }

@@ -23,7 +23,7 @@ void require_finite(const char* name, double value) {
     require(std::abs(value) <= std::numeric_limits<double>::max(), name, value, "finite");
 }
 
-/// What the caller kept, which may be anything.
+/// Checks the state that the caller kept, which may be anything.
 State state_of(const fstiff_slip* kept, const char* name) {
     const fstiff_slip from = taken(kept, name);
     State to{.separation = from.separation, .count = from.count};

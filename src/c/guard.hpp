@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What every function of fstiff.h does: check its pointers and sizes, and turn whatever is thrown into a status.
+// Guards of every function of fstiff.h: they check its pointers and sizes, and turn every exception into a status.
 
 #include <fstiff.h>
 
@@ -60,7 +60,7 @@ T& sized(T* pointer, const char* name) {
         refuse_size(name, size, first_size<std::remove_const_t<T>>, sizeof(T));
     return *pointer;
 }
-/// A struct of the caller as this version knows it: members that its fstiff.h did not have are 0.
+/// A struct of the caller in the layout of this version: members that its fstiff.h did not have are 0.
 template <class T>
 T taken(const T* pointer, const char* name) {
     T known{};
@@ -86,7 +86,7 @@ inline int handed_on(bool finite) {
     return FSTIFF_OUT_OF_NUMBERS;
 }
 int all_finite(auto... results) { return handed_on((std::isfinite(results) && ...)); }
-/// To where a result is wanted.
+/// Destination of a result.
 inline void put(double* to, double value) {
     if (to) *to = value;
 }

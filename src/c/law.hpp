@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the handle of a tabulated law holds.
+// Content of the handle of a tabulated law.
 
 #include "c/guard.hpp"
 

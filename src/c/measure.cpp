@@ -116,7 +116,7 @@ int fstiff_measure_map(const double* heights, size_t rows, size_t columns, doubl
                        const fstiff_measure_options* options, fstiff_surface* surface) {
     return guarded([&] {
         if (rows != 0 && columns > static_cast<std::size_t>(-1) / rows)
-            throw argument_error("rows times columns: must not be longer than memory can be");
+            throw argument_error("rows times columns: must fit into memory");
         require_array(heights, rows * columns, "heights");
         fstiff_surface& to = sized(surface, "surface");
         using Array = fstiff::HeightMap<double>::Array;

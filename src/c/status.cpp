@@ -15,7 +15,7 @@
 namespace fstiff::c {
 namespace {
 
-thread_local std::array<char, 4096> message{};  // no memory is needed to say that there is none
+thread_local std::array<char, 4096> message{};  // reports a lack of memory without allocating
 
 }  // namespace
 
@@ -43,7 +43,7 @@ int status_of_exception() noexcept {
     } catch (const std::bad_alloc&) {
         return is(FSTIFF_OUT_OF_MEMORY, "there is not enough memory");
     } catch (const std::length_error&) {
-        return is(FSTIFF_OUT_OF_MEMORY, "an array is longer than memory can be");
+        return is(FSTIFF_OUT_OF_MEMORY, "an array does not fit into memory");
     } catch (const std::exception& error) {
         return is(FSTIFF_INTERNAL, error.what());
     } catch (...) {
@@ -67,7 +67,7 @@ void require_array(const double* array, std::size_t count, const char* name) {
     not_null(array, name);
     if (count == 0) throw argument_error(std::string(name) + ": must have at least one number");
     constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
-    if (count > most) throw argument_error(std::string(name) + ": must not be longer than memory can be");
+    if (count > most) throw argument_error(std::string(name) + ": must fit into memory");
 }
 
 int text_into(const std::string& text, char* buffer, std::size_t capacity, std::size_t* length) {
@@ -94,7 +94,7 @@ const char* fstiff_strerror(int status) {
         case FSTIFF_OUT_OF_NUMBERS: return "a result is beyond the range of double";
         case FSTIFF_FILE: return "a file cannot be read";
         case FSTIFF_OUT_OF_MEMORY: return "out of memory";
-        case FSTIFF_INTERNAL: return "a mistake in fstiff";
+        case FSTIFF_INTERNAL: return "an internal error of fstiff";
         default: return "unknown status";
     }
 }

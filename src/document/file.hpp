@@ -26,8 +26,8 @@ public:
     using domain_error::domain_error;
 };
 
-/// Where \p file is written: behind symbolic links, which stay links, also where the last one leads to a file that is
-/// not there yet. \throws file_error for links that lead in a circle.
+/// Target of \p file: at the end of symbolic links, which stay links, even if the last one leads to a missing
+/// file. \throws file_error for links that lead in a circle.
 [[nodiscard]] std::filesystem::path output_target(const std::string& file);
 /// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing or unreadable,
 /// domain_error for one that is empty or too long.

@@ -60,7 +60,7 @@ std::string sha256(std::string_view text) {
             w[i] = w[i - 16] + s0 + w[i - 7] + s1;
         }
         auto [a, b, c, d, e, f, g, h] = state;
-        // the letters move on by one a round, so that after eight rounds each stands where it was
+        // the letters move on by one a round, so that after eight rounds each is where it was
         for (std::size_t i = 0; i < 64; i += 8) {
             one_round(a, b, c, d, e, f, g, h, round_constants[i] + w[i]);
             one_round(h, a, b, c, d, e, f, g, round_constants[i + 1] + w[i + 1]);

@@ -35,7 +35,7 @@ struct ShownUnit {
 [[nodiscard]] inline ShownUnit unit_of_density(double per_area) { return shown_unit(per_area, "/m^2"); }
 [[nodiscard]] inline ShownUnit unit_of_pressure(double pressure) { return shown_unit(pressure, "Pa"); }
 [[nodiscard]] inline std::string shown_length(double metres, int digits = 5) { return with_unit(metres, "m", digits); }
-/// Of K per area in the tables of the command: GPa/µm, which is 1e15 Pa/m.
+/// Unit of K per area in the tables of the command: GPa/µm, which is 1e15 Pa/m.
 inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e15};
 
 /// A factor as a change: "-3 %", "+41 %", or "2.8 times" where that is clearer.

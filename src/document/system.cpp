@@ -56,7 +56,7 @@ bool sync_data(int file) { return sync_all(file); }
 bool sync_all(int file) { return _commit(file) == 0; }
 void sync_folder(const Path&) {}  // folders cannot be opened for it
 bool lock(int file) {
-    // Others may not even read what is locked: one byte, behind all that a file can hold.
+    // Others may not even read what is locked: one byte, after all that a file can hold.
     OVERLAPPED place{};
     place.OffsetHigh = LONG_MAX;
     const auto handle = reinterpret_cast<HANDLE>(_get_osfhandle(file));

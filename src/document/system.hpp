@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What POSIX and Windows do by different calls. What fails leaves its reason in errno.
+// Functions that POSIX and Windows have by different calls. Failures leave their reason in errno.
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +34,7 @@ void close_file(int file);
 [[nodiscard]] bool sync_data(int file);
 [[nodiscard]] bool sync_all(int file);
 void sync_folder(const Path& folder);
-/// For this process alone until it is closed. \returns false with EWOULDBLOCK where another process has it.
+/// Locks the file for this process until it is closed. \returns false with EWOULDBLOCK where another process has it.
 [[nodiscard]] bool lock(int file);
 
 /// To write bytes, or nullptr.
@@ -48,11 +48,11 @@ void remove_empty_folder(const Path::value_type* name);
 /// The signals by which a user or a system ends a program.
 [[nodiscard]] std::span<const int> ending_signals();
 
-/// What main() got, without the name of the program, in UTF-8.
+/// Arguments of main() without the name of the program, in UTF-8.
 [[nodiscard]] std::vector<std::string> arguments(int argc, char** argv);
 
-/// What a command asks of its process, while this lives: the same bytes in and out everywhere, terminals of UTF-8, and
-/// a reason where a file grows beyond its limit: an error of writing, no signal.
+/// Settings of the process of a command, while this lives: the same bytes in and out everywhere, terminals of UTF-8,
+/// and a reason where a file grows beyond its limit: an error of writing, no signal.
 class Surroundings {
 public:
     Surroundings();

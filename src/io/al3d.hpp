@@ -8,7 +8,7 @@
 ///
 ///     Cols, Rows, PixelSizeXMeter, PixelSizeYMeter [m], DepthImageOffset, InvalidPixelValue
 ///
-/// The heights in m stand from byte DepthImageOffset on, row after row as float32, the least significant byte first,
+/// The heights in m begin at byte DepthImageOffset, row after row as float32, the least significant byte first,
 /// each row filled up to a multiple of 8 bytes. Missing points are NaN or within 1.5e-7 of InvalidPixelValue.
 ///
 /// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence), whose map of a measured file is the same

@@ -3,7 +3,7 @@
 /// \file
 /// Titles above the columns of a text: the units they state, and which column numbers the points.
 ///
-/// A column numbers the points where its title says so ("Nr.", "No.", "#", "Index", "Point") and its numbers are whole
+/// A column numbers the points by its title ("Nr.", "No.", "#", "Index", "Point") and its numbers are whole
 /// and rise; or where it is the first, counts 0, 1, 2 ... or 1, 2, 3 ... under a title that names no length, and
 /// another column states a unit of length or names a length. One that states a unit of length is none.
 ///
@@ -40,7 +40,7 @@ struct TitleUnits {
 };
 TitleUnits title_units(const NumberTable& table, std::size_t columns, const FreeColumns& free = {});
 
-/// What stands above one column.
+/// Title above one column.
 struct ColumnTitle {
     std::string name;  // lower case, without unit and punctuation; "#" stays
     bool has_unit{};   // of length
@@ -58,7 +58,7 @@ bool names_height(std::string_view name);
 /// Whether column \p c of the rows counts: whole numbers that rise, and \p from_start, by one from 0 or 1.
 bool counts_points(const NumberTable& table, std::size_t c, bool from_start);
 
-/// Which columns of \p table, whose rows are read, number its points; empty where none does.
+/// Columns of \p table, whose rows are read, that number its points; empty where none does.
 std::vector<bool> index_columns(const NumberTable& table);
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -40,7 +40,7 @@ std::string_view stored_heights(const FileBytes& file, const StoredGrid& grid) {
 void set_height(RawMap& map, std::size_t index, double z, const std::string& name) {
     if (std::isinf(z))
         refuse_file(name, {"holds infinity in row ", index / map.columns + 1, ", column ", index % map.columns + 1,
-                           "; must hold finite numbers, or what stands for missing points"});
+                           "; must hold finite numbers, or the mark of missing points"});
     map.heights[index] = z;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Fields of a binary file by the byte at which they stand, and its grid of heights. What lies beyond the end of the
+/// Fields of a binary file by their byte offset, and its grid of heights. What lies beyond the end of the
 /// file is refused.
 ///
 /// Units       heights in m
@@ -44,12 +44,12 @@ private:
     bool big_;
 };
 
-/// Where the heights of a map stand, row after row.
+/// Place of the heights of a map, row after row.
 struct StoredGrid {
     std::uint64_t place{};            // of the first height
     std::size_t size{};               // bytes of a height
     std::uint64_t columns{}, rows{};  // below 2^32
-    std::uint64_t padding{};          // bytes behind each row, below 16
+    std::uint64_t padding{};          // bytes after each row, below 16
 };
 
 /// \p value, which the file states as \p field. \throws domain_error unless it is finite and greater than 0.

@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of the header.
 struct GsfHeader {
     std::string title;  // printable characters only
     std::string lateral_unit, height_unit;
@@ -52,14 +52,14 @@ public:
     }
 
 private:
-    /// Finds the fields; returns the bytes behind the header.
+    /// Finds the fields; returns the bytes after the header.
     std::string_view split() {
         const std::size_t end = bytes_.find('\0');
         if (end == std::string_view::npos)
             refuse_file(name_, {"has no NUL byte that ends its header; must have one to four"});
         const std::size_t start = (end / 4 + 1) * 4;
         if (start > bytes_.size() || bytes_.substr(end, start - end).find_first_not_of('\0') != std::string_view::npos)
-            refuse_file(name_, {"has a header of ", end, " bytes; must have NUL bytes behind it up to byte ", start});
+            refuse_file(name_, {"has a header of ", end, " bytes; must have NUL bytes after it up to byte ", start});
         std::string_view text = bytes_.substr(0, end);
         for (std::size_t line = 1; !text.empty(); ++line) {
             const std::size_t length = (std::min)(text.find('\n'), text.size());

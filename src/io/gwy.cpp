@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of the file.
 struct GwyHeader {
     std::string channel;              // "0 \"Height\""
     std::string channel_from;         // why it is that one
@@ -39,7 +39,7 @@ public:
     std::string_view text(std::string_view what) {
         const std::size_t end = rest_.find('\0');
         if (end == std::string_view::npos)
-            refuse_file(name_, {"ends within the text of ", shown_cell(what), "; must have a NUL byte behind it"});
+            refuse_file(name_, {"ends within the text of ", shown_cell(what), "; must have a NUL byte after it"});
         const std::string_view found = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
         return found;
@@ -251,7 +251,7 @@ private:
         return std::to_string(number) + (channel.title.empty() ? "" : " \"" + channel.title + "\"");
     }
 
-    /// The channel to read, with what is told of the others.
+    /// The channel to read, with a note of the others.
     const Channel& choose() {
         std::string list;
         const std::pair<const unsigned, Channel>* chosen = nullptr;
@@ -268,8 +268,7 @@ private:
                                 : by_number     ? std::to_string(one.first) == wanted_
                                                 : lower_case(one.second.title) == lower_case(printable(wanted_, 80));
             if (wanted && chosen && !wanted_.empty())
-                refuse_file(
-                    name_, {"has two channels ", shown_cell(wanted_), " among ", list, "; must be told by its number"});
+                refuse_file(name_, {"has two channels ", shown_cell(wanted_), " among ", list, "; give its number"});
             if (wanted && !chosen) chosen = &one;
         }
         if (!chosen && wanted_.empty())

@@ -17,7 +17,7 @@
 ///     dx = xreal / xres,    dy = yreal / yres
 ///
 /// The lowest channel whose units are lengths is read, or the one that the options name by its number or its title;
-/// every other one is told. Graphs, volumes, clouds of points and the files of Gwyddion 1 (GWYO) are not read.
+/// the record lists the others. Graphs, volumes, clouds of points and the files of Gwyddion 1 (GWYO) are not read.
 ///
 /// Reference   Gwyddion user guide, "Format of Gwyddion Files". Deviation: a missing or empty unit is refused.
 /// Units       map in m

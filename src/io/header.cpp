@@ -18,7 +18,7 @@ std::string header_key(std::string_view text) {
     return key;
 }
 
-/// The words of the header of an ESRI grid, which have a blank behind them.
+/// The words of the header of an ESRI grid, which have a blank after them.
 bool is_grid_word(std::string_view word) {
     const std::string key = lower_case(word);
     return key == "ncols" || key == "nrows" || key == "cellsize" || key == "nodata_value";
@@ -138,7 +138,7 @@ bool is_spip(const std::vector<HeaderEntry>& entries) {
     return form && form->value == "ASCII";
 }
 
-/// What the key of a line of a header states of the grid.
+/// Meaning of the key of a header line for the grid.
 struct GridMeaning {
     bool width, height;  ///< of the whole map
     bool both, dx, dy;   ///< of one step; both: along x and y

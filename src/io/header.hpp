@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the header of a text states: units of columns, spacings, and the size and form of a map.
+/// Content of the header of a text: units of columns, spacings, and the size and form of a map.
 ///
 /// Units       lengths in m, once their unit is read
 
@@ -21,14 +21,14 @@ struct HeaderEntry {
 
 std::vector<HeaderEntry> header_entries(const NumberTable& table);
 
-/// What a header says about the grid of a matrix: lengths [m], counts.
+/// Grid of a matrix by its header: lengths [m], counts.
 struct StatedGrid {
     struct Length {
         double value{};
         std::size_t line{};
-        std::string unit_from{};  // why it is in nm where no unit stands behind it; for a record
+        std::string unit_from{};  // why it is in nm without a unit after it; for a record
         std::string unit{};       // as it is written; empty where there is none
-        std::string from{};       // where it is no line of the header; for a record
+        std::string from{};       // where it is not a line of the header; for a record
     };
     std::optional<Length> width, height, dx, dy;
     std::optional<std::size_t> columns, rows;
@@ -51,20 +51,20 @@ struct StatedSpacing {
 };
 std::optional<StatedSpacing> stated_spacing(const std::vector<HeaderEntry>& entries);
 
-/// \p unit stands where a length has none; "" for refusing to guess.
+/// \p unit is that of a length without one; "" for refusing to guess.
 StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit, const std::string& name);
 
 /// Whether \p key of a header names the unit of the heights.
 bool is_height_unit_key(const std::string& key);
 
-/// What a header says of one unit of the heights; nullptr where it says nothing.
+/// One unit of the heights by a header; nullptr where it has none.
 struct StatedHeightUnit {
     const HeaderEntry* unit = nullptr;
     const HeaderEntry* factor = nullptr;
 };
 StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, const std::string& name);
 
-/// What stands for missing points: \p given, or the number that a header states.
+/// Mark of missing points: \p given, or the number that a header states.
 MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::string_view given, const std::string& name);
 
 /// "Form: triples" or "Form: matrix" of a header, as write_csv writes it.

@@ -3,7 +3,7 @@
 /// \file
 /// The words that instruments and programs write above a map in other languages than English.
 ///
-/// Words may be in UTF-8 or in any 8-bit code page: there, one byte of 128 and more stands for each letter that is not
+/// Words may be in UTF-8 or in any 8-bit code page: there, one byte of 128 and more is each letter that is not
 /// ASCII, whichever page it is of. Only words that also have ASCII letters are known so, for others would fit one
 /// another.
 ///

@@ -7,7 +7,7 @@ namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
-/// What a file with these first bytes is called, and how its heights get out of it.
+/// Name of a binary format with these first bytes, and how to convert it.
 struct KnownBinary {
     std::string_view magic;
     std::string_view name;
@@ -16,7 +16,7 @@ struct KnownBinary {
 
 constexpr std::string_view from_the_instrument = "export it from the program of the instrument or from Gwyddion";
 constexpr std::string_view from_gwyddion = "save it with a newer Gwyddion";
-constexpr std::string_view no_heights = "it is no measured surface: export the heights themselves";
+constexpr std::string_view no_heights = "it is not a measured surface: export the heights themselves";
 constexpr std::string_view from_python = "write its array with a few lines of Python";
 constexpr std::string_view unpack = "unpack it first";
 

@@ -12,7 +12,7 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
-/// What fstiff reads, for messages.
+/// Formats that fstiff reads, for messages.
 inline constexpr std::string_view readable_forms =
     "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, .npy, .gsf, .gwy, .sur, .smd, MetroPro .dat, "
     ".vk4, .opd, .opdx, .al3d, .plu, .plux, .nc or .stl";
@@ -21,7 +21,7 @@ inline constexpr std::string_view readable_forms =
 /// known here.
 std::string known_binary_refusal(std::string_view bytes);
 
-/// Whether a reader may want bytes that begin so, NUL bytes and all: of a binary form, or of text in UTF-16.
+/// Whether a reader may accept bytes that begin so, including NUL bytes: of a binary form, or of text in UTF-16.
 bool may_hold_nul_bytes(std::string_view bytes);
 
 }  // namespace fstiff::inline v0_1::io::detail

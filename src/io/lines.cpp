@@ -17,7 +17,7 @@ void refuse_field(const std::string& name, std::string_view field, const std::st
 
 namespace {
 
-/// Says what \p bytes are that are no text.
+/// Refuses \p bytes that are not text, and names what they are.
 [[noreturn]] FSTIFF_COLD void refuse_binary(const std::string& name, std::string_view bytes) {
     const std::string known = known_binary_refusal(bytes);
     if (!known.empty()) refuse_file(name, {known});

@@ -46,10 +46,10 @@ struct NamedBytes {
     std::string name, bytes;
 };
 
-/// What no file may exceed: a map of 8000 x 8000 points with 17 digits each has 1.5e9 bytes.
+/// Limit of the size of a file: a map of 8000 x 8000 points with 17 digits each has 1.5e9 bytes.
 inline constexpr std::uint64_t most_bytes = std::uint64_t(1) << 31;
 
-/// Appends the bytes of \p input, to its end, or to the end of the first block with a NUL byte of what is no binary
+/// Appends the bytes of \p input, to its end, or to the end of the first block with a NUL byte of a text, not a binary
 /// form that is read: no reader takes that, and endless input ends there. \throws domain_error, file_error
 void append_bytes(std::istream& input, const std::string& name, std::string& bytes);
 

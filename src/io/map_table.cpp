@@ -41,7 +41,7 @@ void MapTable::require_no_lone_axis(const OptionNames& names) const {
     if (in_column || (row.size() >= 8 && equal_step(row, 0) > 0))
         refuse_file(name_, {"has a first ", in_column ? "column" : "row",
                             " that rises in equal steps, as positions do: may be columns of a profile, or a matrix "
-                            "with one axis; must be told by ",
+                            "with one axis; give ",
                             format_as(names, "profile"), " with column, or, if they are heights, by ",
                             format_as(names, "matrix")});
 }

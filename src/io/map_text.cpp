@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-/// What was decided, for the record.
+/// Decisions, for the record.
 struct MapNotes {
     std::string units, units_from;  // of x and y (where the file needs them) and of the heights
     std::string size_from;          // where dx and dy come from
@@ -139,7 +139,7 @@ private:
     }
 
     /// Zygo's x and y are pixels, whose size [m] is the seventh number of line 8; its heights are in um unless a
-    /// program was told otherwise.
+    /// program was set otherwise.
     std::array<double, 3> units_of_zygo() {
         double pixel = 0;
         for (const Line& line : table_.lines)
@@ -229,7 +229,7 @@ private:
                                                : stated->from + ", " + length));
     }
 
-    /// Lengths of the header keep their own units, whatever the options say.
+    /// Lengths of the header keep their own units, whatever the options are.
     void warn_of_lengths() {
         for (const auto* length : {&stated_.width, &stated_.height, &stated_.dx, &stated_.dy})
             if (!lateral_unit_.empty() && *length && !(*length)->unit.empty() &&

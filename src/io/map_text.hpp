@@ -18,7 +18,7 @@
 ///
 /// Nothing is guessed: without units, without a physical size, or with points off the grid, the file is refused.
 ///
-///     dx = width / columns,    dy = height / rows               a point stands for a cell, as in Gwyddion
+///     dx = width / columns,    dy = height / rows               a point represents a cell, as in Gwyddion
 ///
 /// Units       map in m; SurfaceOptions::units are the file's
 /// Valid       2 points a side at least, of heights that vary; lines up to 2^20 characters, files up to 2^31

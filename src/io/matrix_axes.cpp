@@ -29,7 +29,7 @@ std::vector<std::string> corner_units(std::string_view corner) {
     return found;
 }
 
-/// The positions along x in the line above the first row, behind a word, and that word; none where there are none.
+/// The positions along x in the line above the first row, after a word, and that word; none where there are none.
 struct HeadOfAxis {
     std::string_view corner;
     std::vector<double> positions;

@@ -3,12 +3,11 @@
 /// \file
 /// The axes of a matrix of text whose first row and first column are positions, as Excel and MATLAB write them.
 ///
-///     y\x [um];0;0,5;1           a row of positions behind a word, or behind a number or nothing where it is the first
-///     row
+///     y\x [um];0;0,5;1           positions after a word, or after a number or an empty cell in the first
 ///     0;0,12;0,31;0,25           of the table; both axes rise, or fall, in equal steps
 ///     0,5;0,22;0,07;0,19
 ///
-/// A matrix has axes where a word stands in the corner and two positions at least are on each of them; three where the
+/// A matrix has axes where a word is in the corner and two positions at least are on each of them; three where the
 /// corner is empty, four where it is a number. Below a word, 1, 2, 3 ... along x alone may number profiles: they are an
 /// axis where the corner names both ("y\x", "y/x").
 ///

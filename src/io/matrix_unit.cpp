@@ -35,7 +35,7 @@ MatrixUnit conversion_factor(const HeaderEntry& entry, const HeaderEntry* unit, 
     if (number.status != NumberStatus::ok || !(number.value > 0) || !is_unit(to, Dimension::length))
         refuse_line(name, entry.line,
                     {shown_cell(entry.value),
-                     " is no height conversion factor; must be a positive number with a "
+                     " is not a height conversion factor; must be a positive number with a "
                      "unit of length, such as \"(-> m)=2.9e-8\""});
     const double factor = number.value * unit_factor(to, Dimension::length);
     if (unit && is_unit(unit->value, Dimension::length) &&
@@ -80,7 +80,7 @@ MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view
     if (!is_unit(unit->value, Dimension::length))
         refuse_line(name, unit->line,
                     {shown_cell(unit->value),
-                     " is no unit of length, and no height conversion factor is stated; must be one of ",
+                     " is not a unit of length, and no height conversion factor is stated; must be one of ",
                      accepted_units(Dimension::length)});
     const std::string shown = printable(unit->value, 16);
     return {.factor = unit_factor(unit->value, Dimension::length),

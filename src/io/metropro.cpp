@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view metropro_magic = "\x88\x1B\x03";
 constexpr std::uint64_t metropro_short = 834, metropro_long = 4096;  // bytes of the header
 
-/// What one unit of the numbers is worth, with its sign [m].
+/// Value of one unit of the numbers, with its sign [m].
 double metropro_step(const FileBytes& file) {
     const double scale = file.positive(164, 4, "scale factor of the interferometer");
     const double wavelength = file.positive(168, 4, "wavelength");

@@ -4,11 +4,11 @@
 /// Reads maps of Zygo MetroPro (.dat).
 ///
 /// A header of 834 or 4096 bytes, frames of intensities (uint16), and the heights row after row as int32, all the most
-/// significant byte first. Of the header are used, by the byte at which they stand:
+/// significant byte first. Fields of the header that are used, by byte offset:
 ///
 ///     0   88 1B 03 6F, 70, or 71 (hex)     68  columns, rows of the heights (uint16)    184 step of x and y [m]
 ///     6   bytes of the header (uint32):    164 scale factor S of the interferometer     218 phase resolution: 0, 1, 2
-///         4096 behind 71, else 834         168 wavelength lambda [m]                    232 sign: 0, or turned over
+///         4096 after 71,  else 834         168 wavelength lambda [m]                    232 sign: 0, or turned over
 ///     52  columns, rows, frames of the     176 obliquity factor O (float32 all three)
 ///         intensities (uint16)
 ///

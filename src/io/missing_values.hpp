@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Numbers that stand for missing points, such as -9999 or 1e20: told by an option or by the header, else noticed and
-/// refused, for as heights they would be measured.
+/// Numbers that mark missing points, such as -9999 or 1e20: given by an option or by the header, else noticed and
+/// refused, because as heights they would be measured.
 ///
 /// A number is suspected that is the highest or the lowest of all, and lies beyond the range of the rest by
-///     10 times that range, where it stands there twice or more;
-///     a quarter of that range, where it is besides one that instruments and programs use so (-9999, -32768, 1e20).
+///     10 times that range, where it is there twice or more;
+///     a quarter of that range, where it is also one that instruments and programs use so (-9999, -32768, 1e20).
 /// A plateau, such as that of heights beyond the range of an instrument, adjoins the rest and is not suspected.
 ///
 /// Units       those of the file
@@ -17,11 +17,11 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
-/// What stands for a missing point beside an empty cell and the words of is_missing_word().
+/// Mark of a missing point in addition to an empty cell and the words of is_missing_word().
 struct MissingValues {
     std::vector<double> numbers;
     std::vector<std::string> words;  // lower case
-    std::string from;                // "options" or "line 6"; empty when nothing is said
+    std::string from;                // "options" or "line 6"; empty without a source
 
     bool has(double value) const {
         return std::any_of(numbers.begin(), numbers.end(), [&](double number) {
@@ -40,24 +40,24 @@ struct MissingValues {
         for (const std::string& word : words) add(shown_cell(word));
         return all.empty() ? "no number" : all;
     }
-    /// " (-9999, from line 6)" behind a count of missing points; empty when nothing is said.
+    /// " (-9999, from line 6)" after a count of missing points; empty without a source.
     std::string note() const { return from.empty() ? "" : " (" + text() + ", from " + from + ")"; }
 };
 
 /// "-9999", "-32768,void" or "none". \throws domain_error for an empty one.
 MissingValues given_missing(std::string_view text, const std::string& name);
 
-/// A number that may stand for missing points.
+/// A number that may mark missing points.
 struct Suspect {
     double value{};
     std::size_t times{}, first{};  // how often, and where first
     double low{}, high{};          // the range of the rest
 };
 
-/// The number among the \p count heights that may stand for missing points; none when all look like heights.
+/// The number among the \p count heights that may mark missing points; none when all look like heights.
 std::optional<Suspect> suspected_missing(const double* heights, std::size_t count);
 
-/// Makes NaN of the heights that \p missing names; when it says nothing, \throws domain_error for a suspected one.
+/// Makes NaN of the heights that \p missing names; when it names none, \throws domain_error for a suspected one.
 /// \p line_of(i) is the line of height i, \p unit what their numbers are in.
 template <class LineOf>
 void mark_missing(double* heights, std::size_t count, const MissingValues& missing, const std::string& name,
@@ -70,10 +70,10 @@ void mark_missing(double* heights, std::size_t count, const MissingValues& missi
     if (!found) return;
     const std::string value = number_text(found->value);
     refuse_line(name, line_of(found->first),
-                {"height ", value, " ", unit, " stands here",
+                {"height ", value, " ", unit, " is here",
                  (found->times == 1 ? std::string() : " and " + std::to_string(found->times - 1) + " times more"),
                  ", far outside the others, which are ", found->low, " to ", found->high, " ", unit,
-                 "; a number that stands for missing points must be ", given_as(names, "missing", "\"" + value + "\""),
+                 "; a number that marks missing points must be ", given_as(names, "missing", "\"" + value + "\""),
                  ", and true heights confirmed by ", names.prefix, "missing", names.equals, "none"});
 }
 

@@ -118,7 +118,7 @@ private:
         }
         found.attributes = attributes();
         found.values.type = values().type;
-        take(form_ == 5 ? 8 : 4);  // its bytes, which its dimensions tell too
+        take(form_ == 5 ? 8 : 4);  // its bytes, which also follow from its dimensions
         found.values.place = take(form_ == 1 ? 4 : 8);
         return found;
     }
@@ -193,7 +193,7 @@ private:
         if (values.count != 1 || values.type == 2) refuse_field(file_.name(), name, "no number", "one number");
         return number(file_.at(values.place, nc_size(values.type), name), values.type, 0);
     }
-    /// What the unit of \p variable is worth [m]; that of x where it has none.
+    /// Value of the unit of \p variable [m]; that of x where it has none.
     double unit_of(const std::string& name, const NcVariable& variable) {
         const auto found = variable.attributes.find("unit");
         if (found == variable.attributes.end() && name != "x") return unit_of("x", require("x"));

@@ -9,12 +9,12 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of the header.
 struct NpyHeader {
     std::string type;  // as NumPy writes it: "<f8"
     bool fortran_order{};
     std::size_t columns{}, rows{};
-    std::string missing_note;  // of the numbers that stand for missing points
+    std::string missing_note;  // of the numbers that mark missing points
     std::string unit;          // of the heights
     std::string size_from;     // where the spacings come from
     std::size_t trailer{};     // bytes after the heights
@@ -139,7 +139,7 @@ private:
              ((type[1] == 'i' || type[1] == 'u') && std::string_view("1248").find(type[2]) != std::string_view::npos));
         if (!known || (type[0] == '|' && type[2] != '1'))
             refuse_field(name_, "descr", shown_cell(type),
-                         "f4, f8, i1, i2, i4, i8, u1, u2, u4 or u8 behind < or > (or | before i1 and u1)");
+                         "f4, f8, i1, i2, i4, i8, u1, u2, u4 or u8 after < or > (or | before i1 and u1)");
         big_ = type[0] == '>';
         type_ = type[1];
         size_ = static_cast<std::size_t>(type[2] - '0');

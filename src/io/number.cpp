@@ -47,7 +47,7 @@ LeadingNumber leading_number(std::string_view text, int exponent) {
     const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
     const std::size_t point = text.size() > sign && text[sign] == '.' ? 1 : 0;
     if (text.size() <= sign + point || !is_digit(text[sign + point])) return {};
-    const std::size_t skipped = text[0] == '+' ? 1 : 0;  // read_decimal knows no "+"
+    const std::size_t skipped = text[0] == '+' ? 1 : 0;  // read_decimal takes no "+"
     const char* const first = text.data() + skipped;
     const char* const end = text.data() + text.size();
     LeadingNumber number;

@@ -3,7 +3,7 @@
 /// \file
 /// The numbers of text: what the readers of fstiff share of blanks, cells and decimal numbers.
 ///
-/// Valid       finite decimal numbers; the decimal sign is the point in every locale, or the comma where a file says so
+/// Valid       finite decimal numbers; the decimal sign is the point in every locale, or the comma where a file uses it
 /// Accuracy    correctly rounded (tests/io/quantity_test.cpp)
 
 #include <fstiff/core/text.hpp>
@@ -29,7 +29,7 @@ constexpr std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// ASCII only: the locale has no say.
+/// ASCII only, in every locale.
 std::string lower_case(std::string_view text);
 
 /// How many bytes the UTF-8 character takes that \p text begins with; 0 where there is none.
@@ -80,10 +80,10 @@ double last_digit_of(std::string_view cell);
 /// double counts as zero; what is too large is infinite, to be refused by the caller.
 std::optional<double> number_in(std::string_view cell, bool decimal_comma);
 
-/// The words that stand for a missing point, for messages.
+/// The words for a missing point, for messages.
 inline constexpr std::string_view missing_words_text = "nan, NA, N/A, BAD, No Data or ***";
 
-/// Whether \p cell is a word that stands for a missing point: those above in any case, and their like.
+/// Whether \p cell is a word for a missing point: those above in any case, and their like.
 bool is_missing_word(std::string_view cell);
 
 /// To how many digits the numbers of a column are printed, trailing zeros dropped or not.

@@ -101,7 +101,7 @@ bool is_grouped(std::string_view cell) {
 
 [[noreturn]] void refuse_sign(const std::string& name, std::size_t line, std::string_view cell, bool comma) {
     refuse_line(name, line,
-                {shown_cell(cell), " is no number where the decimal sign is the ", comma ? "comma" : "point",
+                {shown_cell(cell), " is not a number where the decimal sign is the ", comma ? "comma" : "point",
                  "; allowed are numbers with one decimal sign, without separators of thousands"});
 }
 
@@ -153,8 +153,9 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
     }
     if (table.first == table.lines.size()) refuse_grouped_rows(table, name);
     if (table.first == table.lines.size())
-        refuse_line(name, table.lines.front().number,
-                    {shown_cell(table.lines.front().text), " is no row of numbers, nor is any line after it", wanted});
+        refuse_line(
+            name, table.lines.front().number,
+            {shown_cell(table.lines.front().text), " is not a row of numbers, nor is any line after it", wanted});
     // the first row alone may hide the decimal commas of "0 1,5" or "0;1,5"
     for (std::size_t i = table.first; i < table.lines.size() && table.dialect.separator != ','; ++i) {
         if (is_comment(table.lines[i].text)) continue;
@@ -199,7 +200,7 @@ double require_number(std::string_view cell, const NumberTable& table, std::size
     if (!number && (number_in(cell, !comma) || is_grouped(cell))) refuse_sign(name, line, cell, comma);
     if (!number)
         refuse_line(name, line,
-                    {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell, ",
+                    {shown_cell(cell), " is not a number; allowed are finite decimal numbers (an empty cell, ",
                      missing_words_text, " is a missing point)"});
     if (!std::isfinite(*number))
         refuse_line(name, line,
@@ -215,7 +216,7 @@ void drop_last_column(NumberTable& table) {
     table.values.resize(table.rows() * table.columns);
 }
 
-/// What to say of columns between commas where no row holds a point: the comma may be decimal too.
+/// Message for columns between commas where no row holds a point: the comma may be decimal too.
 std::string without_points(const NumberTable& table) {
     for (std::size_t i = table.first; i < table.lines.size(); ++i)
         if (!is_comment(table.lines[i].text) && table.lines[i].text.find('.') != std::string_view::npos) return "";

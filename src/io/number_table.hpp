@@ -16,7 +16,7 @@
 namespace fstiff::inline v0_1::io::detail {
 
 struct Dialect {
-    char separator = ' ';  // ' ' stands for any run of blanks and tabs
+    char separator = ' ';  // ' ' is any run of blanks and tabs
     bool decimal_comma = false;
 };
 
@@ -32,7 +32,7 @@ std::string_view without_comment(std::string_view line);
 
 bool is_comment(std::string_view line);
 
-/// What the rows of a table may look like.
+/// Forms that the rows of a table may have.
 struct TableRules {
     std::string_view holds;   ///< what must be there, for messages
     bool short_rows = false;  ///< empty cells at the end of a row may be left out, with their separators
@@ -51,12 +51,12 @@ struct NumberTable {
     std::vector<double> values;  // by row; NaN where missing
     std::vector<std::size_t> row_lines;
     std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
-    MissingValues missing;               // beside the words that are always missing
+    MissingValues missing;               // in addition to the words that are always missing
 
     std::size_t rows() const { return row_lines.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
 
-    /// Says its separators, which one column has none of where \p may_be_one, and its header.
+    /// Describes its separators, which one column lacks where \p may_be_one, and its header.
     void say_layout(Record& record, bool may_be_one = false) const;
 };
 

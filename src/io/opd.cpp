@@ -18,7 +18,7 @@ struct OpdBlock {
     std::uint64_t place{}, size{};
 };
 
-/// What the file states.
+/// Content of the file.
 struct OpdHeader {
     std::string array;                // that was read
     std::vector<std::string> others;  // arrays that were not

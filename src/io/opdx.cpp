@@ -59,7 +59,7 @@ private:
     /// Where the \p size bytes from here on end, which lie within a folder that ends at \p end.
     std::uint64_t end_within(std::uint64_t size, std::uint64_t end, const std::string& path) const {
         if (place_ + size > end)
-            refuse_file(file_.name(), {"holds ", shown_cell(path), " that ends behind its folder; must end within"});
+            refuse_file(file_.name(), {"holds ", shown_cell(path), " that ends after its folder; must end within"});
         return place_ + size;
     }
     void one_more() {
@@ -114,7 +114,7 @@ private:
         place_ = end;
     }
 
-    /// What stands behind a length.
+    /// Number after a length.
     void compound(OpdxItem& item, const std::string& path, std::uint64_t size, std::uint64_t end) {
         if (item.type == 0x12) item.text = take(size, path);
         if (item.type == 0x13) {

@@ -3,15 +3,15 @@
 /// \file
 /// Reads maps of Sensofar and Leica DCM (.plu, .apx).
 ///
-/// A header of 500 bytes without a mark of its own, and layers of heights, the least significant byte first. Of the
-/// header are used, by the byte at which they stand:
+/// A header of 500 bytes without a mark of its own, and layers of heights, the least significant byte first. Fields
+/// of the header that are used, by byte offset:
 ///
 ///     0    date and time as text ("Fri Mar 10 16:35:59 2023")    428  type of the measurement (uint32): 3 is a map
 ///     388  rows, columns (uint32)                                489  layers (uint8)
-///     404  steps of x and y [um] (float32)                       492  pictures behind each layer (uint8)
+///     404  steps of x and y [um] (float32)                       492  pictures after each layer (uint8)
 ///
 /// A layer is rows, columns (uint32), the heights in um row after row as float32, the lowest and the highest of them
-/// (float32), and the pictures of 3 bytes a point. 1000001 stands for a missing point. The first layer is read.
+/// (float32), and the pictures of 3 bytes a point. 1000001 marks a missing point. The first layer is read.
 ///
 /// A file is known by its date and by counts that agree with each other.
 ///

@@ -24,7 +24,7 @@ public:
         if (!index) refuse_file(name_, {"holds no index.xml; must be a whole Sensofar file (.plux)"});
         const std::string text = archive_.content(*index);
         if (!document_.load_buffer(text.data(), text.size()))
-            refuse_file(name_, {"index.xml is no XML; must be a whole Sensofar file (.plux)"});
+            refuse_file(name_, {"index.xml is not valid XML; must be a whole Sensofar file (.plux)"});
         root_ = document_.document_element();
         const auto columns = count_at("IMAGE_SIZE_X"), rows = count_at("IMAGE_SIZE_Y");
         const double dx = step_at("FOV_X"), dy = step_at("FOV_Y");

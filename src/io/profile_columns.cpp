@@ -21,7 +21,7 @@ void require_no_count(const NumberTable& table, const std::string& name, std::si
     for (std::size_t c = 1; c < table.columns; ++c)
         if (c + 1 != heights && rises_evenly(table, c))
             refuse_file(name, {"counts the points in column 1, and column ", c + 1,
-                               " rises in equal steps: either may hold the positions; must be told by ", x_option});
+                               " rises in equal steps: either may hold the positions; give ", x_option});
 }
 
 }  // namespace
@@ -46,9 +46,10 @@ ProfileColumns profile_columns(const NumberTable& table, const std::string& name
         if (c != choice.x_column && !found.index[c - 1]) rest.push_back(c);
     const std::size_t most = choice.x_column != 0 ? 1 : 2;
     if (choice.column == 0 && (rest.empty() || rest.size() > most))
-        refuse_file(name, {"has ", columns,
-                           " columns; must be one of heights or two of positions and heights, or say which "
-                           "column holds the heights"});
+        refuse_file(
+            name,
+            {"has ", columns,
+             " columns; must be one (heights) or two (positions and heights), or give the column of the heights"});
     found.heights = choice.column != 0 ? choice.column : rest.back();
     if (choice.x_column != 0)
         found.positions = choice.x_column;

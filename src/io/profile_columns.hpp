@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Which columns of a profile hold the positions and the heights.
+/// Columns of a profile with the positions and the heights.
 ///
 /// Columns that number the points (io/column_titles.hpp) are neither, unless they are chosen. Of what is left, one
 /// column holds heights, two hold positions and heights; more need a choice.
@@ -12,7 +12,7 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
-/// What was given of the columns.
+/// The columns that were given.
 struct ColumnChoice {
     std::size_t column = 0, x_column = 0;  // of heights and positions; 0: to be found
     bool spacing = false;                  // is given: positions are not used

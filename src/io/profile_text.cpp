@@ -7,7 +7,7 @@ namespace detail {
 
 namespace {
 
-/// What was decided, for the record.
+/// Decisions, for the record.
 struct ProfileNotes {
     std::size_t height_column{};    // counted from 1
     std::size_t position_column{};  // counted from 1; 0: none used
@@ -229,11 +229,11 @@ private:
     std::string numbering() const {
         if (notes_.index_column == 0) return "";
         const std::string column = std::to_string(notes_.index_column);
-        return " (column " + column + " numbers the points; as positions it must be told by " +
+        return " (column " + column + " numbers the points; to use it as positions, give " +
                of_words(options_.names, "x_column") + options_.names.equals + column + ")";
     }
 
-    /// Of the positions, in the file's unit, always positive.
+    /// Step of the positions, in the file's unit, always positive.
     double mean_step() {
         const std::vector<double> x = column(notes_.position_column);
         for (std::size_t i = 0; i < x.size(); ++i)
@@ -251,8 +251,8 @@ private:
             // 1 30 3: without the 30, the positions go on as they should
             if (next < 0 && i > 1 && (x[i] - x[i - 2]) * direction > 0)
                 refuse_line(name_, table_.row_lines[i - 1],
-                            {"position ", x[i - 1], " ", notes_.position_unit, " stands between ", x[i - 2], " and ",
-                             x[i], " ", notes_.position_unit, "; positions must rise, or fall, throughout"});
+                            {"position ", x[i - 1], " ", notes_.position_unit, " is between ", x[i - 2], " and ", x[i],
+                             " ", notes_.position_unit, "; positions must rise, or fall, throughout"});
             if (next < 0 || (next == 0 && printed < std::abs(mean)))
                 refuse_line(name_, table_.row_lines[i],
                             {"position ", x[i], " ", notes_.position_unit, " follows ", x[i - 1], " ",

@@ -12,11 +12,11 @@
 /// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. Missing points are empty
 /// cells, "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header or the options name.
 /// Positions may fall (the profile is turned round) but must be equally spaced, as far as the digits they are printed
-/// with can tell; where all steps but one or two are the same, a row is missing.
+/// with show; where all steps but one or two are the same, a row is missing.
 /// SurfaceOptions::resample puts as many points at equal steps from the first position to the last, by straight lines
-/// between neighbours; that lowers the finest waves, as the record says.
+/// between neighbours; that lowers the finest waves, as the record notes.
 ///
-/// Nothing is guessed: without a unit, without a spacing, or with a cell that is no number, the file is refused.
+/// Nothing is guessed: without a unit, without a spacing, or with a cell that is not a number, the file is refused.
 ///
 /// Units       profile in m; SurfaceOptions::units are the file's
 /// Valid       16 points at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
@@ -33,8 +33,8 @@ inline constexpr TableRules profile_rules{.holds = "one or two columns of number
 
 }  // namespace detail
 
-/// Reads a table that open_table() has opened by profile_rules; the text must outlive the call. \p name stands for it
-/// in messages. \throws domain_error naming file, line, value and what is allowed.
+/// Reads a table that open_table() has opened by profile_rules; the text must outlive the call. Messages call it \p
+/// name. \throws domain_error naming file, line, value and what is allowed.
 [[nodiscard]] Reading read_profile(detail::NumberTable table, const std::string& name, const SurfaceOptions& options);
 
 }  // namespace fstiff::inline v0_1::io

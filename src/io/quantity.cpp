@@ -43,7 +43,7 @@ double parse_number(std::string_view text, std::string_view name) {
     if (number.status == detail::NumberStatus::out_of_range)
         detail::refuse_text(name, text, "is beyond the range of double precision; allowed is a finite number");
     if (number.status == detail::NumberStatus::no_number || number.length != inner.size())
-        detail::refuse_text(name, text, "is no number; allowed is a finite decimal number such as 0.25 or 1e-6");
+        detail::refuse_text(name, text, "is not a number; allowed is a finite decimal number such as 0.25 or 1e-6");
     return number.value;
 }
 
@@ -62,9 +62,9 @@ double parse_quantity(std::string_view text, Dimension dimension, std::string_vi
                             "a number without a unit; a " + kind + " needs one of " + accepted_units(dimension));
     const detail::Unit* const unit = detail::find_unit(unit_text, dimension);
     if (!unit)
-        detail::refuse_text(
-            name, text,
-            "\"" + std::string(unit_text) + "\" is no unit of " + kind + "; allowed are " + accepted_units(dimension));
+        detail::refuse_text(name, text,
+                            "\"" + std::string(unit_text) + "\" is not a unit of " + kind + "; allowed are " +
+                                accepted_units(dimension));
     const auto number = detail::leading_number(inner, unit->exponent);
     if (bare.status != detail::NumberStatus::ok || number.status != detail::NumberStatus::ok)
         detail::refuse_text(name, text, "is beyond the range of double precision; allowed is a finite number");
@@ -74,7 +74,7 @@ double parse_quantity(std::string_view text, Dimension dimension, std::string_vi
 double parse_angle(std::string_view text, std::string_view name) {
     const auto refuse = [&]() -> double {
         detail::refuse_text(name, text,
-                            "is no angle; allowed are a number of radians, \"45 deg\", \"0.7 rad\" or \"pi/4\"");
+                            "is not an angle; allowed are a number of radians, \"45 deg\", \"0.7 rad\" or \"pi/4\"");
     };
     std::string_view rest = detail::trimmed(text);
     const auto skip_blanks = [&] { rest = detail::trimmed(rest); };

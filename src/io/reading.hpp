@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What every reader returns: the heights of a file, and a record of what was decided about it. Heights of one row are
+/// Result of every reader: the heights of a file, and a record of the decisions about it. Heights of one row are
 /// a profile, whose dy is no more than a word.
 ///
 /// Units       m
@@ -14,7 +14,7 @@ namespace fstiff::inline v0_1::io {
 
 using detail::RawMap;
 
-/// How a file was taken: what is said of it under each key, in that order, and what may be wrong about it.
+/// Record of the reading of a file: its notes under each key, in that order, and its warnings.
 struct Record {
     std::vector<std::pair<std::string, std::string>> entries;
     std::vector<std::string> warnings;
@@ -26,16 +26,16 @@ struct Record {
     void say_points(const RawMap& map, const std::string& more = "");
     /// "20, of which 2 missing", and \p more.
     void say_points_of_profile(const RawMap& map, const std::string& more = "");
-    /// The bytes behind what was read, where there are any.
+    /// The bytes after what was read, where there are any.
     void say_trailer(std::size_t bytes);
 
-    /// What is said under \p key; empty for nothing.
+    /// The note under \p key; empty without one.
     [[nodiscard]] std::string said(std::string_view key) const;
     /// "key: text" for people, one a line, without a full stop.
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
-/// What a reader found.
+/// Result of a reader.
 struct Reading {
     RawMap map;
     Record record;

@@ -28,7 +28,7 @@ std::optional<GridAxis> axis_of(std::vector<double> positions, double printed) {
         }
         if (!fits) continue;
         const double step = (lines.back() - lines.front()) / at.back();
-        // printed to less than a quarter of the step, a missing line cannot be told from rounding
+        // printed to less than a quarter of the step, a missing line cannot be distinguished from rounding
         if (printed > 0.25 * step && at.back() >= static_cast<double>(lines.size())) continue;
         const double allowed = 0.01 * step + (std::min)(1.01 * printed, 0.3 * step);
         for (std::size_t i = 1; i < lines.size() && fits; ++i)

@@ -10,7 +10,7 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of the header.
 struct SdfHeader {
     std::string version;       // "ISO-1.0"
     std::string manufacturer;  // printable characters only
@@ -160,7 +160,7 @@ private:
         return line;
     }
 
-    /// BCR allows comments behind a semicolon.
+    /// BCR allows comments after a semicolon.
     std::string_view content(std::string_view line) const {
         return trimmed(bcr_ ? line.substr(0, line.find(';')) : line);
     }
@@ -216,7 +216,7 @@ private:
         read_text_heights(rest);
     }
 
-    /// The heights of a text, \p rest being what stands behind its header.
+    /// The heights of a text, \p rest being what follows its header.
     void read_text_heights(std::string_view rest) {
         // every height needs two characters, the last one needs one
         const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;

@@ -7,7 +7,7 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of the records.
 struct SmdHeader {
     bool prf{};           // the elder form
     std::string version;  // of .smd, "ISO 5436-2:2012"; printable characters only
@@ -59,8 +59,7 @@ Record record_of(const SmdHeader& file, const RawMap& map) {
             "the check sum of the file does not agree with its bytes, which may have been changed since");
     if (file.mapped)
         record.warnings.push_back(
-            "the file states a correction of its gauge (lines MAP), which was not applied: heights were read as their "
-            "numbers stand");
+            "the file states a correction of its gauge (lines MAP), which was not applied to the heights");
     record.resolution = file.resolution;
     return record;
 }
@@ -143,7 +142,7 @@ private:
             const auto form = lines.size() < 2 ? std::vector<std::string_view>() : smd_fields(lines[1].text);
             if (form.empty() || form.front() != "PRF")
                 refuse_file(name_, {"states the form ", shown_cell(form.empty() ? "" : form.front()),
-                                    " behind its first line; must be PRF, a profile"});
+                                    " after its first line; must be PRF, a profile"});
         }
         for (const Line& line : lines) {
             const auto fields = smd_fields(line.text);
@@ -182,9 +181,9 @@ private:
         axis.points = static_cast<std::size_t>(points);
         axis.unit = is_unit(fields[3], Dimension::length) ? std::string(fields[3]) : lower_case(fields[3]);
         if (!is_unit(axis.unit, Dimension::length))
-            refuse_line(
-                name_, line,
-                {shown_cell(fields[3]), " is no unit of length; must be one of ", accepted_units(Dimension::length)});
+            refuse_line(name_, line,
+                        {shown_cell(fields[3]), " is not a unit of length; must be one of ",
+                         accepted_units(Dimension::length)});
         axis.unit = printable(axis.unit, 16);
         const double scale = number(fields[4], line, "scale");
         if (!(scale > 0)) refuse_line(name_, line, {"scale ", shown_cell(fields[4]), "; must be greater than 0"});
@@ -228,8 +227,8 @@ private:
         const std::size_t line = spacing_line_ != 0 ? spacing_line_ : x_.line;
         if (x_.increment.empty())
             refuse_line(name_, line,
-                        {header_.prf ? "states an axis whose spacing is nowhere; must have a line SPACING CX"
-                                     : "states no increment; must have one behind the type"});
+                        {header_.prf ? "states an axis without a spacing; must have a line SPACING CX"
+                                     : "states no increment; must have one after the type"});
         const double step = number(x_.increment, line, "increment") * x_.scale;
         if (!(step > 0) || !std::isfinite(step))
             refuse_line(name_, line, {"increment ", shown_cell(x_.increment), "; must be greater than 0"});

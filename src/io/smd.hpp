@@ -9,7 +9,7 @@
 ///     CX I 8000 mm 1.0e0 D 5.0e-4        axis, kind, points, unit, scale, type of the numbers, and of I the increment
 ///     CZ A 8000 um 1.0e0 D
 ///
-/// kinds being I (equal increments) of x and A (absolute) of z in .smd, and M of both in .prf, whose spacing stands in
+/// kinds being I (equal increments) of x and A (absolute) of z in .smd, and M of both in .prf, whose spacing is in
 /// the second record as "SPACING CX 5.0e-4". The third record has a height a line, the fourth of .smd a sum over all
 /// bytes.
 ///

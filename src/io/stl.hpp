@@ -27,7 +27,7 @@ namespace fstiff::inline v0_1::io {
 /// Whether \p bytes may be the first of a binary file of triangles.
 [[nodiscard]] bool may_be_stl(std::string_view bytes);
 
-/// Of the options the units and the names. \throws domain_error naming file, triangle and what is allowed.
+/// Uses the units and the names of the options. \throws domain_error naming file, triangle and what is allowed.
 [[nodiscard]] Reading read_stl(std::string_view bytes, std::string_view name, const SurfaceOptions& options = {});
 
 }  // namespace fstiff::inline v0_1::io

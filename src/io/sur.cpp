@@ -11,7 +11,7 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of the header.
 struct SurHeader {
     bool profile{};
     bool big_endian{};
@@ -36,13 +36,13 @@ Record record_of(const SurHeader& file, const RawMap& map) {
     record.say("units", "x in " + file.x_unit + ", heights in " + file.z_unit + ", in steps of " +
                             number_text(file.step) + " m, from the header; the offset of z is not added");
     record.say("spacing", "from the steps of x and y in the header");
-    record.say_points(map, file.marked ? "" : " (the header says that none are marked)");
+    record.say_points(map, file.marked ? "" : " (the header states that none are marked)");
     if (file.skipped != 0) record.say("comment and private zone", std::to_string(file.skipped) + " bytes, not read");
     record.say_trailer(file.trailer);
     if (file.inversion != 0)
         record.warnings.push_back("the file states that its heights are inverted (code " +
                                   std::to_string(file.inversion) +
-                                  "); they were read as the numbers stand, so that hills may be valleys");
+                                  "); they were read as stored, so that hills may be valleys");
     record.resolution = std::abs(file.step);
     return record;
 }

@@ -3,8 +3,8 @@
 /// \file
 /// Reads surfaces and profiles of Digital Surf (.sur, .pro), compressed or not.
 ///
-/// A header of 512 bytes, a comment, a private zone, and the heights row after row as integers of 16 or 32 bits. Of the
-/// header are used, by the byte at which they stand:
+/// A header of 512 bytes, a comment, a private zone, and the heights row after row as integers of 16 or 32 bits. Fields
+/// of the header that are used, by byte offset:
 ///
 ///     0   "DIGITAL SURF", or       86  non-measured points are marked     120  steps of x, y, z (float32)
 ///         "DSCOMPRESSED"           98  bits of a height                   180  their units (3 x 16 characters)
@@ -13,11 +13,11 @@
 ///     14  objects in the file      112 rows                               336  bytes of the private zone
 ///     18  1 profile, 2 surface
 ///
-/// The heights of a compressed file are zlib streams behind a table: their count, then of each its bytes when inflated
-/// and when deflated (uint32). Together they hold the heights as they would stand in the other form.
+/// The heights of a compressed file are zlib streams after a table: their count, then of each its bytes when inflated
+/// and when deflated (uint32). Together they hold the heights as in the other form.
 ///
 /// Heights are number times step of z; the offset of the axis, a constant, is not added. Where missing points are
-/// marked, the lowest number less 2 stands for them. A file that states an inversion is read as its numbers stand, with
+/// marked, the lowest number less 2 marks them. A file that states an inversion is read as stored, with
 /// a warning.
 ///
 /// Reference   the header of the formats SUR and PRO of Digital Surf, as the open reader of Gwyddion lays it out; files

@@ -71,7 +71,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
                        stated_grid(reader.entries(), "m", name).has_size();
     const auto as = [&](const char* form) { return format_as(options.names, form); };
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
-        refuse_file(name, {"has ", found, what, "; must be told by ", choice});
+        refuse_file(name, {"has ", found, what, "; give ", choice});
     };
     if (options.column != 0 || options.x_column != 0 || options.spacing)
         return {SurfaceFormat::profile, "options that only a profile has"};
@@ -94,7 +94,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
         if (sized || written != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
         ambiguous(
-            ", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
+            " that begin with no regular grid, and no stated size: may be scattered triples, a matrix "
             "or a profile with a column to choose",
             as("triples") + ", " + as("matrix") + ", or " + as("profile") + " with column");
     }
@@ -197,7 +197,7 @@ Reading read_packed(SurfaceFormat format, std::string_view bytes, const std::str
 #endif
 }
 
-/// Reads bytes of the form \p format, which is no table of numbers.
+/// Reads bytes of the form \p format, which is not a table of numbers.
 Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
                     const SurfaceOptions& options) {
     switch (format) {

@@ -16,7 +16,7 @@ struct Unit {
     Dimension dimension;
     std::string_view name;
     int exponent;         // of ten
-    double factor = 1;    // besides the power of ten
+    double factor = 1;    // in addition to the power of ten
     bool listed = false;  // in error messages
 };
 

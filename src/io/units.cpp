@@ -72,7 +72,7 @@ const Unit* find_unit(std::string_view text, Dimension dimension) {
 
 const Unit& require_unit(std::string_view text, Dimension dimension) {
     if (const Unit* unit = find_unit(text, dimension)) return *unit;
-    throw domain_error("unit \"" + std::string(text) + "\": is no unit of " + std::string(name_of(dimension)) +
+    throw domain_error("unit \"" + std::string(text) + "\": is not a unit of " + std::string(name_of(dimension)) +
                        "; allowed are " + accepted_units(dimension));
 }
 

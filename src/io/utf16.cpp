@@ -14,7 +14,7 @@ void append_utf8(std::string& text, std::uint32_t code) {
         add(code);
         return;
     }
-    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;  // bytes behind the first
+    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;  // bytes after the first
     static constexpr std::uint32_t first[] = {0, 0xC0, 0xE0, 0xF0};
     add(first[more] | code >> (6 * more));
     for (int i = more - 1; i >= 0; --i) add(0x80 | (code >> (6 * i) & 0x3F));

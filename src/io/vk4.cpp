@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of the file.
 struct VkHeader {
     std::string form;  // "VK4"
     std::uint64_t bits{};
@@ -33,11 +33,11 @@ std::string_view archive_at_end(const FileBytes& file) {
     const std::string_view bytes = file.at(0, file.size(), "the file");
     const std::size_t end = bytes.rfind("PK\5\6");
     if (end == std::string_view::npos)
-        refuse_file(file.name(), {"has no zip archive behind its picture; must be a whole .vk6 or .vk7"});
+        refuse_file(file.name(), {"has no zip archive after its picture; must be a whole .vk6 or .vk7"});
     const std::uint64_t size = file.number(end + 12, 4, "the end of its archive");
     const std::uint64_t place = file.number(end + 16, 4, "the end of its archive");
     if (size > end || place > end - size)
-        refuse_file(file.name(), {"has a zip archive whose table is not where its end says; must be whole"});
+        refuse_file(file.name(), {"has a zip archive whose table is not where its end states; must be whole"});
     return bytes.substr(static_cast<std::size_t>(end - size - place));
 }
 

@@ -9,14 +9,14 @@
 ///
 /// The settings have at their bytes 168 and 172 the steps of x and y, at 176 that of the heights, as uint32 in pm. An
 /// image has at its bytes 0 columns, 4 rows, 8 bits of a height (8, 16, 32), 12 compression (0: none), 16 bytes of the
-/// heights, and from 796 on, behind a palette, the heights row after row as unsigned integers.
+/// heights, and from 796 on, after a palette, the heights row after row as unsigned integers.
 ///
 ///     height = number times step of the heights
 ///
-/// The first image is read, the others are told. Missing points are not marked in these files.
+/// The first image is read, the record lists the others. Missing points are not marked in these files.
 ///
-/// A .vk6 or .vk7 begins with "VK6" or "VK7" and a picture (a NUL byte tells it from text); its end is a zip archive
-/// whose file Vk4File is a .vk4.
+/// A .vk6 or .vk7 begins with "VK6" or "VK7" and a picture (a NUL byte distinguishes it from text); its end is a zip
+/// archive with a .vk4 as its file Vk4File.
 ///
 /// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence)
 /// Units       map in m

@@ -77,7 +77,7 @@ void put_sdf(std::ostream& output, const RawMap& map, const SdfOptions& options)
 
     const auto is_reserved = [](double z) { return z == std::numeric_limits<double>::lowest(); };
     if (std::any_of(map.heights.begin(), map.heights.end(), is_reserved))
-        throw domain_error("map with the height -1.8e308: stands for a missing point in the file; must not occur");
+        throw domain_error("map with the height -1.8e308: marks a missing point in the file; must not occur");
 
     const std::string text = options.binary ? sdf_binary(map, options) : sdf_text(map, options);
     output.write(text.data(), static_cast<std::streamsize>(text.size()));

@@ -15,7 +15,7 @@ namespace detail {
 
 namespace {
 
-/// What the file states.
+/// Content of main.xml.
 struct X3pHeader {
     std::string main;        // of main.xml in the archive
     std::string data;        // of the heights in the archive; empty when they are in main.xml
@@ -55,8 +55,7 @@ Record record_of(const X3pHeader& file, const RawMap& map, const OptionNames& na
     if (file.side_files != 0) record.say("other files in the archive", std::to_string(file.side_files) + ", not read");
     if (file.doubtful())
         record.warnings.push_back(
-            "the heights are numbers of floating point, and the file states an increment of " + increment +
-            " besides: " +
+            "the heights are numbers of floating point, and the file also states an increment of " + increment + ": " +
             (file.applied ? "they were taken times the increment; where they are metres already, the other reading is "
                           : "they were taken as metres, without the increment; the other reading is ") +
             of_words(names, "x3p_increment") + names.equals + (file.applied ? "ignore" : "apply"));
@@ -73,7 +72,7 @@ public:
         find_main();
         const std::string main = archive_.content(*archive_.find(header_.main));
         if (!document_.load_buffer(main.data(), main.size()))
-            refuse_file(name_, {shown_cell(header_.main), " is no XML; must be a whole X3P file"});
+            refuse_file(name_, {shown_cell(header_.main), " is not valid XML; must be a whole X3P file"});
         for (pugi::xml_node root = document_.first_child(); root && !root_; root = root.next_sibling())
             if (local_child(root, "Record1") && local_child(root, "Record3")) root_ = root;
         if (!root_)
@@ -119,7 +118,7 @@ private:
         folder_ = header_.main.substr(0, header_.main.size() - std::string_view("main.xml").size());
     }
 
-    /// Says what an archive is that is no X3P file.
+    /// Refuses an archive that is not an X3P file, and names what it is.
     [[noreturn]] void refuse_archive() const {
         const auto any = [&](const auto& is) {
             return std::any_of(archive_.names().begin(), archive_.names().end(), is);

@@ -21,8 +21,8 @@
 
 namespace fstiff::inline v0_1::io {
 
-/// Of the options the increment, the limits and the names. \throws domain_error naming file, element, value and what is
-/// allowed.
+/// Uses the increment, the limits and the names of the options. \throws domain_error naming file, element, value and
+/// what is allowed.
 [[nodiscard]] Reading read_x3p(std::string_view bytes, std::string_view name, const SurfaceOptions& options = {});
 
 }  // namespace fstiff::inline v0_1::io

@@ -83,7 +83,9 @@ std::uint32_t crc_of(std::string_view bytes) {
 
 ZipArchive::ZipArchive(std::string_view bytes, std::string name, const X3pLimits& limits)
     : bytes_(bytes), name_(std::move(name)), limits_(limits) {
-    const auto refuse = [&] { refuse_file(name_, {"is no zip archive, or a damaged one; must be a whole X3P file"}); };
+    const auto refuse = [&] {
+        refuse_file(name_, {"is not a zip archive, or a damaged one; must be a whole archive"});
+    };
     const std::optional<Directory> found = directory();
     if (!found) refuse();
     if (found->count > static_cast<std::uint64_t>(std::max<std::int64_t>(limits_.files, 0)))
@@ -97,7 +99,7 @@ ZipArchive::ZipArchive(std::string_view bytes, std::string name, const X3pLimits
     if (!rest.empty()) refuse();
 }
 
-/// Where the directory lies; none where the end of the archive does not say so, or says what cannot be.
+/// Where the directory lies; none where the end of the archive does not give it, or gives an impossible place.
 std::optional<ZipArchive::Directory> ZipArchive::directory() const {
     const std::size_t end = bytes_.rfind("PK\5\6");
     if (end == std::string_view::npos || !has_record(bytes_, end, "PK\5\6", end_length)) return std::nullopt;
@@ -156,7 +158,7 @@ std::size_t ZipArchive::size(std::size_t index) const {
     if (entry.encrypted) refuse_file(name_, {shown_cell(names_[index]), " is encrypted; must not be"});
     if (entry.packed > bytes_.size())
         refuse_file(name_, {shown_cell(names_[index]), " declares ", entry.packed,
-                            " deflated bytes, more than the file has; must be a whole X3P file"});
+                            " deflated bytes, more than the file has; must be a whole archive"});
     if (entry.size > limits_.bytes)
         refuse_file(name_, {shown_cell(names_[index]), " would inflate to ", entry.size, " bytes; must be at most ",
                             limits_.bytes});
@@ -166,7 +168,7 @@ std::size_t ZipArchive::size(std::size_t index) const {
     return static_cast<std::size_t>(entry.size);
 }
 
-/// The bytes of a file as they lie behind its local header; none where they do not.
+/// The bytes of a file after its local header; none without them.
 std::optional<std::string_view> ZipArchive::packed(const Entry& entry) const {
     if (!has_record(bytes_, entry.offset, "PK\3\4", local_length)) return std::nullopt;
     const std::string_view local = bytes_.substr(entry.offset);
@@ -179,7 +181,7 @@ std::string ZipArchive::content(std::size_t index) const {
     const std::size_t length = size(index);
     const Entry& entry = entries_[index];
     const std::optional<std::string_view> stream = packed(entry);
-    if (!stream) refuse_file(name_, {shown_cell(names_[index]), " has no readable entry; must be a whole X3P file"});
+    if (!stream) refuse_file(name_, {shown_cell(names_[index]), " has no readable entry; must be a whole archive"});
     if (entry.method != 0 && entry.method != Z_DEFLATED)
         refuse_file(name_, {shown_cell(names_[index]), " cannot be inflated; must be deflated or stored"});
     std::string text;
@@ -192,7 +194,7 @@ std::string ZipArchive::content(std::size_t index) const {
         whole = inflate_raw(*stream, text);
     }
     if (!whole || crc_of(text) != entry.crc)
-        refuse_file(name_, {shown_cell(names_[index]), " is damaged; must be a whole X3P file"});
+        refuse_file(name_, {shown_cell(names_[index]), " is damaged; must be a whole archive"});
     return text;
 }
 

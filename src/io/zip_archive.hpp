@@ -38,7 +38,7 @@ public:
     std::string content(std::size_t index) const;
 
 private:
-    /// What the directory states of one file.
+    /// Entry of the directory for one file.
     struct Entry {
         std::uint64_t size{}, packed{}, offset{};
         std::uint32_t crc{};

@@ -57,7 +57,7 @@ double counted_area(const Scene& scene) {
     return scene.nominal_area ? *scene.nominal_area : std::pow(measured_side(scene), 2);
 }
 
-/// What \p band, with its \p parts where they are known, leaves open about \p value.
+/// Uncertainty of \p value by \p band, with its \p parts where they are known.
 void take_band(parts::Causes<double>& causes, double value, const parts::SampledBand<double>& band,
                const parts::BandParts<double>* parts, bool sampled) {
     const auto put = [&](parts::Cause cause, double low, double high) {
@@ -76,8 +76,8 @@ void take_band(parts::Causes<double>& causes, double value, const parts::Sampled
     }
 }
 
-/// K of boundary elements, on the 256 points a side that take seconds unless the scene says another number, at the
-/// points of the answer where they can know more than a pixel.
+/// K of boundary elements, on 256 points a side, which take seconds, unless the scene gives another number, at the
+/// points of the answer where they resolve more than a pixel.
 Curve solved(const Scene& scene, const Results& results, const Curve& base, const StiffnessAnswer& answer,
              const ProgressHook& progress) {
     Curve none;
@@ -143,7 +143,7 @@ std::vector<double> changes(const Scene& scene, const HeightMap<double>& map, co
     return all;
 }
 
-/// What the filter of lambda_s and the plane that was removed may have changed of K of \p solved: the filter by the
+/// Changes of K of \p solved that the filter of lambda_s and the removed plane may have caused: the filter by the
 /// neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be the surface's
 /// own.
 std::vector<parts::CauseSpread<double>> of_cut_offs(const Scene& scene, const Curve& solved, double modulus,
@@ -173,7 +173,8 @@ std::vector<parts::CauseSpread<double>> of_cut_offs(const Scene& scene, const Cu
     return all;
 }
 
-/// What a profile leaves open of a face with a lay: across it how long the ridges are, and otherwise what is across.
+/// Uncertainty of a profile of a face with a lay: the length of the ridges if it is across the lay, else the profile
+/// across.
 parts::CauseSpread<double> of_lay(const Scene& scene) {
     constexpr double softer = 4, stiffer = 2, heavy = 1.5;  // along and across turned, milled, planed and ground maps
     if (scene.has_lay) return {-std::log(heavy), std::log(parts::lay_factor)};

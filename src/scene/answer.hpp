@@ -6,7 +6,7 @@
 
 namespace fstiff::scene {
 
-/// Gives \p scene the one law that answers where no boundary elements do: plastic where the peaks flow, hybrid where
+/// Gives \p scene the one law that answers where no boundary elements do: plastic where the peaks yield, hybrid where
 /// they do not. A map with missing points answers by its numbers.
 void set_law_of_answer(Scene& scene);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The contacts of the library behind AnyContact. Private to law.cpp.
+// The contacts of the library in AnyContact. Private to law.cpp.
 
 #include "scene/law.hpp"
 
@@ -16,7 +16,8 @@
 
 namespace fstiff::scene {
 
-/// What ContactLaw::tabulate asks of a contact, through virtual functions: its tables are compiled once for all laws.
+/// Interface of a contact that ContactLaw::tabulate needs, with virtual functions: its tables are compiled once for
+/// all laws.
 class Model {
 public:
     virtual ~Model() = default;

@@ -16,7 +16,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// The states of random numbers that a band draws besides those of the parameters.
+/// The states of random numbers that a band draws in addition to those of the parameters.
 struct RandomStates {
     std::uint64_t tiles, gradients;
 };
@@ -177,13 +177,13 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
             if (!of_neighbours.empty() || !of_unknowns.empty()) curve.band_parts.push_back(wide.parts);
             curve.band.push_back(wide.band);
         }
-        if (!wide_anywhere) curve.band.clear(), curve.band_parts.clear();  // feels nothing that is not known
+        if (!wide_anywhere) curve.band.clear(), curve.band_parts.clear();  // depends on no unknown
         next += scene.points.size();
     }
     if (failed > 0)
-        results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
-                                   " sampled surfaces are beyond the reach of the model at a point: the band there is "
-                                   "that of the others");
+        results.warnings.push_back(
+            "up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
+            " sampled surfaces are outside the range of the model at some point: the band there is from the others");
 }
 
 }  // namespace fstiff::scene

@@ -53,7 +53,7 @@ public:
     BearingsOfMaps(std::vector<std::shared_ptr<const HeightMap<double>>> maps, std::vector<Summits<double>> summits)
         : maps_(std::move(maps)), summits_(std::move(summits)) {}
 
-    /// Of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
+    /// Bearing curve of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
     [[nodiscard]] parts::BearingContact<double> contact(std::size_t index, Edges edges, double modulus,
                                                         double gamma) const;
     /// How hybrid goes from the summits of the map number \p index to that. \throws domain_error as contact() and

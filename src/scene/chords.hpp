@@ -13,7 +13,7 @@ struct LinePoint {
 };
 using Line = std::vector<LinePoint>;  ///< x rises, y is not 0
 
-/// Which points of \p lines, from the first to the last, keep the chords between them within \p tolerance of y at all
+/// Points of \p lines, from the first to the last, that keep the chords between them within \p tolerance of y at all
 /// points; as few as a search from one to the next finds. The lines have equally many points; a row is one of each.
 [[nodiscard]] std::vector<std::size_t> rows_within(const std::vector<Line>& lines, double tolerance);
 

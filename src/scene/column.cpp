@@ -13,7 +13,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// Of heat or current, as \p quantity says, through the spots of \p s and their film [W/(m^2 K)], [S/m^2].
+/// Conductance of heat or current, by \p quantity, through the spots of \p s and their film [W/(m^2 K)], [S/m^2].
 Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene, const ContactState<double>& s) {
     const Conduction& by = scene.conduction;
     const bool heat = quantity == CurveQuantity::thermal_conductance;
@@ -23,7 +23,7 @@ Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene
     return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
 }
 
-/// Of a cycle of the scene's amplitude. Of spots that flowed two limits are known, between which the middle is a mean.
+/// Loss factor of a cycle of the scene's amplitude. For yielded spots two limits are known; the middle is their mean.
 double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tangential_stiffness,
                Statistic statistic) {
     const double x = tangential_stiffness * *scene.friction->amplitude /
@@ -34,7 +34,7 @@ double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tan
     return statistic == Statistic::p05 ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
 }
 
-/// What \p column holds of the state \p i of \p curve, whose K may be that of an end of its band: \p s.
+/// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
 Estimate<double> estimate_of(const Column& column, const Scene& scene, double tangential_ratio, const Curve& curve,
                              std::size_t i, const ContactState<double>& s) {
     const double area = scene.nominal_area.value_or(0);

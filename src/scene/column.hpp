@@ -16,7 +16,7 @@ namespace fstiff::scene {
 struct Curve;
 struct Scene;
 
-/// What a column holds, in the order of the columns.
+/// Quantities of columns, in the order of the columns.
 enum class CurveQuantity {
     force,
     pressure,
@@ -36,7 +36,7 @@ enum class CurveQuantity {
     real_area,
     contacts
 };
-/// Which number of the quantity: what was computed, its numerical error, or an end of its band.
+/// The number of the quantity: its value, its numerical error, or an end of its band.
 enum class Statistic { value, error, p05, p95 };
 
 /// A row of the table of quantities.
@@ -60,7 +60,7 @@ struct Column {
     std::vector<double> values{};  ///< [SI] one a state; empty: the law does not give the quantity
 
     [[nodiscard]] const CurveQuantityRow& row() const { return curve_quantities()[static_cast<std::size_t>(quantity)]; }
-    /// Of CSV and JSON, with the unit at its end, such as "stiffness_p05_Pa_per_m".
+    /// Name in CSV and JSON, with the unit at its end, such as "stiffness_p05_Pa_per_m".
     [[nodiscard]] const std::string& key() const;
 };
 

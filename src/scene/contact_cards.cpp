@@ -84,7 +84,7 @@ std::vector<double> exponentials_of(const LawColumns& columns) {
 }
 
 /// CalculiX looks conductances up by the pressure of an exponential law, whichever law the contact has: one of our own,
-/// which rises from 1 to 100 and stands before the table, makes a table over the overclosure of them.
+/// which rises from 1 to 100 and is before the table, makes a table over the overclosure of them.
 std::string calculix_heat(const LawInModel& law) {
     if (law.table.columns.heat.empty()) return {};
     const CardRows rows = card_rows(law, heat_of(law), exponentials_of(law.table.columns), ", 293");

@@ -28,7 +28,7 @@ struct LawInModel {
 [[nodiscard]] std::string calculix_cards(const LawInModel& law);
 /// The surface interaction FSTIFF: pressure, heat, current and friction.
 [[nodiscard]] std::string abaqus_cards(const LawInModel& law);
-/// A line of names and rows of numbers with commas, all of which the tolerance holds for.
+/// A line of names and rows of numbers with commas; the tolerance holds for all of them.
 [[nodiscard]] std::string moose_columns(const LawInModel& law);
 /// The same with spaces, and the names in a comment.
 [[nodiscard]] std::string comsol_columns(const LawInModel& law);

@@ -15,9 +15,9 @@
 
 namespace fstiff::scene {
 
-/// Every point stands by itself, so that they may be computed in parts, one by one where \p law takes seconds for each,
+/// Every point is independent, so that they may be computed in parts, one by one where \p law takes seconds for each,
 /// with
-/// \p progress told between them.
+/// \p progress called between them.
 inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Law& law, const AnyContact& contact,
                                                    Quantity quantities, const ProgressHook& progress = {}) {
     const std::size_t part = law.varies ? 64 : 1;

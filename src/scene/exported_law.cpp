@@ -40,16 +40,16 @@ ModelUnits units_of(const ExportRequest& request) {
     return model_units(request.units, option_name(request.prefix, "units"));
 }
 
-/// What begins a comment of the program.
+/// Beginning of a comment of the program.
 std::string comment_of(Solver to) { return to == Solver::moose ? "# " : to == Solver::comsol ? "% " : "** "; }
 
-/// What the program makes of an overclosure above that of the last row.
+/// Behaviour of the program for an overclosure above that of the last row.
 std::string beyond(Solver to) {
     switch (to) {
-        case Solver::calculix: return "the pressure stays what it is: choose --until above every pressure of the model";
-        case Solver::abaqus: return "Abaqus goes on along the last line";
-        case Solver::moose: return "PiecewiseLinear stays at the last value, unless extrap = true";
-        default: return "as the interpolation function is told, a constant by default";
+        case Solver::calculix: return "the pressure stays constant: choose --until above every pressure of the model";
+        case Solver::abaqus: return "Abaqus extrapolates the last line";
+        case Solver::moose: return "PiecewiseLinear keeps the last value unless extrap = true";
+        default: return "as the interpolation function is set, constant by default";
     }
 }
 
@@ -74,11 +74,11 @@ std::string heading_of(const Scene& scene, const LawInModel& law, const ExportRe
         "] against overclosure [" + units.length + "]");
     say("range     " + law.pressure(table.from) + " to " + law.pressure(table.to) + " " + units.pressure);
     if (request.to == Solver::calculix || request.to == Solver::abaqus) text += comment_of_pressure(law);
-    say("zero      faces drawn in touch have overclosure 0: the mean planes of the roughness are then");
+    say("zero      faces drawn in contact have overclosure 0: the mean planes of the roughness are then");
     say("          " + law.length(table.zero_separation) + " " + units.length +
-        " apart, and come closer by the overclosure.");
-    say("          There the line of the first rows of the law meets pressure 0; below the range the table");
-    say("          is that line, while the law falls to 0 as the faces part.");
+        " apart and approach each other by the overclosure.");
+    say("          The line through the first rows reaches pressure 0 there; below the range the table");
+    say("          is that line, whereas the law falls to 0 as the faces separate.");
     say("beyond    the last row " + beyond(request.to));
     if (request.to == Solver::calculix) say("contact   *CONTACT PAIR, INTERACTION=FSTIFF, TYPE=NODE TO SURFACE");
     return text;

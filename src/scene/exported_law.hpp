@@ -42,23 +42,24 @@ struct ExportRequest {
 
     template <class Take>
     void each_option(Take take) {
-        take("to", to, "program whose input is written; law: the tabulated law itself, for C, C++, Python and Fortran",
+        take("to", to, "target program; law: the tabulated law itself, for C, C++, Python and Fortran",
              {.required = true});
-        take("units", units, "units of the model, length, force and pressure, such as m,N,Pa", {.shows_default = true});
+        take("units", units, "units of length, force and pressure in the model, such as m,N,Pa",
+             {.shows_default = true});
         take("tolerance", tolerance, "largest error of the pressure between two rows", {.shows_default = true});
-        take("from", from, "least pressure of the table; the default is that of the scene");
-        take("until", until, "greatest pressure of the table; the default is that of the scene");
+        take("from", from, "lowest pressure of the table; the default is that of the scene");
+        take("until", until, "highest pressure of the table; the default is that of the scene");
         take("law", law,
-             "law of the scene; the default is that of the answer, or where laws are named the first that gives a "
+             "law of the scene; the default is that of the answer or, if the scene names laws, the first that gives a "
              "separation");
-        take("peaks", peaks, "which of the scene's contact.peaks, from 1 on", {.shows_default = true});
+        take("peaks", peaks, "number of the entry in the scene's contact.peaks, from 1", {.shows_default = true});
         take("at", at,
-             "pressure whose tangential stiffness a card of friction holds; the default is the middle of the range, in "
-             "decades");
+             "pressure at which a friction card takes the tangential stiffness; the default is the logarithmic middle "
+             "of the range");
     }
 };
 
-/// What goes into the file of the program.
+/// Content of the file for the program.
 struct ExportedLaw {
     std::string text;
     std::vector<std::string> warnings{};

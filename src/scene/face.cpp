@@ -142,7 +142,7 @@ std::string no_spectrum(const Face& face) {
     if (face.map && face.spectrum_of_map) {
         if (const std::string missing = missing_points(*face.map); !missing.empty()) return missing;
         return !face.map->spectra                          ? "the map has fewer than 4 points a side"
-               : face.map->summits.front().summits.empty() ? "no point of the map stands above its eight neighbours"
+               : face.map->summits.front().summits.empty() ? "no point of the map is above its eight neighbours"
                                                            : "";
     }
     const SpectralMoments<double> moments = spectral_moments(face);
@@ -153,7 +153,7 @@ std::string no_spectrum(const Face& face) {
                    "numbers must be less extreme";
     if (alpha > 1.5) return "";
     return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
-           ", and isotropic surfaces have more than 1.5; must be told " +
+           ", but isotropic surfaces have more than 1.5; set " +
            (face.rms_gradient ? "surface.alpha" : "surface.rms_gradient and surface.alpha");
 }
 

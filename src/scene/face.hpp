@@ -47,7 +47,7 @@ struct Face {
     parts::HeightShape<double> shape;                 ///< of the heights, given or as far as a measured one counts
     std::shared_ptr<const parts::BearingSlope<double>>
         bearing;                                      ///< of heights over the rms height; none of Gaussian heights
-    std::shared_ptr<const MeasuredSurface> measured;  ///< where surface.from says, or --surface; none of a sum
+    std::shared_ptr<const MeasuredSurface> measured;  ///< as surface.from or --surface gives it; none for a sum
     std::optional<double> lambda_s;                   ///< that it was measured with [m]
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured
 
@@ -106,9 +106,9 @@ struct Face {
 /// is written of sigma, R and D_p, whose peaks have the correlation \p r; empty where there is none.
 [[nodiscard]] std::string gradient_warning(const Face& face, double r);
 
-/// What was measured, as the contact sees it.
+/// Measured parameters in the form that the contact uses.
 [[nodiscard]] Face face_of(std::shared_ptr<const MeasuredSurface> measured);
-/// What laws take of \p maps, one at least, of one surface.
+/// Inputs of laws from \p maps, at least one, of one surface.
 [[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(
     std::vector<std::shared_ptr<const HeightMap<double>>> maps);
 

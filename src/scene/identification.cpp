@@ -47,7 +47,7 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
                                ": must be " + allowed);
         };
         if (curve.has_errors && !(point.error > 0)) refuse("error", point.error, "greater than 0 to weigh the point");
-        if (curve.is_reflection && !(point.value < 2)) refuse("reflection", point.value, "at most 1, but for noise");
+        if (curve.is_reflection && !(point.value < 2)) refuse("reflection", point.value, "at most 1, apart from noise");
         data.push_back({point.pressure, point.value, point.error});
     }
     return data;
@@ -155,16 +155,15 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
     const std::string names = names_of(finding.parameters);
     switch (finding.concern) {
         case FitConcern::singular:
-            return (finding.parameters.size() < 2
-                        ? "the data do not depend on " + names + " here"
-                        : "the data cannot tell " + names +
-                              " apart: a change of one is undone by the others, so that only a combination of them can "
-                              "be found") +
-                   "; fit fewer parameters. K(p) holds " +
+            return (finding.parameters.size() < 2 ? "the data do not depend on " + names + " here"
+                                                  : "the data cannot distinguish " + names +
+                                                        ": a change of one is compensated by the others, so only a "
+                                                        "combination of them can be found") +
+                   "; fit fewer parameters. K(p) contains " +
                    (fit.law->needs_spectrum
-                        ? "g and E as the product E g alone; R and Dp count only where g or alpha follows from them"
-                        : "R, Dp and E as the product E Dp sqrt(R) alone, and of sigma, that product and D no more "
-                          "than two can be found; no law but the fractal ones depends on D");
+                        ? "g and E only as the product E g; R and Dp count only where g or alpha follows from them"
+                        : "R, Dp and E only as the product E Dp sqrt(R); of sigma, this product and D at most two can "
+                          "be found; only the fractal laws depend on D");
         case FitConcern::not_converged:
             return "the search did not converge: start closer to the data, or fit fewer parameters";
         case FitConcern::misfit:
@@ -172,25 +171,25 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
                    ": the model does not describe the data within their errors, and the standard errors are too small";
         case FitConcern::scattered:
             return "the points scatter by " + std::to_string(std::lround(100 * finding.value)) +
-                   " % about the model: it does not describe them, or some of them are wrong";
+                   " % about the model: the model does not describe them, or some of them are wrong";
         case FitConcern::outlier:
             return "the point at p = " +
                    unit_of_pressure(fit.points[finding.point].pressure)(fit.points[finding.point].pressure) + " is " +
                    rounded(finding.value, 2) +
-                   " times as far from the model as the median of the points: the fit is bent towards it";
+                   " times as far from the model as the median of the points: it distorts the fit";
         case FitConcern::far_from_start:
-            return names + " came out as " + rounded(finding.value, 2) +
-                   " times its starting value: see that the units of the measured columns are right, and if so, start "
-                   "from there";
+            return names + " is " + rounded(finding.value, 2) +
+                   " times its starting value: check the units of the measured columns; if they are right, start from "
+                   "the value found";
         case FitConcern::no_errors: return "no standard errors: as many parameters as points, and no column of errors";
         case FitConcern::at_bound:
             return names +
-                   " came to the end of its range: no value of it fits the data, and no errors are known beside it";
+                   " is at the end of its range: no value within it fits the data, and its errors are not available";
         case FitConcern::unresolved:
-            return "the data say next to nothing of " + names +
-                   ": the ends of its interval are a factor of 100 or more apart";
+            return "the data hardly constrain " + names +
+                   ": the ends of its interval differ by a factor of 100 or more";
         case FitConcern::correlated:
-            return names + " are hardly told apart (correlation " + rounded(finding.value, 4) + ")";
+            return names + " can hardly be separated (correlation " + rounded(finding.value, 4) + ")";
     }
     return {};
 }
@@ -272,8 +271,8 @@ void require_known(const Scene& scene, const FitRequest& request) {
     for (const Parameter each : {Parameter::rms_gradient, Parameter::alpha})
         if (has(request.wanted, each) && scene.face.map && scene.face.spectrum_of_map)
             throw domain_error(scene.file + ": " + option + " " + std::string(parts::row_of(each).short_name) +
-                               ": the surface is a map, whose heights have one factor, sigma; [contact.persson] "
-                               "spectrum = \"moments\" makes it numbers");
+                               ": the surface is a map, whose heights scale with sigma alone; [contact.persson] "
+                               "spectrum = \"moments\" replaces it with numbers");
 }
 
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
@@ -289,10 +288,10 @@ std::string flow_of(const Scene& scene, const Fit& fit, const std::vector<Parame
     const double relative = g ? hardness / (x.effective_modulus * *g) : std::numeric_limits<double>::quiet_NaN();
     if (!(g ? relative < parts::flowing_hardness : psi > parts::max_elastic_plasticity_index<double>)) return "";
     const bool has_plastic = refusal_of(find_law(LawName::plastic), scene).empty();
-    return "the peaks of the fitted surface flow (" +
+    return "the peaks of the fitted surface yield (" +
            (g ? "H/(E g) = " + rounded(relative, 2) + ", below " + rounded(parts::flowing_hardness) + "; " : "") +
            "plasticity index " + rounded(psi, 3) +
-           "): an elastic law is not that of this contact, and what it found is no property of the surface; fit " +
+           "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
            (has_plastic ? "plastic" : "jackson_green");
 }
 
@@ -327,7 +326,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
             return found_by(scene, fit, {data, request.wanted, fit.start, options});
         });
     }
-    for (const Parameter unknown : unknown_parameters(scene))  // of the surface, and held at what nobody knows
+    for (const Parameter unknown : unknown_parameters(scene))  // of the surface, and held at an assumed value
         if (!has(request.wanted, unknown)) all.doubtful = true;
     if (scene.implausible) all.doubtful = true;
     std::size_t sound = 0;

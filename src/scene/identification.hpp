@@ -16,7 +16,7 @@
 
 namespace fstiff::scene {
 
-/// What is fitted, and of what.
+/// Parameters to fit, and the data.
 struct FitRequest {
     std::vector<Parameter> wanted;
     std::string law{};          ///< alone; empty: the laws that somebody chose, or else the one whose K is the answer
@@ -39,7 +39,7 @@ struct Fits {
     std::vector<Fit> fits;
     std::optional<Wave<double>> wave;   ///< of measured reflections
     std::vector<std::string> warnings;  ///< sentences on the scene and on every fit
-    bool doubtful = false;  ///< a fit is no answer, all are doubtful, or a parameter that is held is not known
+    bool doubtful = false;              ///< a fit failed, all are doubtful, or a parameter that is held is not known
 };
 
 /// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve

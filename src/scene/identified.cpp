@@ -12,7 +12,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// An interval of data that say little may end beyond the range of numbers: nothing is shown there.
+/// An interval of data with little information may end beyond the range of numbers: the cell is then empty.
 Json finite_json(double value) { return std::isfinite(value) ? value : Json(nullptr); }
 
 /// Measured value, model and residual are in these units.
@@ -39,7 +39,7 @@ Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p)
     const parts::ParameterRow& row = parts::row_of(p.parameter);
     Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
     if (fit.found.status == math::FitStatus::singular)
-        one["looseness"] = p.null_share;
+        one["null_share"] = p.null_share;
     else
         one["value"] = p.value;
     if (p.at_bound) one["at_bound"] = true;
@@ -82,10 +82,10 @@ std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
             std::find_if(parts::parameter_table.begin(), parts::parameter_table.end(),
                          [&](const parts::ParameterRow& row) { return name == row.short_name || name == row.key; });
         if (found == parts::parameter_table.end())
-            throw option_error(option + ": \"" + name + "\" is no parameter; must be one of " +
+            throw option_error(option + ": \"" + name + "\" is not a parameter; must be one of " +
                                list_of(parameter_short_names));
         if (std::count(wanted.begin(), wanted.end(), found->parameter) > 0)
-            throw option_error(option + ": \"" + name + "\" is there twice; each may be named once");
+            throw option_error(option + ": \"" + name + "\" is listed twice");
         wanted.push_back(found->parameter);
     }
     return wanted;

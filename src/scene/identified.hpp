@@ -55,7 +55,7 @@ struct IdentifyRequest {
              "parameters to fit, among " + names +
                  " (g: rms gradient, offset: of the pressure); the others keep their values",
              {.required = true, .type = "NAME,..."});
-        take("law", law, "law to fit; the default is contact.laws, or plastic or hybrid where it is not there",
+        take("law", law, "law to fit; the default is contact.laws or, without it, plastic or hybrid",
              {.words = fitted_law_names()});
         take("wave", wave, "kind of wave whose reflection coefficients were measured: longitudinal (default) or shear");
     }
@@ -67,7 +67,7 @@ struct Identified {
     Fits found;
 };
 
-/// The parameters that \p request fits. \throws option_error for a name that is none, or is there twice.
+/// The parameters that \p request fits. \throws option_error for a name that is none, or is listed twice.
 [[nodiscard]] std::vector<Parameter> parameters_of(const IdentifyRequest& request);
 /// Fits \p curve, or the one in the file of \p request, which is read. \throws as parameters_of(),
 /// read_measured_curve() and identify().

@@ -13,6 +13,7 @@
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <array>
 #include <cmath>
@@ -102,7 +103,7 @@ auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::
             .of(peaks, map.taller);
     return HybridContact(std::move(peaks), std::move(crowded_contact), std::move(hand_over));
 }
-/// What \p make makes of hybrid of numbers, of Gaussian heights or of a bearing curve.
+/// Calls \p make with hybrid from numbers, with Gaussian heights or a bearing curve.
 template <class Make>
 std::unique_ptr<AnyContact> of_hybrid_of_numbers(const ContactInputs& inputs, const Make& make) {
     const BandSpectrum<double> band = band_of_moments(inputs.moments, inputs.hurst);
@@ -124,7 +125,7 @@ std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
                        [&](const Summits<double>& of, std::size_t shift) { return hybrid_of_map(inputs, of, shift); });
 }
 
-/// Peaks that have flowed, of numbers: the cut of a Gaussian surface.
+/// Yielded peaks, from numbers: the cut of a Gaussian surface.
 parts::GaussianCut<double> gaussian_cut(const ContactInputs& inputs) {
     return {std::sqrt(inputs.moments.m0), std::sqrt(2 * inputs.moments.m2), inputs.effective_modulus};
 }
@@ -161,7 +162,8 @@ std::unique_ptr<AnyContact> plastic_peaks(const ContactInputs& inputs) {
     PlasticMaterial<double> material = inputs.material;  // omega_c of Kogut and Etsion, which follows from H alone
     material.effective_modulus = inputs.effective_modulus;
     material.hardness = hardness;
-    if (!(material.yield_strength > 0)) material.yield_strength = hardness / 2.8;
+    if (!(material.yield_strength > 0))
+        material.yield_strength = hardness / parts::hardness_over_yield_strength<double>;
     const double critical_over_radius = KogutEtsionLaw<double>(material).critical(1.0);
     return std::make_unique<PlasticHolder<RoughContact<double, PlasticLaw<double>>>>(
         RoughContact(inputs.surface, *inputs.peaks, PlasticLaw<double>(hardness, inputs.effective_modulus),
@@ -197,7 +199,7 @@ public:
         return points;
     }
     std::vector<ContactPoint<double>> at_separations(std::span<const double>, Quantity) const override {
-        throw domain_error("law proportional: gives no separation; must be asked at pressures");
+        throw domain_error("law proportional: gives no separation; give pressures");
     }
 
 private:
@@ -224,7 +226,7 @@ constexpr Quantity without_contacts = Quantity::pressure | Quantity::separation 
 
 const std::array<Law, 13> table{{
     {.which = LawName::fractal,
-     .nature = "the print of the paper: K is not the slope of the load (docs/errata.md)",
+     .nature = "as printed in the paper: K is not the slope of the load (docs/errata.md)",
      .needs_dimension = true,
      .load = "(3.7)",
      .stiffness = "(3.14), (4.9)",
@@ -232,7 +234,7 @@ const std::array<Law, 13> table{{
      .contact = joint<fractal>,
      .fit = fitted<fractal>},
     {.which = LawName::fractal_consistent,
-     .nature = "elastic: K of the paper, with the load whose slope it is",
+     .nature = "elastic: K of the paper, with the load that has this slope",
      .needs_dimension = true,
      .load = "integral of (3.14)",
      .stiffness = "(3.14), (4.9)",
@@ -258,12 +260,12 @@ const std::array<Law, 13> table{{
      .has_peaks = false,
      .load = "at equal K",
      .stiffness = "(hertz^5 + persson^5)^(1/5)",
-     .peaks = "of the spectrum cut where alpha is 6; of a map its summits, then its bearing curve",
+     .peaks = "from the spectrum cut where alpha is 6; for a map its summits, then its bearing curve",
      .contact = hybrid,
      .needs_spectrum = true,
      .holds_when_crowded = true},
     {.which = LawName::persson,
-     .nature = "elastic, of the spectrum: crowded contacts",
+     .nature = "elastic, from the spectrum: crowded contacts",
      .has_peaks = false,
      .load = "Persson (2007)",
      .stiffness = "Persson (2007), Almqvist et al. (2011)",
@@ -284,17 +286,17 @@ const std::array<Law, 13> table{{
      .ends = true,
      .has_quick_form = true},
     {.which = LawName::plastic,
-     .nature = "peaks that have flowed: K is that of unloading, which a wave sees",
+     .nature = "yielded peaks: K is that of unloading, which a wave measures",
      .load = "hardness and hybrid",
      .stiffness = "(cut at p/H^1.9 + hybrid^1.9)^(1/1.9)",
-     .peaks = "(4.4); of a map its summits",
+     .peaks = "(4.4); for a map its summits",
      .contact = plastic,
      .quantities = without_contacts,
      .needs_spectrum = true,
      .needs_hardness = true,
      .holds_when_crowded = true},
     {.which = LawName::plastic_peaks,
-     .nature = "fully plastic peaks, each by itself: K is that of unloading, which a wave sees",
+     .nature = "fully plastic peaks without interaction: K is that of unloading, which a wave measures",
      .load = "hardness times area, 2 pi R omega",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
@@ -302,7 +304,7 @@ const std::array<Law, 13> table{{
      .needs_hardness = true,
      .range = {.least_interference = 110, .most_radius_ratio = 0.4}},
     {.which = LawName::jackson_green,
-     .nature = "elastic to plastic: K is that of unloading, which a wave sees",
+     .nature = "elastic to plastic: K is that of unloading, which a wave measures",
      .load = "Jackson, Green (2005)",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
@@ -310,7 +312,7 @@ const std::array<Law, 13> table{{
      .needs_yield = true,
      .range = {.most_radius_ratio = 0.41}},
     {.which = LawName::kogut_etsion,
-     .nature = "elastic to plastic: K is that of unloading, which a wave sees",
+     .nature = "elastic to plastic: K is that of unloading, which a wave measures",
      .load = "Kogut, Etsion (2002)",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
@@ -318,7 +320,7 @@ const std::array<Law, 13> table{{
      .needs_yield = true,
      .range = {.most_interference = 110, .most_radius_ratio = 0.41}},
     {.which = LawName::boundary_elements,
-     .nature = "the half space solved on the map itself; the error is that of the grid",
+     .nature = "the half-space solution for the map itself; the error is that of the grid",
      .has_peaks = false,
      .load = "elastic half space",
      .stiffness = "of the contact held together",
@@ -329,7 +331,7 @@ const std::array<Law, 13> table{{
      .holds_when_crowded = true,
      .varies = false},
     {.which = LawName::proportional,
-     .nature = "elastic, of the rms height alone: K is p/(0.48 sigma)",
+     .nature = "elastic, from the rms height alone: K is p/(0.48 sigma)",
      .has_peaks = false,
      .load = "not given",
      .stiffness = "Akarapu, Sharp, Robbins (2011)",
@@ -344,8 +346,7 @@ const std::array<Law, 13> table{{
 ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
     throw domain_error(
         "this law cannot be tabulated: it gives no separation, or each of its points is a solution by boundary "
-        "elements; "
-        "must be another");
+        "elements; choose another");
 }
 
 std::span<const Law> laws() { return table; }

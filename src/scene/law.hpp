@@ -50,7 +50,7 @@ public:
                                                                          Quantity wanted) const = 0;
     [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                                            Quantity wanted) const = 0;
-    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range hangs on
+    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range depends on
     /// it.
     [[nodiscard]] virtual std::vector<parts::LoadMeans<double>> means_at(std::span<const double> /*etas*/) const {
         return {};
@@ -71,17 +71,17 @@ struct PlasticRange {
 /// Where Persson's theory takes the spectrum of.
 enum class SpectrumSource { map, moments };
 
-/// What the sections contact.<law> of a scene say; those of persson and boundary_elements count for other laws too.
+/// Options of the sections contact.<law> of a scene; those of persson and boundary_elements count for other laws too.
 struct LawOptions {
     bool mutual = true;                      ///< summits push each other down
     double gamma = 0.45;                     ///< of persson
-    std::optional<SpectrumSource> spectrum;  ///< none: what [surface] says
+    std::optional<SpectrumSource> spectrum;  ///< none: as in [surface]
     int points = 256;                        ///< of boundary_elements, a side
     Edges edges = Edges::mirrored;           ///< of summits and spectra too
     double hardness = 0;                     ///< [Pa]; 0: elastic
 };
 
-/// What laws take of a measured map beside its numbers.
+/// Inputs of laws from a measured map in addition to its numbers.
 struct MapOfSurface {
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  ///< without form; of two faces one sum for each shift
     std::vector<Summits<double>> summits;                        ///< one for each map
@@ -141,7 +141,7 @@ struct Law {
     std::string_view nature;       ///< what it computes: the rest of a sentence "hertz is ..."
     bool needs_dimension = false;  ///< the fractal dimension of the surface
     bool has_peaks = true;         ///< one curve for each joint distribution of peaks; else one curve
-    /// The equations of the paper, or what stands in their place.
+    /// The equations of the paper, or their replacements.
     std::string_view load, stiffness, peaks;
     /// \throws domain_error naming the parameter that is out of range.
     std::unique_ptr<AnyContact> (*contact)(const ContactInputs&) = nullptr;
@@ -160,7 +160,7 @@ struct Law {
 /// All laws, in the order in which choices are listed.
 [[nodiscard]] std::span<const Law> laws();
 [[nodiscard]] std::vector<std::string_view> law_names();
-/// Those that can be fitted.
+/// Parameters that can be fitted.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
 /// Fits the parameters of any curve, by differences. \throws as parts::identify_by_differences.
 [[nodiscard]] Identification<double> fit_curve(const FitInputs& inputs, const parts::CurveOfParameters<double>& curve);

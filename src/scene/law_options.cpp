@@ -24,7 +24,7 @@ constexpr LawOption rows[] = {
 };
 // clang-format on
 
-/// What \p node says of \p row, into \p field of the options of \p scene.
+/// Reads \p node, the value of \p row, into \p field of the options of \p scene.
 struct Reader {
     Source& source;
     const LawOption& row;
@@ -70,7 +70,7 @@ const toml::table* section_of_law(Source& source, const Section& root, LawName l
     const toml::node* at_root = is_shared(law) ? root.find(name) : nullptr;
     path = (within || !is_shared(law) ? "contact." : "") + name;
     if (within && at_root)
-        throw domain_error(source.at(*at_root) + ": " + name + ": must not stand next to " + path +
+        throw domain_error(source.at(*at_root) + ": " + name + ": must not be given with " + path +
                            "; give one of the two");
     const toml::node* found = within ? within : at_root;
     if (!found) return nullptr;

@@ -45,7 +45,7 @@ Title title_of(std::string_view cell) {
     return {text::lower_case(text::trimmed(cell)), ""};
 }
 
-/// What a column may hold, the names that say so, and its dimension; none: a plain number.
+/// Kinds of a column, the names of each, and its dimension; none: a plain number.
 namespace column {
 enum Kind : std::size_t { pressure, stiffness, reflection, error };
 }
@@ -106,7 +106,7 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
         if (meaning == meanings().end() || i == header.r) continue;
         if (header.computed() && meaning->kind == column::error) {
             curve.decisions.push_back("column " + std::to_string(i + 1) + " \"" + std::string(cells[i]) +
-                                      "\" left out: the bound of a computation is no standard error");
+                                      "\" left out: the bound of a computation is not a standard error");
             continue;
         }
         if (header.computed() && meaning->kind == column::reflection && has_stiffness) continue;
@@ -123,7 +123,7 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
                 throw domain_error(column + refusal.what());
             }
         }
-        if (header.columns[meaning->kind]) throw domain_error(column + "is there twice; must be once");
+        if (header.columns[meaning->kind]) throw domain_error(column + "is listed twice");
         header.columns[meaning->kind] = ReadColumn{i, factor};
         curve.decisions.push_back("column " + std::to_string(i + 1) + " \"" + std::string(cells[i]) + "\" read as " +
                                   title.name + (title.unit.empty() ? "" : " in " + title.unit));
@@ -260,7 +260,7 @@ MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<cons
     MeasuredCurve curve{.name = name, .sha256 = {}, .is_reflection = is_reflection, .has_errors = !errors.empty()};
     if (pressures.empty()) throw domain_error(name + ": has no point; at least one is needed");
     if (values.size() != pressures.size() || (curve.has_errors && errors.size() != pressures.size()))
-        throw domain_error(name + ": pressures, values and errors must be as many");
+        throw domain_error(name + ": pressures, values and errors must have the same length");
     std::string bytes;
     for (const auto& list : {pressures, values, errors})
         bytes.append(reinterpret_cast<const char*>(list.data()), list.size_bytes());

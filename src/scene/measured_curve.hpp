@@ -37,7 +37,7 @@ struct MeasuredCurve {
     [[nodiscard]] std::vector<MeasuredPoint> points_of(const ComputedCurve& wanted) const;
 };
 
-/// Reads \p file ("-" is standard input). The first line that is no comment names the columns with their units:
+/// Reads \p file ("-" is standard input). The first line that is not a comment names the columns with their units:
 /// pressure, then stiffness or reflection, and optionally stiffness_error or reflection_error (or error). Others are
 /// left. A file with the columns law and eta is of `fstiff run`: r is the correlation of heights and curvatures there,
 /// the stiffness is taken before the reflection, and no error is read. Its answer is one curve, and left out where laws

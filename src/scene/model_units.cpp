@@ -21,7 +21,7 @@ ModelUnits model_units(const std::string& list, const std::string& name) {
     const double length = io::parse_quantity("1 " + units.length, io::Dimension::length, name);
     const double pressure = io::parse_quantity("1 " + units.pressure, io::Dimension::pressure, name);
     if (!io::is_unit(units.force, io::Dimension::force))
-        throw domain_error(name + " = \"" + list + "\": " + units.force + " is no unit of force; must be one of " +
+        throw domain_error(name + " = \"" + list + "\": " + units.force + " is not a unit of force; must be one of " +
                            io::accepted_units(io::Dimension::force));
     const double force = io::unit_factor(units.force, io::Dimension::force);
     if (std::abs(force / (length * length) / pressure - 1) > 1e-9)

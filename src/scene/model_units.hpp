@@ -21,7 +21,7 @@ struct ModelUnits {
 };
 
 /// Reads length, force and pressure, such as "mm,N,MPa". \throws domain_error, which names the option \p name, for what
-/// is no unit and for units that are not consistent.
+/// is not a unit and for units that are not consistent.
 [[nodiscard]] ModelUnits model_units(const std::string& list, const std::string& name);
 
 }  // namespace fstiff::scene

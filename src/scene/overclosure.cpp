@@ -28,7 +28,7 @@ const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     }
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
     throw domain_error(option_name(options.prefix, "law") + " = \"" + name +
-                       "\": is no law of the scene that gives a separation; must be one of " + list_of(names));
+                       "\": is not a law of the scene that gives a separation; must be one of " + list_of(names));
 }
 
 /// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows.
@@ -112,8 +112,8 @@ Line points_of(const Curve& curve) {
     return points;
 }
 
-/// The values of \p quantity along \p curve behind \p at_zero; empty where it has none.
-std::vector<double> values_behind(double at_zero, const Curve& curve, CurveQuantity quantity) {
+/// The value \p at_zero, then those of \p quantity along \p curve; empty where it has none.
+std::vector<double> values_after(double at_zero, const Curve& curve, CurveQuantity quantity) {
     for (const Column& column : curve.columns)
         if (column.quantity == quantity && column.statistic == Statistic::value && !column.values.empty()) {
             std::vector<double> values{at_zero};
@@ -123,7 +123,7 @@ std::vector<double> values_behind(double at_zero, const Curve& curve, CurveQuant
     return {};
 }
 
-/// \p points, where the overclosure 0 is at \p foot, and what \p curve has beside them.
+/// \p points, where the overclosure 0 is at \p foot, and the other columns of \p curve.
 LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& points, double foot,
                         double zero_separation) {
     LawColumns columns{.overclosure = {0}, .pressure = {0}};
@@ -131,13 +131,13 @@ LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& poin
         columns.overclosure.push_back(point.x - foot);
         columns.pressure.push_back(point.y);
     }
-    columns.tangential = values_behind(0, curve, CurveQuantity::tangential_stiffness);
-    columns.current = values_behind(0, curve, CurveQuantity::electrical_conductance);
-    columns.heat = values_behind(0, curve, CurveQuantity::thermal_conductance);
+    columns.tangential = values_after(0, curve, CurveQuantity::tangential_stiffness);
+    columns.current = values_after(0, curve, CurveQuantity::electrical_conductance);
+    columns.heat = values_after(0, curve, CurveQuantity::thermal_conductance);
     if (columns.heat.empty() || !scene.thermal_conductance_gap) return columns;
     const Conduction& by = scene.conduction;
     const double open = parts::gap_conductance(*by.gap, zero_separation) + by.radiation;
-    const std::vector<double> gap = values_behind(open, curve, CurveQuantity::thermal_conductance_gap);
+    const std::vector<double> gap = values_after(open, curve, CurveQuantity::thermal_conductance_gap);
     for (std::size_t i = 0; i < columns.heat.size(); ++i) columns.heat[i] += gap[i];
     return columns;
 }

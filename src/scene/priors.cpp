@@ -72,7 +72,7 @@ void fill_shape(Face& face) {
         {Unknown::kurtosis, kurtosis.low, kurtosis.high, assumed_phrase("kurtosis", kurtosis, of_process(face))});
 }
 
-/// Whether a law of \p scene feels \p which of \p face.
+/// Whether a law of \p scene depends on \p which of \p face.
 bool is_felt(const Scene& scene, const Face& face, Unknown which) {
     if (which == Unknown::height) return true;
     if (std::any_of(scene.laws.begin(), scene.laws.end(), [](const Law* law) { return law->needs_spectrum; }))

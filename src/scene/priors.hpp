@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a scene does not say of its surface: numbers taken in its place, how far they may be off, what K makes of that.
+// Surface parameters that a scene does not give: assumed values, their uncertainty, and its effect on K.
 
 #include "scene/scene.hpp"
 
@@ -27,10 +27,10 @@ struct Alternative {
     parts::Unknown which{};
     Face low, high;
 };
-/// Those that a law of \p scene feels; none where its laws take the spectrum of a map.
+/// Unknowns that a law of \p scene depends on; none where its laws take the spectrum of a map.
 [[nodiscard]] std::vector<Alternative> alternatives(const Scene& scene);
 
-/// A number that was taken for what the scene does not say, and that a law of it feels.
+/// An assumed number that the scene does not give, and that a law of it depends on.
 struct AssumedNumber {
     std::string key;  ///< in the scene: "surface.alpha"
     double value = 0;

@@ -37,7 +37,7 @@ public:
         try {
             return unit_stiffness(found->second, alpha, inputs.hurst, inputs.bearing, pressure / closing) * closing /
                    std::sqrt(inputs.moments.m0);
-        } catch (const domain_error&) {  // beyond reach: the contact itself says why
+        } catch (const domain_error&) {  // beyond reach: the contact itself gives the reason
             return std::nullopt;
         }
     }
@@ -45,7 +45,7 @@ public:
 private:
     using Gaussian = HybridContact<double, detail::BandHills<double>>;
     using Scaled = parts::ScaledContact<double, Gaussian>;
-    /// Of one alpha and H, with rms height, gradient and modulus 1.
+    /// Contact of one alpha and H, with rms height, gradient and modulus 1.
     struct Surface {
         std::optional<Gaussian> gaussian;
         std::map<const parts::BearingSlope<double>*, Scaled> scaled;

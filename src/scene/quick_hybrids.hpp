@@ -8,12 +8,12 @@
 
 namespace fstiff::scene {
 
-/// Of surfaces drawn at random that have the bearing curve \p bearing, which must outlive it (none: Gaussian heights):
+/// Contacts of random surfaces with the bearing curve \p bearing, which must outlive it (none: Gaussian heights):
 /// from a table over p/(E g), alpha and H, to 1.2e-3. For one thread.
 [[nodiscard]] std::shared_ptr<const QuickHybrid> hybrids_of_draws(const parts::BearingSlope<double>* bearing,
                                                                   double gamma);
-/// Of surfaces with few different alpha and H: one contact of each, with any bearing curves, which must outlive it. For
-/// one thread.
+/// Contacts of surfaces with few different alpha and H: one contact of each, with any bearing curves, which must
+/// outlive it. For one thread.
 [[nodiscard]] std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma);
 
 }  // namespace fstiff::scene

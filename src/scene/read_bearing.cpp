@@ -25,7 +25,7 @@ constexpr std::array<CoreKeys, 2> core_keys{
 parts::HeightShape<double> read_shape(Source& source, const Section& surface) {
     const auto number = [&](const char* name, const char* other) {
         const toml::node& node =
-            surface.at(name, "is missing; surface.skewness and surface.kurtosis stand side by side, and " +
+            surface.at(name, "is missing; surface.skewness and surface.kurtosis belong together, and " +
                                  surface.key(other) + " is there");
         return source.number(node, surface.key(name));
     };
@@ -42,7 +42,7 @@ parts::HeightShape<double> read_shape(Source& source, const Section& surface) {
 parts::MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
     const std::string why = "is missing; " + std::string(keys[0]) + ", " + std::string(keys[1]) + ", " +
                             std::string(keys[2]) + ", " + std::string(keys[3]) + " and " + std::string(keys[4]) +
-                            " stand side by side";
+                            " belong together";
     const auto height = [&](CoreKey which) {
         const toml::node& node = surface.at(keys[which], why);
         const double value = source.quantity(node, surface.key(keys[which]), Dimension::length);
@@ -116,7 +116,7 @@ void read_bearing(Source& source, const Section& surface, Face& face) {
         const std::string_view* key = first_of(ways[i]);
         if (!key) continue;
         if (chosen < ways.size())
-            throw domain_error(source.at(*surface.find(*key)) + ": " + surface.key(*key) + ": must not stand beside " +
+            throw domain_error(source.at(*surface.find(*key)) + ": " + surface.key(*key) + ": must not be given with " +
                                surface.key(*first_of(ways[chosen])) + "; give one bearing curve");
         chosen = i;
     }

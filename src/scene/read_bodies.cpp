@@ -2,6 +2,8 @@
 // The sections [material] and [ultrasound] of a scene.
 #include "scene/readers.hpp"
 
+#include <fstiff/validity/checks.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,13 +12,15 @@
 namespace fstiff::scene {
 namespace {
 
-/// What decides which body is the softer one.
+/// Properties that decide which body is the softer one.
 struct Strength {
     std::optional<double> yield, hardness;
     double poisson = 0;
-    /// Hardness, given or by Tabor's factor; infinite where nothing is known.
+    /// Hardness, given or by Tabor's factor 2.8 (1951); infinite where it is unknown.
     [[nodiscard]] double resistance() const {
-        return hardness ? *hardness : yield ? 2.8 * *yield : std::numeric_limits<double>::infinity();
+        return hardness ? *hardness
+               : yield  ? parts::hardness_over_yield_strength<double> * *yield
+                        : std::numeric_limits<double>::infinity();
     }
 };
 
@@ -128,7 +132,7 @@ std::optional<double> read_impedance(Source& source, const Section& body, std::s
     if (body.find(name)) {
         if (body.find(velocity))
             throw domain_error(source.at(*body.find(velocity)) + ": " + body.key(velocity) +
-                               ": must not stand beside " + body.key(name) + "; give one of the two");
+                               ": must not be given with " + body.key(name) + "; give one of the two");
         return body.positive(name, Dimension::impedance);
     }
     const auto written = body.optional_positive(velocity, Dimension::velocity);
@@ -143,7 +147,7 @@ std::optional<double> read_impedance(Source& source, const Section& body, std::s
     return product;
 }
 
-/// A body of [ultrasound]; \p table is null where it is not there. What it does not say is that of the material
+/// A body of [ultrasound]; \p table is null where it is not there. Its missing values are those of the material
 /// \p name, unless it gives its impedance itself.
 Body read_body(Source& source, const toml::table* table, const std::string& key, const parts::NamedMaterial* name,
                Scene& scene) {
@@ -227,7 +231,7 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
     };
     const auto apart = [&](std::string_view one, std::string_view other) {
         if (gap.find(one) && gap.find(other))
-            source.refuse(*gap.find(one), gap.key(one), "must not stand beside " + gap.key(other));
+            source.refuse(*gap.find(one), gap.key(one), "must not be given with " + gap.key(other));
     };
     for (const std::string_view key : {"conductivity", "temperature_jump"})
         for (const std::string_view of_gas : {"medium", "accommodation"}) apart(key, of_gas);

@@ -60,7 +60,7 @@ void read_area(Source& source, const Section& contact, Scene& scene, bool replac
     if (!washer) return;
     const std::string key = contact.key("washer");
     if (scene.nominal_area)
-        throw domain_error(source.at(*washer) + ": " + key + ": must not stand beside " + contact.key("nominal_area") +
+        throw domain_error(source.at(*washer) + ": " + key + ": must not be given with " + contact.key("nominal_area") +
                            "; give one of the two");
     if (!washer->is_table())
         source.refuse(*washer, key, "must be a table such as { inner = \"8.4 mm\", outer = \"16 mm\" }");
@@ -92,7 +92,7 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
         if (!contact.find(one.name)) continue;
         if (kind)
             throw domain_error(source.at(*contact.find(one.name)) + ": " + contact.key(one.name) +
-                               ": must not stand beside " + contact.key(kind->name) + "; give one of the two");
+                               ": must not be given with " + contact.key(kind->name) + "; give one of the two");
         kind = &one;
     }
     if (!kind)
@@ -193,7 +193,8 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
     for (const auto i : source.choices(*node, contact.key("laws"), names)) chosen.push_back(&laws()[i]);
     const auto lacks = [&](const Law* law) { return law->needs_dimension && !scene.face.dimension(); };
     if (replaced && !std::all_of(chosen.begin(), chosen.end(), lacks)) {
-        if (std::erase_if(chosen, lacks) > 0) scene.warnings.push_back("no fractal law is computed, for want of D");
+        if (std::erase_if(chosen, lacks) > 0)
+            scene.warnings.push_back("no fractal law is computed, because D is not known");
     }
     for (const Law* law : chosen) {
         if (lacks(law))

@@ -32,7 +32,7 @@ Measured measured_from(const MeasureOptions& options, const std::vector<std::str
         }
         if (!defaults)
             throw domain_error(display_name(file) +
-                               ": is the JSON of fstiff measure, measured already; must stand without keys of reading");
+                               ": is the JSON of fstiff measure, measured already; give it without keys of reading");
         return read_measured_document(bytes, display_name(file));
     }));
 }
@@ -159,7 +159,7 @@ void read_spectrum(Source& source, const Section& surface, Face& face) {
 void read_gradient_error(Source& source, const Section& surface, const Section& errors, std::string_view key,
                          const toml::node& node, Face& face) {
     if (!surface.find(key) && !(key == "rms_gradient" && face.measured && face.rms_gradient))
-        source.refuse(node, errors.key(key), "has no value next to it; must stand next to " + surface.key(key));
+        source.refuse(node, errors.key(key), "needs the value of " + surface.key(key));
     const double error = source.number(node, errors.key(key));
     if (!(error >= 0)) source.refuse(node, errors.key(key), "must be finite and not negative");
     face.gradient_error = key == "rms_gradient" ? error : error * over_written(surface, key, *face.rms_gradient);
@@ -182,7 +182,7 @@ void read_errors(Source& source, const Section& surface, Face& face) {
         const std::string key = section.key(row.key);
         Measurement<double>* known = face.parameters.find(row.parameter);
         if (!known || !(face.measured || surface.find(row.key)))
-            source.refuse(*node, key, "has no value beside it; must stand beside " + surface.key(row.key));
+            source.refuse(*node, key, "needs the value of " + surface.key(row.key));
         known->error = read_parameter(source, section, row, *node, true);
         if (!(known->error >= 0 && std::isfinite(known->error)))
             source.refuse(*node, key, "must be finite and not negative");
@@ -193,9 +193,7 @@ void read_errors(Source& source, const Section& surface, Face& face) {
     }
     for (const std::string_view key : heights)
         if (const toml::node* node = section.find(key)) {
-            if (!surface.find(key))
-                source.refuse(*node, section.key(key),
-                              "has no value next to it; must stand next to " + surface.key(key));
+            if (!surface.find(key)) source.refuse(*node, section.key(key), "needs the value of " + surface.key(key));
             const double error = source.quantity(*node, section.key(key), Dimension::length);
             if (!(error >= 0 && std::isfinite(error)))
                 source.refuse(*node, section.key(key), "must be finite and not negative");
@@ -307,7 +305,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
         face.write([&](Face& one) { one.parameters.fractal_roughness = {*roughness, 0}; });
     if (parameters.r.has_value() != parameters.theta.has_value())
         throw domain_error(source.at(table) + ": " + surface.key(parameters.r ? "theta" : "r") + ": is missing; " +
-                           surface.key("r") + " and " + surface.key("theta") + " stand side by side");
+                           surface.key("r") + " and " + surface.key("theta") + " belong together");
     read_bearing(source, surface, face);
     fill_unknown(face, has_bearing(surface));
     record_following(source, surface, face);
@@ -389,7 +387,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
         if (const auto value = scene.face.value(row.parameter))
             source.record(surface.key(row.key) + " (of the sum)", shortest(*value), *value, row.unit);
     if (upper.map && lower.map && !no_sum.empty())
-        scene.warnings.push_back("no sum of the two maps is computed, for laws of a map: " + no_sum);
+        scene.warnings.push_back("the sum of the two maps, which laws of a map need, is not computed: " + no_sum);
 }
 
 }  // namespace fstiff::scene

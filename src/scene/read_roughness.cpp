@@ -26,7 +26,7 @@ std::string_view one_of(const Source& source, const Section& surface, Keys keys)
         const toml::node* node = surface.find(key);
         if (!node) continue;
         if (!found.empty())
-            throw domain_error(source.at(*node) + ": " + surface.key(key) + ": must not stand next to " +
+            throw domain_error(source.at(*node) + ": " + surface.key(key) + ": must not be given with " +
                                surface.key(found) + "; give one of the two");
         found = key;
     }
@@ -98,10 +98,9 @@ std::vector<std::string_view> roughness_keys() {
 void refuse_extremes(const Source& source, const toml::table& table, const std::string& path) {
     for (const char* key : {"Rz", "Rt", "Sz", "Rmax"})
         if (const toml::node* node = table.get(key))
-            source.refuse(
-                *node, path + "." + key,
-                "is the height of the one highest peak over the one deepest valley, 4 to 10 times Ra and another "
-                "at the next place; must be given as Ra or Rq (Sa or Sq of a map)");
+            source.refuse(*node, path + "." + key,
+                          "is the height from the deepest valley to the highest peak, 4 to 10 times Ra and different "
+                          "at every place; give Ra or Rq (Sa or Sq for a map)");
 }
 
 void read_roughness(Source& source, const Section& surface, Face& face) {

@@ -12,7 +12,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// What a quantity needs that the scene does not have; empty where nothing is missing.
+/// Key that a quantity needs and the scene does not have; empty where nothing is missing.
 std::string missing_for_quantities(const Scene& scene) {
     const std::tuple<bool, bool, std::string_view> needs[]{
         {scene.reflection, !scene.ultrasound, "the section ultrasound for \"reflection\""},
@@ -99,7 +99,7 @@ void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
     if (const auto seed = whole("seed", (1LL << 53) - 1)) scene.seed = static_cast<std::uint64_t>(*seed);
 }
 
-/// Of a Hurst exponent and a fractal dimension that do not belong together.
+/// Warning about a Hurst exponent and a fractal dimension that contradict each other.
 void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::string>& warnings) {
     const auto& dimension = face.parameters.fractal_dimension;
     if (!face.hurst || !dimension) return;

@@ -15,7 +15,7 @@ namespace {
 double impedance_of(const BodyRequest& body, const ReflectionRequest& request, const std::string& suffix) {
     const auto name = [&](std::string_view key) { return option_name(request.prefix, key) + suffix; };
     if (!body.impedance.empty() && (!body.density.empty() || !body.velocity.empty()))
-        throw option_error(name("impedance") + " stands beside " + name("density") + " or " + name("velocity") +
+        throw option_error(name("impedance") + " is given with " + name("density") + " or " + name("velocity") +
                            "; give the impedance or the other two");
     if (!body.impedance.empty()) return body.impedance.positive(io::Dimension::impedance, name("impedance"));
     if (body.density.empty() || body.velocity.empty())
@@ -81,7 +81,7 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
                                beyond.in(curve) + ": no stiffness there");
     if (doubtful.count > 0)
         all.warnings.push_back("R is within two errors of 1 or of the welded joint" + doubtful.in(curve) +
-                               ": the error of K is of first order and says too little there");
+                               ": the first-order error of K is unreliable there");
 }
 
 /// R of the stiffness, or K of the one reflection that is \p given, and what else follows.

@@ -28,7 +28,7 @@ struct ReflectionRequest {
     Amount reflection{};                       ///< |R|, or the file of a measured curve
     std::optional<double> reflection_error{};  ///< standard error of |R|, where no curve has its own
     Amount frequency{};
-    BodyRequest incident{}, beyond{};  ///< of the wave; beyond: as incident where nothing of it is given
+    BodyRequest incident{}, beyond{};  ///< of the wave; beyond: as incident where it is not given
     std::string prefix{};              ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
@@ -53,7 +53,7 @@ struct ReflectionRequest {
     }
 };
 
-/// What a wave does at one stiffness.
+/// Reflection and transmission of a wave at one stiffness.
 struct Reflected {
     bool from_stiffness = false;  ///< else from a reflection
     double stiffness = 0, reflection = 0, phase = 0, transmission = 0,
@@ -82,7 +82,7 @@ struct Reflection {
 
 /// \throws option_error for options that do not fit together, domain_error for values and files out of range.
 [[nodiscard]] Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve = {});
-/// What a wave does at one stiffness.
+/// Reflection and transmission of a wave at one stiffness.
 [[nodiscard]] NamedNumbers numbers_of(const Reflection& found);
 /// A row of the curve a row. The CSV has no column of R: it reads back as a measured K(p).
 [[nodiscard]] Rows rows_of(const CurveOfStiffness& found);

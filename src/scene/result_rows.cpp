@@ -2,7 +2,7 @@
 #include "scene/result_rows.hpp"
 
 #include "scene/answer.hpp"
-#include "scene/verdict.hpp"
+#include "scene/explanation.hpp"
 #include "surface/documents.hpp"
 
 #include <fstiff/validity/checks.hpp>
@@ -156,7 +156,7 @@ Json run_document(const Scene& scene, const Results& results) {
         if (!input.unit.empty()) entry["unit"] = input.unit;
     }
     document["answer"] = answer_json(scene, results);
-    document["verdict"] = results.verdict;
+    document["explanation"] = results.explanation;
     document["assumptions"] = scene.assumptions;
     document["outside_band"] = outside_band(scene, results);
     if (const std::string next = measure_next(scene, results); !next.empty()) document["measure_next"] = next;
@@ -207,7 +207,7 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
     if (causes > 0) rows[0].emplace_back("band due to");
     for (const std::size_t i : shown) {
         const auto& [low, median, high, failed] = curve.band[i];
-        const int digits = high - low < 0.2 * median ? 3 : 2;  // as many as tell the ends apart
+        const int digits = high - low < 0.2 * median ? 3 : 2;  // enough to distinguish the ends
         rows.push_back({scene.forces.empty() ? with_unit(curve.states[i].pressure.value, "Pa", 3)
                                              : shown_point(scene, curve.places[i]),
                         number(curve.states[i].stiffness.value),

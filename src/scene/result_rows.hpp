@@ -30,7 +30,7 @@ struct Units {
 [[nodiscard]] std::string shown_point(const Scene& scene, std::size_t i);
 /// The answer for a JSON document: a row for each point, empty where nothing answers.
 [[nodiscard]] Json answer_json(const Scene& scene, const Results& results);
-/// What fstiff run prints as JSON, still without its warnings.
+/// JSON of fstiff run, without its warnings.
 [[nodiscard]] Json run_document(const Scene& scene, const Results& results);
 /// The answer of \p results, which have one, for people: K, its band, the law and its greatest \p causes at
 /// points_of_answer().

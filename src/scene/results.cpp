@@ -5,7 +5,7 @@
 #include "scene/answer.hpp"
 #include "scene/bands.hpp"
 #include "scene/each_contact.hpp"
-#include "scene/verdict.hpp"
+#include "scene/explanation.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -21,7 +21,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// What \p scene asks of \p law, and \p more, as far as the law gives it.
+/// Quantities that \p scene requests of \p law, and \p more, as far as the law gives them.
 Quantity wanted(const Scene& scene, const Law& law, Quantity more = Quantity::none) {
     Quantity set = Quantity::pressure | Quantity::separation | more;
     if (scene.needs_stiffness() || scene.best) set = set | Quantity::stiffness;
@@ -54,7 +54,7 @@ void take_points(const Scene& scene, double modulus, Curve& curve, const std::ve
         curve.rms_gradient.reset();
 }
 
-/// \throws domain_error where no curve has a state, with what the first law said of its first point.
+/// \throws domain_error where no curve has a state, with the reason of the first law at its first point.
 void require_states(const Scene& scene, const std::vector<Curve>& curves) {
     if (std::any_of(curves.begin(), curves.end(), [](const Curve& curve) { return !curve.states.empty(); })) return;
     for (const Curve& curve : curves)
@@ -64,7 +64,7 @@ void require_states(const Scene& scene, const std::vector<Curve>& curves) {
 }
 
 /// A warning for each law that lacks points. One that ends above some pressure is expected to; that the contact of an
-/// answer closes is said by its verdict.
+/// answer closes is in its explanation.
 void warn_of_missed(const Scene& scene, Results& results) {
     for (const Law* law : scene.laws) {
         std::size_t count = 0, points = 0;
@@ -93,13 +93,13 @@ void warn_of_missed(const Scene& scene, Results& results) {
 std::string_view sentence(parts::Concern concern) {
     switch (concern) {
         case parts::Concern::interacting_asperities:
-            return "p* is above 0.01: asperities that do not feel one another give too small a K there";
+            return "p* is above 0.01: laws without interaction of the asperities give too small a K there";
         case parts::Concern::mean_planes_crossed:
             return "the separation is below 0: the mean planes have passed each other";
         case parts::Concern::above_highest_peak:
             return "the separation is above the highest peak: real surfaces do not touch there";
         case parts::Concern::few_contacts:
-            return "fewer than 10 contacts on the nominal area: a mean over peaks says little there";
+            return "fewer than 10 contacts on the nominal area: a mean over peaks is unreliable there";
         case parts::Concern::area_above_nominal:
             return "the real area exceeds the nominal area: the model does not hold there";
         case parts::Concern::not_converged:
@@ -122,7 +122,7 @@ void warn_if_any(Results& results, parts::Concern concern) {
                                    std::to_string(results.curves.size()) + " curves, the first " + where + ")");
 }
 
-/// What of \p means is outside of the range of \p law; empty where nothing is.
+/// The part of \p means outside of the range of \p law; may be empty.
 std::string outside_range(const Law& law, const parts::LoadMeans<double>& means) {
     const double s = means.interference.value, ratio = means.radius_ratio.value;
     std::string text;
@@ -158,7 +158,7 @@ void warn_of_plastic_ranges(const Scene& scene, Results& results) {
     }
 }
 
-/// Of laws that are named: the band of an answer holds what these are about.
+/// Warnings for the laws that are named: the band of an answer includes their causes.
 void warn_of_named_laws(const Scene& scene, Results& results) {
     for (const parts::Check<double>& check : results.surface_checks) {
         if (check.holds()) continue;
@@ -168,7 +168,8 @@ void warn_of_named_laws(const Scene& scene, Results& results) {
                 ? "plasticity index " + value +
                       " is above 1: the peaks yield at first loading; an elastic K is that of unloading"
                 : "sigma R D_p = " + value + " is below " + rounded(check.limit, 3) +
-                      ", the least of an isotropic Gaussian surface: R and D_p are those of islands, not of summits");
+                      ", the minimum for an isotropic Gaussian surface: R and D_p are those of islands, not of "
+                      "summits");
     }
     for (const parts::Concern concern : {parts::Concern::interacting_asperities, parts::Concern::mean_planes_crossed,
                                          parts::Concern::above_highest_peak, parts::Concern::few_contacts})
@@ -176,7 +177,7 @@ void warn_of_named_laws(const Scene& scene, Results& results) {
     warn_of_plastic_ranges(scene, results);
     if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
         results.warnings.push_back(
-            "K with interaction holds the elasticity of the bulk over the interaction length: its reflection is not "
+            "K with interaction includes the elasticity of the bulk over the interaction length: its reflection is not "
             "that of the interface alone");
 }
 
@@ -185,9 +186,10 @@ void add_warnings(const Scene& scene, Results& results) {
     if (!scene.best)
         warn_of_named_laws(scene, results);
     else if (scene.reading != InteractionReading::none)
-        results.warnings.push_back("contact.interaction does not enter the answer, whose laws have their own");
+        results.warnings.push_back(
+            "contact.interaction does not affect the answer, whose laws include their own interaction");
     if (scene.best && !unknown.empty())
-        results.warnings.push_back("sigma is not known to a factor of two, so that K and its band are in doubt");
+        results.warnings.push_back("sigma is not known to a factor of two, so K and its band are doubtful");
     const std::size_t before = results.warnings.size();
     for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
         warn_if_any(results, concern);
@@ -233,7 +235,7 @@ void take_answer(const Scene& scene, Results& results, const ProgressHook& progr
             for (MissedPoint& missed : curve.missed) missed.place = places[missed.place];
         }
         curve.columns = columns_of(scene, curve, results.tangential_ratio, true);
-    } catch (const domain_error&) {  // no law answers, or at no point: the laws that are named say why they do not
+    } catch (const domain_error&) {  // no law answers, or at no point: the laws that are named have their own reasons
     }
 }
 
@@ -346,7 +348,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
             progress(what, results.curves.size() * all + done, curves * all);
         };
     for_each_contact(scene, results.modulus, {}, [&](Curve curve, const auto& contact) {
-        // warnings and the verdict need the contacts and the area, whichever columns are shown
+        // warnings and the explanation need the contacts and the area, whichever columns are shown
         const Quantity quantities = wanted(scene, *curve.law, Quantity::contact_density | Quantity::real_area_fraction);
         const auto made = contact();
         take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made, quantities, of_all));
@@ -376,9 +378,9 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     finish(scene, results, progress);
     take_answer(scene, results, progress);
     add_warnings(scene, results);
-    Verdict found = verdict(scene, results);
-    results.verdict = std::move(found.sentences);
-    results.short_verdict = std::move(found.shorter);
+    Explanation found = explanation(scene, results);
+    results.explanation = std::move(found.sentences);
+    results.short_explanation = std::move(found.shorter);
     return results;
 }
 

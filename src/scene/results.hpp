@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What follows from a scene: one curve a law and joint distribution of peaks, with bands, checks and reflections.
+// Results of a scene: one curve for each law and joint distribution of peaks, with bands, checks and reflections.
 //
 //     const Scene scene = read_scene(text, {.name = "scene.toml"});
 //     const Results results = compute(scene);
@@ -28,7 +28,7 @@ namespace fstiff::scene {
 /// A point of the scene that a law does not reach.
 struct MissedPoint {
     std::size_t place = 0;  ///< among Scene::points
-    std::string reason;     ///< what the law said
+    std::string reason;     ///< of the law
 };
 
 /// One law on one joint distribution of peaks, at every point of the scene that the law reaches.
@@ -51,7 +51,7 @@ struct Curve {
 
     [[nodiscard]] const Law& law_at(std::size_t state) const { return by.empty() ? *law : *by[state]; }
 
-    /// Which of the states is that of the point \p place of the scene; none where the law does not reach it.
+    /// Index of the state of the point \p place of the scene; none where the law does not reach it.
     [[nodiscard]] std::optional<std::size_t> state_at(std::size_t place) const;
     /// \p statistic of \p quantity at the point \p place of the scene; none where there is no such column or state.
     [[nodiscard]] std::optional<double> value_at(std::size_t place, CurveQuantity quantity,
@@ -65,10 +65,11 @@ struct Curve {
 
 /// Why K of the answer at one state is what it is.
 struct AnswerReason {
-    parts::Causes<double> causes{};           ///< of the band
-    std::optional<double> p_star;             ///< p/(E g)
-    std::optional<double> contacts;           ///< expected on the area of the contact
-    std::optional<double> loading_stiffness;  ///< [Pa/m] where the peaks flow: of a load that rises for the first time
+    parts::Causes<double> causes{};  ///< of the band
+    std::optional<double> p_star;    ///< p/(E g)
+    std::optional<double> contacts;  ///< expected on the area of the contact
+    std::optional<double>
+        loading_stiffness;  ///< [Pa/m] where the peaks yield: for a load that rises for the first time
 };
 
 /// One K for each point, by the law that holds there.
@@ -87,10 +88,10 @@ struct Results {
     std::optional<double> plasticity_index;
     std::vector<parts::Check<double>> surface_checks;
     std::optional<StiffnessAnswer> answer;  ///< none: no law answers at any point
-    std::vector<Curve> curves;          ///< of the laws that are named; where none is, the curve of the answer alone
-    std::vector<std::string> warnings;  ///< sentences on the checks that do not hold, and on the scene
-    std::vector<std::string> verdict;   ///< three sentences at most: which K it is, who feels it, where it comes from
-    std::vector<std::string> short_verdict;  ///< the same for a picture: one or two short sentences
+    std::vector<Curve> curves;             ///< of the laws that are named; where none is, the curve of the answer alone
+    std::vector<std::string> warnings;     ///< sentences on the checks that do not hold, and on the scene
+    std::vector<std::string> explanation;  ///< three sentences at most: the kind of K, its uses and its source
+    std::vector<std::string> short_explanation;  ///< the same for a picture: one or two short sentences
     /// A real area above the nominal one, integrals that did not converge, points that a law does not reach, an rms
     /// gradient that no surface has, or a measured surface with unknown_parameters().
     bool doubtful = false;

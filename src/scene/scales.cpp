@@ -11,7 +11,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// One pressure on \p face by \p law, of bodies with the effective modulus \p how says.
+/// One pressure on \p face by \p law, of bodies with the effective modulus of \p how.
 Scene scene_of(const Face& face, const Law& law, const ScalesOptions& how) {
     Scene scene;
     scene.face = face;
@@ -121,7 +121,7 @@ Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const
 std::vector<std::string> what_is_settled(const Scales& scales) {
     const auto about = [&](const std::vector<Scale>& rows, const std::string& name) {
         const auto chosen = std::find_if(rows.begin(), rows.end(), [](const Scale& one) { return one.chosen; });
-        if (chosen == rows.end() || !chosen->stiffness) return "K behind the chosen " + name + " is not known";
+        if (chosen == rows.end() || !chosen->stiffness) return "K at the chosen " + name + " is not known";
         double low = 0, high = 0;
         int known = 0;
         for (const std::ptrdiff_t away : {-1, 1}) {
@@ -131,7 +131,7 @@ std::vector<std::string> what_is_settled(const Scales& scales) {
             low = std::min(low, change), high = std::max(high, change);
             ++known;
         }
-        if (known == 0) return "no other " + name + " can be had of this file: what it does to K is not known";
+        if (known == 0) return "no other " + name + " is possible for this file: its effect on K is not known";
         return "the next " + name + " below and above change K by " + shown_change(1 + low) + " to " +
                shown_change(1 + high) + (std::max(high, -low) <= 0.1 ? ": settled to 10 %" : ": not settled to 10 %");
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a measured surface, and K of it, become behind other cut-offs: what is settled and what is not.
+// Sensitivity of a measured surface, and of its K, to the cut-offs.
 
 #include "surface/measured_surface.hpp"
 
@@ -19,11 +19,11 @@ struct ScalesOptions {
     ProgressHook progress{};  ///< called for every pair of cut-offs
 };
 
-/// The surface behind one pair of cut-offs.
+/// The surface filtered with one pair of cut-offs.
 struct Scale {
     parts::CutOffs<double> cut_offs;
     bool chosen = false;                       ///< the cut-offs that the measurement has
-    std::optional<MeasuredSurface> surface{};  ///< none: `refusal` says why
+    std::optional<MeasuredSurface> surface{};  ///< none: `refusal` has the reason
     std::optional<double> stiffness{};         ///< K [Pa/m] by Scales::law
     std::string refusal{};
 };
@@ -35,8 +35,8 @@ struct Scales {
     std::vector<Scale> long_waves;   ///< lambda_c from none by factors of two down to ten times lambda_s
 };
 
-/// \p chosen, which was measured of \p input, and the same input behind each of the other cut-offs, without errors.
-/// What these refuse stands in their rows.
+/// \p chosen, which was measured of \p input, and the same input with each of the other cut-offs, without errors.
+/// Refusals are in their rows.
 [[nodiscard]] Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how);
 
 /// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.

@@ -54,14 +54,14 @@ bool flows(const Scene& scene, const Law& law) {
 
 std::string refusal_of(const Law& law, const Scene& scene) {
     if (scene.at_separations && !parts::has(law.quantities, Quantity::separation))
-        return "gives no separation; must be asked for at contact.pressures";
+        return "gives no separation; give contact.pressures";
     if (law.needs_map && !scene.face.map)
         return scene.faces.empty() ? "needs a map: surface.from, or --surface, must name the file of one (the JSON of "
                                      "fstiff measure holds its numbers alone)"
                                    : "needs two maps of one grid, whose heights can be added: " +
                                          no_sum_of_maps(scene.faces.front(), scene.faces.back());
     if (law.needs_summits && scene.face.map->summits.front().summits.empty())
-        return "needs summits: no point of the map stands above its eight neighbours";
+        return "needs summits: no point of the map is above its eight neighbours";
     if (law.needs_whole_map) {
         if (const std::string missing = missing_points(*scene.face.map); !missing.empty())
             return "needs a map without missing points: " + missing;

@@ -40,13 +40,13 @@ struct Peaks {
     std::optional<double> r;  ///< none: of an exponential autocorrelation
     bool of_surface = false;  ///< theta and r are those of [surface], with their errors
     parts::Place where{};     ///< for messages
-    std::string key{};        ///< what stands before theta and r in them
+    std::string key{};        ///< prefix of theta and r in them
 };
 
 /// \throws domain_error naming the place of the value that no peak density has.
 PeakDistribution<double> peak_density(const Peaks& peaks);
 
-/// Values between two ends, as { from, to, count, spacing } of a scene says.
+/// Values between two ends, by { from, to, count, spacing } of a scene.
 struct Range {
     double from = 0, to = 0;
     std::uint64_t count = 2;
@@ -84,21 +84,21 @@ struct Waves {
     [[nodiscard]] double angular() const { return parts::angular_frequency(frequency); }
 };
 
-/// What heat and current meet.
+/// Resistances to heat and current.
 struct Conduction {
     std::optional<double> thermal, electrical;     ///< k of both bodies in series [W/(m K)], [S/m]; none: not known
     std::optional<parts::GapFilling<double>> gap;  ///< what lies between the faces
-    double radiation = 0;                          ///< h beside it [W/(m^2 K)]
+    double radiation = 0;                          ///< h in addition [W/(m^2 K)]
     double thermal_film = 0, electrical_film = 0;  ///< on the spots [m^2 K/W], [ohm m^2]
 };
 
-/// What a tangential force meets.
+/// Conditions of a tangential force.
 struct Friction {
     double coefficient = 0;           ///< mu
     std::optional<double> amplitude;  ///< of the tangential displacement, mean to peak [m]
 };
 
-/// What is asked of the contact of one or of two rough faces.
+/// Requests to the contact of one or of two rough faces.
 struct Scene {
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
@@ -179,10 +179,10 @@ struct Assumed {
     std::string how;               ///< where the value comes from
     double value;
 };
-/// What the laws of \p scene assume; empty where no law takes a band, or both numbers were given or measured.
+/// Assumptions of the laws of \p scene; empty where no law takes a band, or both numbers were given or measured.
 [[nodiscard]] std::vector<Assumed> assumed(const Scene& scene);
 
-/// Whether K of \p law is that of spots that flowed.
+/// Whether K of \p law is that of yielded spots.
 [[nodiscard]] bool flows(const Scene& scene, const Law& law);
 
 /// Why \p law cannot be computed of \p scene; empty where it can.
@@ -192,7 +192,7 @@ struct Assumed {
 
 /// Where a scene comes from.
 struct SceneSource {
-    std::string name;  ///< how messages call the text; files of the scene are searched beside it
+    std::string name;  ///< how messages call the text; files of the scene are searched next to it
     std::string
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
     ProgressHook progress{};                    ///< called while a surface is measured

@@ -8,7 +8,7 @@ namespace fstiff::scene {
 namespace {
 
 /// TOML allows characters beyond ASCII in quotation marks and comments only; elsewhere toml++ 3.3 runs into undefined
-/// behaviour on some of them, so that a forgotten quotation mark before a µ is told here.
+/// behaviour on some of them, so that a forgotten quotation mark before a µ is reported here.
 void refuse_bare_unicode(std::string_view text, const std::string& file) {
     std::size_t line = 1;
     std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
@@ -29,7 +29,7 @@ void refuse_bare_unicode(std::string_view text, const std::string& file) {
         } else if (static_cast<unsigned char>(c) >= 0x80) {
             throw domain_error(
                 file + ":" + std::to_string(line) +
-                ": is no TOML: a character beyond ASCII stands outside quotation marks; it must stand inside");
+                ": is not valid TOML: a character beyond ASCII is outside quotation marks; it must be inside");
         } else {
             step();
         }
@@ -67,7 +67,7 @@ bool holds_numbers(std::string_view text) {
     return found == 3;
 }
 
-/// Whether \p text, which is no TOML, may be a measured surface: numbers, the JSON of fstiff measure, or binary.
+/// Whether \p text, which is not valid TOML, may be a measured surface: numbers, the JSON of fstiff measure, or binary.
 bool is_surface(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r\n");
     return (first != std::string_view::npos && text[first] == '{') || text.find('\0') != std::string_view::npos ||
@@ -132,7 +132,7 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     if (text.size() > most)
         throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes; must be at most 1 MiB");
     const auto refuse = [&](std::size_t line, const std::string& reason) {
-        return domain_error(file + ":" + std::to_string(line) + ": is no TOML: " + reason);
+        return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason);
     };
     if (text.find('\0') != std::string::npos)
         throw domain_error(file + ": is binary, or UTF-16 (it holds NUL bytes); must be TOML, a text in UTF-8");
@@ -142,7 +142,7 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     } catch (const toml::parse_error& error) {
         throw refuse(error.source().begin.line, std::string(error.description()));
     } catch (const BrokenToml&) {
-        throw refuse(breaking_line(text), "a character that nothing may begin with");
+        throw refuse(breaking_line(text), "a character that cannot begin a key or value");
     }
 }
 
@@ -158,7 +158,7 @@ toml::table parse_scene(const std::string& text, const std::string& file) {
     }
     if (const toml::node* sweep = table.get("sweep"))
         throw domain_error(file + ":" + std::to_string(sweep->source().begin.line) +
-                           ": sweep: is a section of a grid, which fstiff sweep reads; must not stand in a scene");
+                           ": sweep: is a section of a grid, which fstiff sweep reads; remove it from a scene");
     return table;
 }
 

@@ -45,7 +45,7 @@ inline std::string of_a_grid(const toml::node& node) {
     return node.is_table() || node.is_array() ? "; several values are for a grid, which fstiff sweep reads" : "";
 }
 
-/// What all parts of one scene share: where it stands for messages, and the record of its inputs.
+/// Common data of all parts of one scene: its place for messages, and the record of its inputs.
 struct Source {
     std::string file;
     std::vector<Input> inputs;
@@ -123,8 +123,7 @@ struct Source {
             const toml::node& item = (*node.as_array())[i];
             const std::string item_key = key + "[" + std::to_string(i) + "]";
             chosen.push_back(choice(item, item_key, allowed));
-            if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1)
-                refuse(item, item_key, "is there twice; each may be named once");
+            if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1) refuse(item, item_key, "is listed twice");
         }
         return chosen;
     }
@@ -169,7 +168,7 @@ private:
     std::string path_;
 };
 
-/// \throws domain_error with the line of \p file where \p text is no TOML.
+/// \throws domain_error with the line of \p file where \p text is not valid TOML.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
 /// The same of a scene. \throws domain_error for a measured surface and for a grid too, naming what reads them.
 [[nodiscard]] toml::table parse_scene(const std::string& text, const std::string& file);

@@ -107,7 +107,7 @@ parts::PointMask mask_of(const SurfaceOptions& options, bool profile, const Exte
     return marks != 0;
 }
 
-/// What clean() did, in words.
+/// Notes of clean().
 void describe(const SurfaceOptions& options, const parts::CleaningReport& report, bool profile,
               std::vector<std::string>& details) {
     const std::size_t points = report.columns * report.rows;
@@ -167,8 +167,8 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
         found = parts::find_spikes(part, sure, false).removed;
     }
     if (found > 0)
-        hints.push_back((found == 1 ? "1 point stands" : std::to_string(found) + " points stand") +
-                        " out by 30 sigma, as spikes do; " + options.name("spikes") +
+        hints.push_back((found == 1 ? "1 point is" : std::to_string(found) + " points are") +
+                        " 30 sigma away, like spikes; " + options.name("spikes") +
                         (options.prefix.empty() ? " = 20" : " 20") + " takes " + (found == 1 ? "it out" : "them out"));
     return hints;
 }

@@ -40,7 +40,7 @@ std::string why_lambda_c(const parts::CutOffs<double>& cut_offs) {
         case parts::CutOffReason::given: break;
         case parts::CutOffReason::roughness: return of_ra;
         case parts::CutOffReason::length:
-            return of_ra + ", whose row is longer: the longest of which the length of " + length + " holds five";
+            return of_ra + ", whose row is longer: the longest that fits five times into the length of " + length;
         case parts::CutOffReason::step:
             return of_ra + ", whose row is shorter: the shortest that the step and lambda_s allow";
         case parts::CutOffReason::too_short:
@@ -53,7 +53,7 @@ std::string why_lambda_c(const parts::CutOffs<double>& cut_offs) {
     return "";
 }
 
-/// What the robust filter took for no surface.
+/// Points to which the robust filter gave no weight.
 std::string left_out(const std::optional<parts::RobustOutcome>& robust) {
     if (!robust) return "";
     return ", " + std::to_string(robust->left_out) + " of " + std::to_string(robust->points) +

@@ -90,7 +90,7 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
 
 namespace {
 
-/// What was found of \p of, or of one of its neighbours.
+/// Parameters of \p of, or of one of its neighbours.
 void put_found(Json& document, const MeasuredSurface& of, const Surface<double>& found) {
     put_cut_offs(document, found.cut_offs);
     Json& values = document["surface"] = Json::object();

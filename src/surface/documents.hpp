@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is known of a measured surface as JSON: what the command prints, and what a scene reads back.
+// A measured surface as JSON, as the command prints it and a scene reads it back.
 
 #include "document/json.hpp"
 #include "document/rows.hpp"
@@ -22,13 +22,13 @@ void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs);
 void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing,
               const parts::CutOffs<double>& cut_offs);
 
-/// What was measured of a surface, for a JSON document that read_measured_document takes.
+/// Measured parameters of a surface, for a JSON document that read_measured_document takes.
 [[nodiscard]] Json measured_document(const MeasuredSurface& surface);
 
 /// The roughness parameters of \p surface; of several files the means of theirs with one lambda_c, the longest that the
 /// table chooses. \throws as roughness_table().
 [[nodiscard]] RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c = {});
-/// The whole document of fstiff measure, \p surface being measured as \p options say.
+/// The whole document of fstiff measure, \p surface being measured by \p options.
 [[nodiscard]] Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface);
 
 }  // namespace fstiff::scene

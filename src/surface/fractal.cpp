@@ -29,12 +29,12 @@ std::string curved_sentence(const FractalFit<double>& fit) {
         (fit.min_slope < 0.2 ? ": a part of it is a plateau" : "");
     for (const auto& beside : fit.neighbours)
         if (beside.disagrees)
-            return slopes + "; " + (beside.half ? "its half" : "beside it the window") + " of " +
+            return slopes + "; " + (beside.half ? "its half" : "next to it the window") + " of " +
                    shown_length(beside.window.from, 3) + " to " + shown_length(beside.window.to, 3) +
                    " gives D = " + rounded(beside.dimension, 3) + ", which differs by " +
                    rounded(std::abs(beside.difference), 2) + " where sampling explains " +
-                   rounded(beside.difference_error, 2) + ": this is no single power law, and D is a mean over it";
-    return slopes + ": this is no single power law, and D is a mean over it";
+                   rounded(beside.difference_error, 2) + ": this is not a single power law, and D is a mean over it";
+    return slopes + ": this is not a single power law, and D is a mean over it";
 }
 
 std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit, std::string_view prefix) {

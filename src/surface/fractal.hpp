@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// D and G of a measured profile or map with their errors, and what else fstiff fit tells of it.
+// D and G of a measured profile or map with their errors, and the other results of fstiff fit.
 
 #include "document/rows.hpp"
 #include "surface/surface_file.hpp"
@@ -29,7 +29,7 @@ struct FractalOptions {
     ProgressHook progress{};  ///< called while the bootstrap draws
 };
 
-/// What one profile gives. Of the parts that need more than the fit does, the reason where there is none.
+/// Results of one profile. Parts that need more than the fit have a reason where they are missing.
 struct ProfileFractal {
     parts::PreparedProfile<double> levelled;
     FractalFit<double> fit;
@@ -51,7 +51,7 @@ struct MapFractal {
     [[nodiscard]] bool doubtful() const { return !parts::is_plausible_gradient(levelled.areal.rms_gradient); }
 };
 
-/// \throws domain_error for a window, a tip radius or a resolution that is no length.
+/// \throws domain_error for a window, a tip radius or a resolution that is not a length.
 [[nodiscard]] parts::FractalFitOptions<double> fit_options(const FractalOptions& options);
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
@@ -59,7 +59,7 @@ struct MapFractal {
 /// The same of a map, whose heights \p input gives up.
 [[nodiscard]] MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input);
 
-/// What there is to doubt, in sentences.
+/// Doubts, in sentences.
 [[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,
                                                    const ProfileFractal& result);
 [[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,

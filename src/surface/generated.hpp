@@ -39,9 +39,10 @@ inline constexpr auto names<scene::GeneratedForm> = name_list<scene::GeneratedFo
 
 namespace fstiff::scene {
 
-/// What is made. Of wm: dimension, roughness, gamma; of the others hurst, rms, long_waves; rows of a map.
+/// Request for a surface. wm uses dimension, roughness and gamma; the others use hurst, rms and long_waves, and a map
+/// also rows.
 struct GenerateRequest {
-    /// Of one surface: 2^22 heights are some 90 MB of text.
+    /// Limit of one surface: 2^22 heights are some 90 MB of text.
     static constexpr int min_side = 16, max_points = 1 << 22;
 
     GeneratedKind kind = GeneratedKind::profile;

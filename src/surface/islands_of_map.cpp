@@ -27,7 +27,7 @@ IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) 
     how.progress = spread.progress = options.progress;
     IslandsOfMap result;
     result.levelled = level_map_of(options.surface, input);
-    result.levelled.unfiltered.reset();  // islands are those of the map behind the filter
+    result.levelled.unfiltered.reset();  // islands are those of the filtered map
     result.islands =
         about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
     return result;

@@ -36,7 +36,7 @@ struct IslandsOfMap {
 
 /// \throws domain_error in one sentence with the name of the file; \p input gives up its heights.
 [[nodiscard]] IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input);
-/// What there is to doubt, in sentences.
+/// Doubts, in sentences.
 [[nodiscard]] std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfMap& result);
 /// The curve, a level a row.
 [[nodiscard]] Rows rows_of(const IslandsOfMap& result);

@@ -14,7 +14,7 @@ using Parsed = nlohmann::ordered_json;
 double number_of(const Parsed& object, const char* key, const std::string& place) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_number())
-        throw domain_error(place + "." + key + ": is missing or no number; must be that of fstiff measure");
+        throw domain_error(place + "." + key + ": is missing or not a number; must be that of fstiff measure");
     return found->get<double>();
 }
 
@@ -102,7 +102,7 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
                                                    .moments = {moment("m0_m2"), moment("m2"), moment("m4_per_m2")}};
         if (!(surface.heights->moments.m2 > 0 && surface.heights->moments.bandwidth() > 0 &&
               surface.heights->rms_gradient.value > 0))
-            throw domain_error(name + ": moments: must be greater than 0, and stand beside surface.rms_gradient");
+            throw domain_error(name + ": moments: must be greater than 0, and needs surface.rms_gradient");
         surface.rms_gradient = surface.heights->rms_gradient;
     }
     return surface;
@@ -132,8 +132,7 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
         surface.of_file = texts_of(source->contains("warnings") ? *source : document, "warnings");
     }
     surface.warnings = texts_of(document, "warnings");
-    for (const std::string& word :
-         texts_of(document, "concerns"))  // of a later version: unknown words say nothing here
+    for (const std::string& word : texts_of(document, "concerns"))  // unknown words, of a later version, are left out
         if (const auto concern = parts::find_named<MeasuredConcern>(word)) found.concerns.push_back(*concern);
     found.why_no_dimension = text_of(document, "no_fractal_dimension");
     found.why_no_peaks = text_of(document, "no_r_and_theta");

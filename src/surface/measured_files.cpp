@@ -86,7 +86,7 @@ std::string names_of(const std::vector<MeasuredSurface>& parts) {
     return text.size() <= 80 ? text : parts.front().file + " and " + std::to_string(parts.size() - 1) + " more files";
 }
 
-/// What is said of all of \p parts is said once, the rest with the name of the file.
+/// Notes common to all of \p parts are given once, the others with the name of the file.
 void gather_warnings(MeasuredSurface& whole) {
     const auto count = [&](const std::string& sentence) {
         return std::count_if(whole.parts.begin(), whole.parts.end(), [&](const MeasuredSurface& part) {

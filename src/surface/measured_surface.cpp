@@ -20,7 +20,7 @@ bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
 double gradient_of(const parts::PreparedProfile<double>& profile) { return profile.rms_gradient; }
 double gradient_of(const parts::PreparedMap<double>& map) { return map.areal.rms_gradient; }
 
-/// What was decided beside the reading of the file, and what is in doubt about \p found.
+/// Decisions after the reading of the file, and doubts about \p found.
 template <class Prepared>
 void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureOptions& options) {
     const Surface<double>& found = surface.found;
@@ -47,26 +47,28 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
 
     auto& warned = surface.warnings;
     if (!found.why_no_dimension.empty())
-        warned.push_back("no D and G, and no fractal law without one given: " + found.why_no_dimension);
+        warned.push_back("no D and G, so fractal laws need a given D: " + found.why_no_dimension);
     else if (found.curved)
-        warned.push_back("the structure function is no single power law over the window: D is a mean over it");
+        warned.push_back("the structure function is not a single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
     const bool lay = has(found.concerns, MeasuredConcern::lay);
     if (has(found.concerns, MeasuredConcern::anisotropic) && !lay)
-        warned.push_back("the map differs along x and y; the models take it for isotropic");
+        warned.push_back("the map differs along x and y; the models assume an isotropic surface");
     if (lay)
         warned.push_back(
-            profile ? "the profile repeats itself every " + shown_length(found.repetition.period) +
-                          " (autocorrelation " + rounded(found.repetition.correlation, 2) +
-                          "): the face has a lay, and a profile cannot show how far its ridges reach; K may be up to " +
-                          rounded(parts::lay_factor) + " times higher; measure a map"
-                    : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
-                          "): laws over a distribution of peaks take it for isotropic; hybrid and boundary_elements "
-                          "take the map as it is");
+            profile
+                ? "the profile repeats itself every " + shown_length(found.repetition.period) + " (autocorrelation " +
+                      rounded(found.repetition.correlation, 2) +
+                      "): the face has a lay, and a profile cannot show the length of its ridges; K may be up to " +
+                      rounded(parts::lay_factor) + " times higher; measure a map"
+                : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
+                      "): laws over a distribution of peaks assume an isotropic surface; hybrid and boundary_elements "
+                      "take the map as it is");
     if (has(found.concerns, MeasuredConcern::long_waves))
-        warned.push_back(shown_percent(found.long_wave_share) +
-                         " of the mean square height are waves longer than an eighth of the " + surface.kind +
-                         ": sigma is that of this length, and a longer one may have more; K goes about as 1/sigma");
+        warned.push_back(
+            shown_percent(found.long_wave_share) +
+            " of the mean square height is from waves longer than an eighth of the " + surface.kind +
+            ": sigma is that of this length, and a longer one may have more; K is about proportional to 1/sigma");
     std::vector<std::string> of_peaks = peak_warnings(found.concerns, found.peaks_counted, found);
     if (!profile && has(found.concerns, MeasuredConcern::few_peaks)) surface.of_file.push_back(of_peaks.front());
     warned.insert(warned.end(), of_peaks.begin(), of_peaks.end());
@@ -91,14 +93,15 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
     add_percent(MeasuredConcern::density_uncertain, Parameter::peak_density);
     if (has(concerns, MeasuredConcern::no_densest_level))
         lines.push_back(
-            "the islands are densest at the highest or the lowest level: this is no maximum, and the pair R, D_p "
-            "represents nothing");
+            "the islands are densest at the highest or the lowest level: this is not a maximum, and R and D_p must not "
+            "be used as a pair");
     if (has(concerns, MeasuredConcern::parameter_unknown)) {
         std::string names;
         for (const Parameter which : parts::unknown_parameters(values, has(concerns, MeasuredConcern::long_waves)))
             names += (names.empty() ? "" : ", ") + std::string(parts::row_of(which).symbol) + " (" +
                      shown_percent(values.find(which)->error / values.find(which)->value) + ")";
-        lines.push_back(names + ": not known to a factor of two; a result that rests on it, and its band, is in doubt");
+        lines.push_back(names +
+                        ": not known to a factor of two; a result that depends on it, and its band, are doubtful");
     }
     return lines;
 }
@@ -134,7 +137,7 @@ void refuse_options(const MeasureOptions& options, const Instrument& instrument,
                            " holds a profile, whose R and D_p come from its curvature and its peaks");
     if (!profile && instrument.tip_radius > 0)
         throw domain_error(file +
-                           ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");
+                           ": is a map, whose lags cannot be corrected for the tip; give the resolution instead");
 }
 
 /// The options of the library for \p options and \p input.
@@ -158,7 +161,7 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
     return how;
 }
 
-/// What is known of a surface once it is read.
+/// Measures a surface that was read.
 MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInput& input) {
     MeasuredSurface surface;
     surface.file = display_name(options.input.file);
@@ -166,7 +169,7 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     surface.how = std::make_shared<const MeasureOptions>(options);
     surface.kind = input.surface.is_profile() ? "profile" : "map";
     surface.decisions = input.surface.record.sentences();
-    surface.warnings = surface.of_file = reading_warnings(input, "what needs them is left out");
+    surface.warnings = surface.of_file = reading_warnings(input, "results that need them are left out");
     return surface;
 }
 

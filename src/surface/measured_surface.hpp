@@ -19,7 +19,7 @@ struct MeasureOptions {
     SurfaceOptions input;
     int resamples = 400;
     std::uint64_t seed = 2014;
-    bool neighbours = true;            ///< measures behind a smaller and a greater lambda_s too
+    bool neighbours = true;            ///< measures with a smaller and a greater lambda_s too
     bool neighbour_dimensions = true;  ///< finds D of these, of maps
     bool keep_maps = true;             ///< of the neighbours, with what a face takes of them
 };
@@ -45,7 +45,7 @@ struct MeasuredSurface {
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                               const ProgressHook& progress = {});
 
-/// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder stands for its files in the
+/// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder is all its files in the
 /// order of their names, without those that begin with a dot. One file is measure_surface(). A file that is there
 /// twice, by its SHA-256, counts once, with a warning.
 /// \throws domain_error for a folder without files, files of unlike kinds, or files whose steps differ without one
@@ -82,7 +82,7 @@ struct ParameterLine {
     std::string how;
     bool known = true;  ///< to a factor of two; else two digits are enough
 };
-/// Those that are known, in the order of docs/scene.md.
+/// Parameters that are known, in the order of docs/scene.md.
 [[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface);
 /// The same of \p found, which was measured as \p of was: \p of itself, or one of its neighbours.
 [[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surface<double>& found);

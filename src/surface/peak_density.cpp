@@ -59,7 +59,7 @@ PeakDensity of_numbers(const PeakDensityRequest& request) {
         return {PeakDistribution<double>::from_autocorrelation(*request.rho1, *request.rho2), "rho1, rho2", {}};
     }
     if (request.theta.empty() || request.exponential == request.r.has_value())
-        throw option_error(name("theta") + " needs one of " + name("r") + " and " + name("exponential") + " beside it");
+        throw option_error(name("theta") + " needs one of " + name("r") + " and " + name("exponential") + " too");
     const double theta = request.theta.value(io::Dimension::angle, name("theta"));
     if (request.exponential) return {PeakDistribution<double>::exponential(theta), "exponential autocorrelation", {}};
     return {PeakDistribution<double>(*request.r, theta), "r, theta", {}};

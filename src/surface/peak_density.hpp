@@ -16,8 +16,8 @@
 
 namespace fstiff::scene {
 
-/// One of: r and theta, theta and exponential, rho1 and rho2, a profile. And where the density of the height alone is
-/// wanted.
+/// One of: r and theta, theta and exponential, rho1 and rho2, a profile. And the places of the density of the height
+/// alone.
 struct PeakDensityRequest {
     SurfaceOptions surface{};              ///< of a profile, or without a file; its prefix is that of all options
     std::string_view profile = "profile";  ///< how messages call its file
@@ -48,7 +48,7 @@ struct PeakDensity {
     std::optional<PeakStatistics<double>> statistics{};
 };
 
-/// Of \p input, or of what \p request names, which is read. \throws option_error where it names none or two, and for
+/// Density of \p input, or of the file that \p request names. \throws option_error where it names none or two, and for
 /// heights that are no range; domain_error as PeakDistribution and level_profile().
 [[nodiscard]] PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input = {});
 /// r, theta, the moments, and what was counted.

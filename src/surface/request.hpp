@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the requests of commands share: quantities as people or programs give them, and one list of options each. A
+// Common parts of the requests of commands: quantities as people or programs give them, and one list of options each. A
 // request hands its options, by key and with the help of the command line, to whatever reads them (the command line,
 // Python, C):
 //
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] std::optional<double> number() const { return si_; }
     /// As it was written; a number by its fewest digits.
     [[nodiscard]] std::string text() const;
-    /// [SI]. \throws domain_error, which names the option \p name, for a text that is no such quantity.
+    /// [SI]. \throws domain_error, which names the option \p name, for a text that is not such a quantity.
     [[nodiscard]] double value(io::Dimension dimension, std::string_view name) const;
     /// The same as value(), greater than 0. \throws domain_error as above.
     [[nodiscard]] double positive(io::Dimension dimension, std::string_view name) const;
@@ -47,7 +47,7 @@ private:
     std::optional<double> si_;
 };
 
-/// What else is said of one option.
+/// Further properties of one option.
 struct OptionTraits {
     double low = 0, high = 0;                                          ///< of a number, both allowed; equal: any
     bool required = false, positional = false, shows_default = false;  ///< on the command line
@@ -65,7 +65,7 @@ struct OptionTraits {
     }
 };
 
-/// How messages call the option of \p key: "reflection_error", or behind the prefix of a command line
+/// Name of the option of \p key in messages: "reflection_error", or after the prefix of a command line
 /// "--reflection-error".
 [[nodiscard]] std::string option_name(std::string_view prefix, std::string_view key);
 
@@ -74,7 +74,7 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 [[nodiscard]] std::string csv(const NamedNumbers& numbers);
 void put(Json& document, const NamedNumbers& numbers);
 
-/// What a command makes: its document without the warnings, these, and whether the result is one to doubt.
+/// Result of a command: its document without the warnings, the warnings, and whether the result is doubtful.
 struct Answer {
     Json document;
     std::vector<std::string> warnings{};

@@ -11,7 +11,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// Behind the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
+/// Appended to the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
 void add_material_ratio(RoughnessTable& table, const std::string& letter, std::span<const double> heights) {
     std::optional<parts::MaterialRatio<double>> found;
     std::string refusal;

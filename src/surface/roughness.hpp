@@ -26,7 +26,7 @@ struct RoughnessTable {
     std::size_t files = 1;            ///< whose means these are
 };
 
-/// Of the heights that are there, about their mean. \throws domain_error for a surface out of range.
+/// Parameters of the existing heights, about their mean. \throws domain_error for a surface out of range.
 /// A profile without lambda_c takes \p lambda_c, by default that of the standard's table.
 [[nodiscard]] RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled,
                                              const CutOff<double>& lambda_c = {});

@@ -47,7 +47,7 @@ std::vector<SpectrumCurve> curves_of(const SpectrumRequest& request, const Profi
         throw domain_error("profile with " + std::to_string(missing) +
                            " missing points: must be filled before its spectrum is taken");
     auto found = power_spectrum(profile, request.taper);
-    found.wavenumber.erase(found.wavenumber.begin());  // at q = 0 stands the mean, which was removed
+    found.wavenumber.erase(found.wavenumber.begin());  // at q = 0 is the mean, which was removed
     found.value.erase(found.value.begin());
     return {psd_curve("profile", "", found.wavenumber, found.value)};
 }

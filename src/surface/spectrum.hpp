@@ -14,7 +14,7 @@
 
 namespace fstiff::scene {
 
-/// What is computed.
+/// Quantity to compute.
 enum class SpectrumKind { psd, acf };
 
 }  // namespace fstiff::scene

@@ -15,7 +15,7 @@
 namespace fstiff::scene {
 namespace {
 
-/// The form called \p name; \p more stands behind the choices in the refusal.
+/// The form called \p name; \p more follows the choices in the refusal.
 template <parts::NamedEnum FormOf>
 FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
                const std::string& more = "") {
@@ -130,7 +130,7 @@ Form form_of_profile(const SurfaceOptions& options) {
     if (options.cutoff.empty()) throw option_error(form + "needs " + name + ", such as \"0.8 mm\"");
     if (!options.lambda_c.empty() && options.lambda_c != Lengths("none"))
         throw option_error(form + "has the cut-off " + name +
-                           " already; must not stand beside another cut-off of long waves");
+                           " already; must not be given with another cut-off of long waves");
     return Form::line;
 }
 
@@ -195,7 +195,7 @@ std::string gradient_warning(double rms_gradient, std::string_view origin) {
     if (parts::is_plausible_gradient(rms_gradient)) return "";
     const bool flat = rms_gradient < parts::min_plausible_gradient<double>;
     return "the rms gradient" + (std::isfinite(rms_gradient) ? ", " + rounded(rms_gradient, 3) + "," : std::string()) +
-           " is " + (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is so " +
+           " is " + (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is that " +
            (flat ? "flat" : "steep") + "; a unit of its lengths is likely wrong";
 }
 

@@ -36,20 +36,20 @@ struct SurfaceInput {
 /// The same from bytes that were read already.
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
-/// Heights that no file holds, cleaned as \p options say; options.file stands for them in messages, and \p origin says
-/// where they come from. \throws domain_error for heights or steps that are no surface.
+/// Heights that no file holds, cleaned by \p options; options.file is their name in messages, and \p origin is their
+/// source. \throws domain_error for heights or steps that are no surface.
 [[nodiscard]] SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights,
                                               const std::string& origin);
 
-/// Crops, masks, takes spikes out and fills, in this order, as the options say; each is told in the details of the
+/// Crops, masks, takes spikes out and fills, in this order, by the options; each is noted in the details of the
 /// record.
 /// \throws domain_error, file_error for the mask.
 void clean(const SurfaceOptions& options, io::Surface& surface);
 
-/// What could have been asked of clean() and was not: of spikes and of \p missing points, with the option's name.
+/// Hints at options of clean() that were not used: for spikes and for \p missing points, with the option's name.
 [[nodiscard]] std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io::Surface& surface);
 
-/// What is known of the instrument [m]; 0: not known.
+/// Properties of the instrument [m]; 0: not known.
 struct Instrument {
     double tip_radius = 0, resolution = 0;
 };
@@ -86,9 +86,9 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
 /// The same for an \p input that is not needed afterwards and gives up its map.
 [[nodiscard]] parts::PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input);
 
-/// A warning about an rms gradient that no surface has, found as \p origin says; empty for any other.
+/// A warning about an rms gradient that no surface has, with its \p origin; empty for any other.
 [[nodiscard]] std::string gradient_warning(double rms_gradient, std::string_view origin);
-/// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the
+/// Doubts about the reading: a sentence on missing points, where there are some, and the warnings of the
 /// reader; and gradient_warning() of the \p rms_gradient that was measured, where it is known yet.
 [[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
                                                         std::optional<double> rms_gradient = {});

@@ -66,7 +66,7 @@ constexpr SurfaceOptionRow rows[] = {
     {"peaks", estimate, &Of::peaks, always,
      "what counts as a peak of a map, for R and D_p: its islands (default) or its summits"},
     {"tip_radius", estimate, &Of::tip_radius, always,
-     "radius of the stylus, such as \"2 um\": shorter lags of a profile, which may show it, are not used for D"},
+     "radius of the stylus, such as \"2 um\": shorter lags of a profile may show it and are not used for D"},
     {"resolution", estimate, &Of::resolution, always,
      "lateral resolution of the instrument; shorter lags are not used for D"},
     {"window", estimate, &Of::window, always,
@@ -76,7 +76,7 @@ constexpr SurfaceOptionRow rows[] = {
      "height",
      {.form = TextForm::or_number}},
     {"resample", file_of_profile, &Of::resample, if_not_default,
-     "a profile of unequal steps is interpolated at as many equal ones"},
+     "resample a profile with unequal steps at the same number of equal steps"},
     {"x3p_increment", file, &Of::x3p_increment, if_not_default,
      "of X3P with heights of floating point: apply the increment of z (default) or ignore it"},
     {"lambda_s", filter, &Of::lambda_s, if_not_default,
@@ -86,8 +86,8 @@ constexpr SurfaceOptionRow rows[] = {
      "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) keeps all, and takes that of the "
      "standards' table for Ra, Rq and the like of a profile; none keeps all for these too"},
     {"filter", filter, &Of::filter, if_not_default,
-     "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line grooves and "
-     "spikes do not draw towards them"},
+     "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line is not drawn towards "
+     "grooves and spikes"},
     {"crop", cleaning, &Of::crop, if_not_default,
      "part that is kept: \"x0,x1\" of a profile, \"x0,x1,y0,y1\" of a map, such as \"0,1 mm,0,1 mm\"",
      {.help_of_profile = "part that is kept: \"x0,x1\", such as \"0,1 mm\""}},
@@ -99,7 +99,7 @@ constexpr SurfaceOptionRow rows[] = {
      "become missing",
      {.low = parts::min_spike_limit, .high = parts::max_spike_limit}},
     {"fill", cleaning, &Of::fill, if_not_default,
-     "missing points are filled: by straight lines in a profile, by Laplace's equation in a map"},
+     "fill missing points: by straight lines in a profile, by Laplace's equation in a map"},
     {"channel", file, &Of::channel, if_not_default,
      "of a Gwyddion file (.gwy): number or title of the channel; default the lowest in lengths"},
 };

@@ -18,7 +18,7 @@ namespace fstiff::scene {
 /// What is read.
 enum class SurfaceKind { profile, map, any };
 
-/// What an option is for; the command line lists them in this order.
+/// Purpose of an option; the command line lists them in this order.
 enum class OptionGroup {
     file,             ///< any file
     step_of_profile,  ///< of a file or of an array
@@ -38,7 +38,7 @@ using SurfaceField = std::variant<std::string SurfaceOptions::*, Lengths Surface
                                   std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
                                   parts::PeakSource SurfaceOptions::*>;
 
-/// What a text may be written as in a scene, where it is no plain text.
+/// Forms of a text in a scene, other than a plain text.
 enum class TextForm { plain, or_number, file };
 
 /// When an option is in a JSON document.

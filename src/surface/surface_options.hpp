@@ -45,7 +45,7 @@ struct SurfaceOptions {
     Lengths dx, dy, width, height;                  ///< of a matrix
     int column = 0;                                 ///< of the heights of a profile, counted from 1
     int x_column = 0;                               ///< of its positions
-    std::string missing;                            ///< stands for missing points of a text: "-9999", or "none"
+    std::string missing;                            ///< marks missing points of a text: "-9999", or "none"
     bool resample = false;                          ///< unequally spaced positions of a profile are interpolated
     std::optional<io::X3pIncrement> x3p_increment;  ///< none: apply
     std::string channel;                            ///< of gwy: its number or its title
@@ -68,7 +68,7 @@ struct SurfaceOptions {
     [[nodiscard]] std::string name(std::string_view key) const;
 };
 
-/// SurfaceOptions::detrend of a profile beside the forms: the line, then the filter of ISO 16610-21.
+/// SurfaceOptions::detrend of a profile in addition to the forms: the line, then the filter of ISO 16610-21.
 inline constexpr std::string_view gaussian_form = "gaussian";
 
 /// One length greater than 0 [m], of the option called \p name in messages. \throws domain_error, which quotes it.

@@ -93,7 +93,7 @@ std::vector<std::string> warnings_of(const TruthOfMap& solved) {
         warnings.push_back("elastic pressures of up to " + shown_pressure(most->state.max_pressure) +
                            " at p = " + shown_pressure(most->state.pressure) +
                            " exceed the hardness of the softer body, " + shown_pressure(solved.flows_above) +
-                           ": the contacts flow, and K is not theirs (--hardness cuts the pressures)");
+                           ": the contacts yield, and this K does not apply to them (--hardness cuts the pressures)");
     return warnings;
 }
 

@@ -47,7 +47,7 @@ struct TruthOfMap {
 
 /// \throws domain_error in one sentence, for a profile too, and where all of the map is in contact at every pressure.
 [[nodiscard]] TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input);
-/// What there is to doubt, in sentences.
+/// Doubts, in sentences.
 [[nodiscard]] std::vector<std::string> warnings_of(const TruthOfMap& solved);
 /// A pressure a row.
 [[nodiscard]] Rows rows_of(const TruthOfMap& solved);

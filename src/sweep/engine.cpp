@@ -107,7 +107,7 @@ private:
     SceneMaker& maker_;
     Queue& queue_;
     SceneMaker::Work work_;
-    std::uint64_t wanted_ = 1;  // nobody knows yet how long a scene takes
+    std::uint64_t wanted_ = 1;  // the time of a scene is not known yet
 };
 
 void work(const Grid& grid, SceneMaker& maker, Queue& queue) {

@@ -23,11 +23,11 @@ struct EngineOptions {
     ThreadStart start{};      ///< empty: std::thread
 };
 
-/// Takes the lines of whole scenes, the scene behind them, and how many of them have no result.
+/// Takes the lines of whole scenes, the scene after them, and how many of them have no result.
 using Sink = std::function<void(std::string_view lines, std::uint64_t next, std::uint64_t failed)>;
 
 /// The scenes from \p first up to \p end, in their order, a mebibyte or a second of work at a time. What \p sink
-/// throws, or a scene throws that is no domain_error or file_error, ends it.
+/// throws, or any exception of a scene other than domain_error and file_error, ends it.
 /// \returns how many threads computed the last of them. Where the system starts fewer than asked for, or has not the
 /// memory for so many, fewer compute everything, and of none the thread that calls does.
 unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,

@@ -51,7 +51,7 @@ bool names_text(const std::string& key) {
     return key.ends_with(".from") || key.ends_with(".mask") || key.ends_with(".name");
 }
 
-/// What \p node says as a number, with a unit of any kind; none for other texts, lists, tables.
+/// \p node as a number, with a unit of any kind; none for other texts, lists, tables.
 std::optional<NumberWithUnit> quantity_of(const toml::node& node) {
     if (node.is_number()) return NumberWithUnit{*node.value<double>(), {}, node.is_integer()};
     if (!node.is_string()) return std::nullopt;
@@ -116,7 +116,7 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
         log         ? "must be a list of the median and the standard deviation of the logarithm, such as "
                       "[\"40 um\", 0.1], or of the mean and the standard deviation, such as [\"40 um\", \"4 um\"]"
         : kind == 0 ? "must be a list of the mean and the standard deviation, such as [\"5 um\", \"0.2 um\"]"
-                    : "must be a list of the least and the greatest value, such as [\"4 um\", \"6 um\"]";
+                    : "must be a list of the lowest and the highest value, such as [\"4 um\", \"6 um\"]";
     if (table.size() != 1 || !pair || pair->size() != 2) source.refuse(node, key, wanted);
     const toml::node &first = (*pair)[0], &second = (*pair)[1];
     Distribution& drawn = found.axis.drawn.emplace();
@@ -141,7 +141,7 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
     if (kind == 2 && !(a.value < b.value)) source.refuse(second, key + "[1]", "must be greater than " + key + "[0]");
 }
 
-/// How a result shows a listed value that is no number.
+/// How a result shows a listed value that is not a number.
 std::string shown(const toml::node& node) {
     if (const auto* list = node.as_array()) {
         std::string text;
@@ -159,7 +159,7 @@ std::string shown(const toml::node& node) {
 
 void read_list(const Source& source, const toml::node& node, const std::string& key, Found& found) {
     const auto* list = node.as_array();
-    if (!list || list->empty()) source.refuse(node, key, "must be a list of one value at least");
+    if (!list || list->empty()) source.refuse(node, key, "must be a list of at least one value");
     found.listed = *list;
     std::optional<NumberWithUnit> first;
     if (!names_text(found.axis.key)) first = quantity_of((*list)[0]);
@@ -258,7 +258,7 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
     for (const Axis& axis : grid.axes) draws = draws || axis.drawn;
     if (section.find("samples") && !draws)
         source.refuse(*section.find("samples"), section.key("samples"),
-                      "must stand beside a distribution, such as { normal = [\"5 um\", \"0.2 um\"] }");
+                      "needs a distribution, such as { normal = [\"5 um\", \"0.2 um\"] }");
     grid.samples = whole("samples", 1, draws ? 1000 : 1);
     grid.seed = whole("seed", 0, grid.seed);
     if (const toml::node* node = section.find("tabulate")) {

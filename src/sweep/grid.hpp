@@ -7,7 +7,7 @@
 //     std::vector<Value> values;
 //     grid.values(17, values);                    of the 18th scene, one for each of grid.axes
 //
-// The quantity that stands last in the file varies fastest; the draws of one point of the grid stand side by side.
+// The last quantity in the file varies fastest; the draws of one point of the grid are adjacent.
 
 #include "scene/scene.hpp"
 #include "sweep/draws.hpp"
@@ -38,14 +38,14 @@ struct Axis {
     std::vector<std::string> texts{};  ///< of any other list: as results show them
     bool whole = false;                ///< of a range: whole numbers stay whole numbers
 
-    /// Of a distribution 1: its draws are samples of every point of the grid.
+    /// 1 for a distribution: its draws are samples of every point of the grid.
     [[nodiscard]] std::uint64_t count() const {
         return range ? range->count : drawn ? 1 : numbers.empty() ? texts.size() : numbers.size();
     }
     [[nodiscard]] bool is_text() const { return !texts.empty(); }
 };
 
-/// What one scene has of an axis.
+/// Value of one scene on an axis.
 struct Value {
     double number = 0;        ///< SI; 0 of a text
     std::uint64_t place = 0;  ///< on the axis; 0 of a distribution

@@ -80,7 +80,7 @@ void append_missed(std::string& text, const std::string& begin, const Curve& cur
     text += scene::json_text("law " + std::string(curve.law->name) + ": " + missed.reason) + "}\n";
 }
 
-/// The line of the state \p i of \p curve behind \p begin.
+/// The line of the state \p i of \p curve after \p begin.
 void append_row(std::string& text, const std::string& begin, const Curve& curve, std::size_t i) {
     append_law(text, begin, curve, curve.law_at(i).name);
     for (const scene::Column& column : curve.columns) {
@@ -154,7 +154,8 @@ struct Together {
     std::vector<std::string> texts;  ///< of the scenes, in the order of the grid
     std::uint64_t& failed;
 
-    /// Those from \p at up to \p end of scenes.order. Where a point cannot be computed, its scene alone has no result.
+    /// Lines of the scenes from \p at up to \p end of scenes.order. Where a point cannot be computed, its scene alone
+    /// has no result.
     void compute(std::size_t at, std::size_t end) {
         if (end - at == 1) {
             const std::size_t place = scenes.order[at];

@@ -14,14 +14,14 @@
 
 namespace fstiff::sweep {
 
-/// Scenes that stand side by side in a grid, as lines.
+/// Adjacent scenes of a grid, as lines.
 struct Block {
     std::string text;
     std::uint64_t failed = 0;  ///< scenes that cannot be computed, or not at every point
 };
 
 /// The lines of the scenes from \p first on, \p count of them. Scenes that differ in their point alone are computed
-/// together, wherever they stand among these.
+/// together, wherever they are among these.
 [[nodiscard]] Block lines_of(const Grid& grid, SceneMaker& maker, SceneMaker::Work& work, std::uint64_t first,
                              std::uint64_t count);
 

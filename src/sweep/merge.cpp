@@ -36,7 +36,7 @@ std::string command(const Part& known, std::uint64_t number, const std::string& 
            " -o " + file;
 }
 
-/// What is wrong with the shards as a whole.
+/// Errors of the shards as a whole.
 std::vector<std::string> problems_of(const std::vector<Part>& parts) {
     std::vector<std::string> problems;
     const Part& first = parts.front();
@@ -57,7 +57,7 @@ std::vector<std::string> problems_of(const std::vector<Part>& parts) {
         }
         const auto [there, is_new] = by_number.emplace(of.shard.number, &part);
         if (!is_new)
-            problems.push_back("shard " + of.shard.text() + " is there twice, as " + there->second->file + " and " +
+            problems.push_back("shard " + of.shard.text() + " is given twice, as " + there->second->file + " and " +
                                part.file + ": leave one of them out");
         else if (!of.finished)
             problems.push_back(part.file + " is not finished; run: " + command(first, of.shard.number, part.file));

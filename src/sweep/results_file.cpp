@@ -88,7 +88,7 @@ void replace_file(const std::string& target, const std::function<bool(const Open
     const std::string partial = target + ".partial";
     try {
         bool is_wanted = false;
-        {  // closed before it is renamed or removed, as Windows wants it
+        {  // closed before it is renamed or removed, as Windows requires
             const OpenFile file(partial, os::Opening::replace);
             is_wanted = write(file);
             if (is_wanted && !os::sync_all(file.descriptor())) fail(target, "cannot be written");
@@ -117,10 +117,9 @@ Description read_description(const std::string& results) {
     const std::string file = description_file(results);
     std::ifstream stream(scene::path_of(file), std::ios::binary);
     if (!stream)
-        throw file_error(results,
-                         "the file " + file +
-                             " that belongs to it is missing, which says of which grid and shard it is; put it "
-                             "back beside it, or move these results away and run the sweep again");
+        throw file_error(results, "the file " + file +
+                                      " that names its grid and shard is missing; put it back next to the results, or "
+                                      "move them away and run the sweep again");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     Description made;
     try {
@@ -135,7 +134,7 @@ Description read_description(const std::string& results) {
         json.at("failed").get_to(made.failed);
         json.at("bytes").get_to(made.bytes);
     } catch (const nlohmann::json::exception&) {
-        throw file_error(file, "is no description of results; must be what fstiff sweep wrote beside " + results);
+        throw file_error(file, "is not a description of results; must be what fstiff sweep wrote next to " + results);
     }
     return made;
 }
@@ -198,7 +197,7 @@ ResultsFile::ResultsFile(std::string file, Description description)
 void ResultsFile::lock() {
     const std::string& name = file_.name();
     if (!std::filesystem::is_regular_file(scene::path_of(name)))
-        throw file_error(name, "is no regular file; results of a sweep must be one, to go on after an interruption");
+        throw file_error(name, "is not a regular file; results of a sweep must be one, to go on after an interruption");
     if (os::lock(file_.descriptor())) return;
     if (errno == EWOULDBLOCK)
         throw file_error(name, "is being written by another process; give every shard a file of its own");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The file of results of one shard: whole lines are appended and synced, so that a run that was killed goes on where it
-// stopped. Beside out.jsonl stands out.jsonl.sweep, a small JSON that says of which grid and shard these are; it is
+// stopped. Next to out.jsonl is out.jsonl.sweep, a small JSON that names the grid and shard of these; it is
 // written before the first result and again when the last one is there.
 //
 //     ResultsFile file("out.jsonl", description);
@@ -21,7 +21,7 @@
 
 namespace fstiff::sweep {
 
-/// What stands in the file beside the results.
+/// Content of the file next to the results.
 struct Description {
     std::string grid;          ///< file of the grid, as it was given
     std::string hash;          ///< of the grid
@@ -34,11 +34,11 @@ struct Description {
 /// \throws option_error for the ending of a table or of another binary form: results are lines of JSON.
 void require_lines(const std::string& results);
 
-/// The name of the file beside \p results.
+/// The name of the file next to \p results.
 [[nodiscard]] std::string description_file(const std::string& results);
-/// \throws file_error where it is missing or is none, in a sentence that tells what to do.
+/// \throws file_error where it is missing or is none, in a sentence with the remedy.
 [[nodiscard]] Description read_description(const std::string& results);
-/// Written beside its target, synced, then renamed. \throws file_error.
+/// Written next to its target, synced, then renamed. \throws file_error.
 void write_description(const std::string& results, const Description& description);
 
 /// A file, which is closed at the end.
@@ -59,13 +59,13 @@ private:
     int descriptor_;
 };
 
-/// What \p write writes becomes \p target when it is all there, and synced; nothing where \p write returns false or
-/// throws. \throws file_error.
+/// The output of \p write becomes \p target when it is complete, and synced; no file is left where \p write returns
+/// false or throws. \throws file_error.
 void replace_file(const std::string& target, const std::function<bool(const OpenFile&)>& write);
 
-/// What stands in a file of results: whole lines of scenes that follow one another.
+/// Content of a file of results: whole lines of scenes that follow one another.
 struct Scan {
-    std::uint64_t next = 0;    ///< scene behind the last whole one
+    std::uint64_t next = 0;    ///< scene after the last whole one
     std::uint64_t kept = 0;    ///< bytes of the whole scenes
     std::uint64_t bytes = 0;   ///< of the file
     std::uint64_t failed = 0;  ///< scenes without result among the whole ones
@@ -83,7 +83,7 @@ public:
     /// something else, and where it cannot be written.
     ResultsFile(std::string file, Description description);
 
-    /// The scene to go on with; that behind the last one of the shard when it is finished.
+    /// The scene to go on with; that after the last one of the shard when it is finished.
     [[nodiscard]] std::uint64_t next() const { return next_; }
     /// Bytes of a torn end that was cut off.
     [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
@@ -104,7 +104,7 @@ private:
     std::uint64_t next_ = 0, size_ = 0, dropped_ = 0;
 };
 
-/// What was merged, or what is wrong with the shards: one sentence each, with the command that computes a missing one.
+/// Merged results, or the errors of the shards: one sentence each, with the command that computes a missing one.
 struct Merged {
     std::vector<std::string> problems;  ///< empty: the file was written
     std::uint64_t scenes = 0, failed = 0, shards = 0;

@@ -14,7 +14,7 @@
 namespace fstiff::sweep {
 namespace {
 
-/// What stands behind "key": in a line; empty where it has no such key. Quotation marks inside of texts are escaped, so
+/// The value after "key": in a line; empty where it has no such key. Quotation marks inside of texts are escaped, so
 /// that none of them looks like a key.
 std::string_view value_of(std::string_view line, std::string_view quoted_key) {
     const std::size_t at = line.find(quoted_key);
@@ -68,9 +68,10 @@ bool is_object(std::string_view line) {
 }
 
 [[noreturn]] void refuse_line(const std::string& file, std::uint64_t number) {
-    throw file_error(file + ":" + std::to_string(number),
-                     "is no whole line of results, or not in its order; move the file and its .sweep away and run the "
-                     "sweep again");
+    throw file_error(
+        file + ":" + std::to_string(number),
+        "is not a whole line of results, or not in its order; move the file and its .sweep away and run the "
+        "sweep again");
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ void for_each_line(const std::string& file,
     std::optional<std::uint64_t> last;
     for (std::uint64_t number = 1; std::getline(stream, line); ++number) {
         const auto index = index_of_line(line);
-        if (!index && number == 1) throw file_error(file, "is no file of results; must be what fstiff sweep wrote");
+        if (!index && number == 1) throw file_error(file, "is not a file of results; must be what fstiff sweep wrote");
         if (!index || (last && *index != *last && *index != *last + 1)) refuse_line(file, number);
         if (!call(line, *index)) return;
         last = index;

@@ -11,7 +11,7 @@
 
 namespace fstiff::sweep {
 
-/// What pictures and sensitivities take of one line.
+/// Parts of one line that pictures and sensitivities use.
 struct Row {
     std::uint64_t index = 0;
     std::string_view law;  ///< "answer" of an answer, whose law may be another at each point

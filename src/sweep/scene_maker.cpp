@@ -127,7 +127,7 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
     for (std::size_t i = 0; i < grid.axes.size(); ++i) setters_.push_back(setter_of(i));
     measured_ = is_measured(grid.form->root);
 
-    // what is wrong with a value is told before anything is computed: the ends of every axis are read
+    // errors of values are reported before anything is computed: the ends of every axis are read
     std::vector<Value> values(grid.axes.size());
     const auto put = [&](std::size_t i, bool last) {
         const Axis& axis = grid.axes[i];
@@ -163,18 +163,17 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
 void SceneMaker::find_table_range(const Scene& first) {
     const auto refuse = [&](const char* why) { throw domain_error(grid_.file + ": sweep.tabulate = true: " + why); };
     if (!folds_ || grid_.axes[point_axis_].drawn || grid_.axes[point_axis_].count() < 2)
-        refuse("must stand in a grid whose pressure or separation is swept as a range or a list");
-    if (first.best) refuse("must be in a grid whose contact.laws names a law: no table has the band of an answer");
+        refuse("needs a grid whose pressure or separation is swept as a range or a list");
+    if (first.best) refuse("needs a grid whose contact.laws names a law: no table has the band of an answer");
     if (first.real_area || first.contacts || first.loading_stiffness || first.approach)
         refuse(
-            "must stand beside output.quantities without real_area, contacts, loading_stiffness and approach, which no "
-            "table has");
-    if (first.reading != InteractionReading::none) refuse("must stand in a grid without contact.interaction");
+            "needs output.quantities without real_area, contacts, loading_stiffness and approach, which no table has");
+    if (first.reading != InteractionReading::none) refuse("needs a grid without contact.interaction");
     const Axis& axis = grid_.axes[point_axis_];
     table_range_ = axis.range ? std::array{axis.range->from, axis.range->to}
                               : std::array{*std::min_element(axis.numbers.begin(), axis.numbers.end()),
                                            *std::max_element(axis.numbers.begin(), axis.numbers.end())};
-    if (!(table_range_[0] < table_range_[1])) refuse("must stand in a grid whose points differ");
+    if (!(table_range_[0] < table_range_[1])) refuse("needs a grid whose points differ");
 }
 
 bool SceneMaker::alike(const std::vector<Value>& a, const std::vector<Value>& b) const {

@@ -23,17 +23,17 @@ namespace fstiff::sweep {
 /// The scenes that were read last, for all threads.
 class RecentScenes {
 public:
-    /// Of each value that distinguishes them, its place and number.
+    /// Place and number of each value that distinguishes them.
     using Key = std::vector<std::pair<std::uint64_t, double>>;
     using Read = std::shared_ptr<const scene::Scene>;
 
-    /// The scene of \p key; where it is not there, what \p read gives. A thread that wants what another one reads waits
-    /// for it. \throws what \p read throws.
+    /// The scene of \p key; where it is not there, what \p read gives. A thread waits while another one reads the
+    /// same. \throws what \p read throws.
     [[nodiscard]] Read get(const Key& key, const std::function<Read()>& read);
 
 private:
     std::mutex mutex_;
-    std::list<std::pair<Key, std::shared_future<Read>>> all_;  ///< the last one used stands first
+    std::list<std::pair<Key, std::shared_future<Read>>> all_;  ///< the last one used is first
 };
 
 /// Shared by all threads. The grid must live as long.
@@ -56,7 +56,7 @@ public:
     /// The axis of the only point of a scene, so that scenes that differ in it alone are one scene with many points;
     /// none where there are more points, or a law is not computed point by point.
     [[nodiscard]] const std::size_t* point_axis() const { return folds_ ? &point_axis_ : nullptr; }
-    /// Whether the results have K; also where that hangs on the scene.
+    /// Whether the results have K; also where that depends on the scene.
     [[nodiscard]] bool has_stiffness() const { return has_stiffness_; }
     /// Whether two scenes with these values differ in nothing but their point.
     [[nodiscard]] bool alike(const std::vector<Value>& a, const std::vector<Value>& b) const;
@@ -66,7 +66,7 @@ private:
     struct Setter {
         Put put = nullptr;  ///< null: the table is read anew
         std::size_t place = 0;
-        double least = 0, most = 0;  ///< both excluded: outside, reading tells what is wrong
+        double least = 0, most = 0;  ///< both excluded: outside, reading reports the error
     };
     /// \throws domain_error where the grid asks for tables that the scenes cannot have.
     void find_table_range(const scene::Scene& first);

@@ -148,7 +148,7 @@ std::vector<SensitivityRow> sensitivities(const Grid& grid, const std::string& f
     std::vector<SensitivityRow> rows = collector.rows();
     if (rows.empty())
         throw domain_error(file +
-                           ": no K in it varies over 3 draws or more at one point of the grid; nothing hangs on "
+                           ": no K in it varies over 3 draws or more at one point of the grid; K does not depend on "
                            "the distributed inputs");
     return rows;
 }

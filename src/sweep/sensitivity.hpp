@@ -7,7 +7,8 @@
 //     S_i ~ (mean of K_(j) K_(j+1) - mean(K)^2)/Var(K)     with K in the order of x_i, the last followed by the first
 //     rho_i = correlation of the ranks of x_i and K (Spearman): whether K rises or falls with x_i, -1 to 1
 //
-// What the S_i lack of 1 comes of inputs acting together. Both need nothing but the draws that are there.
+// The difference of the sum of S_i from 1 is due to inputs acting together. Both need only the
+// available draws.
 //
 // Reference   Gamboa, Gremaud, Klein, Lagnoux, Bernoulli 28 (2022) 2345, eq. (12) (the estimator by ranks); Sobol',
 //             Math. Comput. Simul. 55 (2001) 271 (the index)
@@ -28,10 +29,10 @@ struct Sensitivity {
     double rank_correlation = 0;  ///< rho_i
 };
 
-/// Of \p output to \p input, as many values each, 3 at least; none where the output does not vary.
+/// Sensitivity of \p output to \p input, with equally many values, at least 3; none where the output does not vary.
 [[nodiscard]] std::optional<Sensitivity> sensitivity(std::span<const double> input, std::span<const double> output);
 
-/// Those of K of one law, joint distribution of peaks and point of a scene.
+/// Sensitivities of K of one law, joint distribution of peaks and point of a scene.
 struct SensitivityRow {
     std::string law;
     std::optional<double> theta{}, r{};
@@ -41,8 +42,8 @@ struct SensitivityRow {
     std::vector<Sensitivity> of_inputs;  ///< in the order of the distributed axes; means over the points of the grid
 };
 
-/// Of the results \p file of the whole \p grid, which has a distribution. Of more than a million draws at one point of
-/// the grid the first million is taken. \throws domain_error where no K in the results varies.
+/// Sensitivities in the results \p file of the whole \p grid, which has a distribution. Of more than a million draws at
+/// one point of the grid the first million is taken. \throws domain_error where no K in the results varies.
 [[nodiscard]] std::vector<SensitivityRow> sensitivities(const Grid& grid, const std::string& file);
 
 }  // namespace fstiff::sweep

@@ -20,7 +20,7 @@ std::optional<std::uint64_t> whole(std::string_view text) {
     return number;
 }
 
-/// A variable of the environment; none where it is not set. \throws domain_error where it is no whole number.
+/// A variable of the environment; none where it is not set. \throws domain_error where it is not a whole number.
 std::optional<std::uint64_t> variable(const char* name) {
     const char* text = std::getenv(name);
     if (!text) return std::nullopt;
@@ -43,7 +43,7 @@ Shard of_environment() {
         const auto count = variable("SLURM_ARRAY_TASK_COUNT"), least = variable("SLURM_ARRAY_TASK_MIN");
         if (!count)
             throw scene::option_error(
-                "SLURM_ARRAY_TASK_COUNT is not set; --shard auto needs it beside SLURM_ARRAY_TASK_ID");
+                "SLURM_ARRAY_TASK_COUNT is not set; --shard auto needs it with SLURM_ARRAY_TASK_ID");
         const std::uint64_t step = variable("SLURM_ARRAY_TASK_STEP").value_or(1), begin = least.value_or(1);
         const std::string name = "SLURM_ARRAY_TASK_ID " + std::to_string(*task);
         if (*task < begin || step == 0 || (*task - begin) % step != 0) return checked(0, *count, name);
@@ -53,7 +53,7 @@ Shard of_environment() {
     for (const auto& [rank, size] : pairs)
         if (const auto number = variable(rank)) {
             const auto of = variable(size);
-            if (!of) throw scene::option_error(std::string(size) + " is not set; --shard auto needs it beside " + rank);
+            if (!of) throw scene::option_error(std::string(size) + " is not set; --shard auto needs it with " + rank);
             return checked(*number + 1, *of, rank);
         }
     throw scene::option_error(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A shard: one of n parts of a grid, of scenes that stand side by side.
+// A shard: one of n parts of a grid, of adjacent scenes.
 
 #include <cstdint>
 #include <string>
@@ -10,7 +10,7 @@ namespace fstiff::sweep {
 struct Shard {
     std::uint64_t number = 1, of = 1;  ///< number from 1 to of
 
-    /// Of \p size scenes: the first of this shard, and the one behind its last.
+    /// The first scene of this shard, of \p size scenes in all, and the one after its last.
     [[nodiscard]] std::uint64_t first(std::uint64_t size) const;
     [[nodiscard]] std::uint64_t end(std::uint64_t size) const;
     /// "3/8"

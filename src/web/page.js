@@ -159,7 +159,7 @@ async function compute(scene, begun) {
     show(JSON.parse(new TextDecoder().decode(files["answer.json"])), begun);
 }
 
-/// What the fields say, from the file to the answer.
+/// Texts of the fields, from the file to the answer.
 async function computeFields(points) {
     const begun = performance.now();
     if (!surface) throw new Error("No surface is chosen: drop a file, use the example, or compute the scene below.");
@@ -241,7 +241,7 @@ function show(document_, begun) {
     words.replaceChildren();
     const assumed = (document_.assumptions || []).length ? ["Assumed: " + document_.assumptions.join("; ")] : [];
     const next = document_.measure_next ? [document_.measure_next] : [];
-    for (const one of [...(document_.verdict || []), document_.outside_band || "", ...assumed, ...next,
+    for (const one of [...(document_.explanation || []), document_.outside_band || "", ...assumed, ...next,
         ...document_.warnings.map((warning) => "Warning: " + warning)].filter(Boolean)) {
         const paragraph = document.createElement("p");
         paragraph.textContent = sentence(one);
@@ -250,7 +250,7 @@ function show(document_, begun) {
     }
     URL.revokeObjectURL($("picture").src);
     $("picture").src = URL.createObjectURL(new Blob([made["picture.svg"]], { type: "image/svg+xml" }));
-    $("picture").alt = `K against pressure. ${(document_.verdict || [""])[0]}`;
+    $("picture").alt = `K against pressure. ${(document_.explanation || [""])[0]}`;
     $("elements").hidden = !byName();
     showDownloads();
     $("answer").hidden = false;

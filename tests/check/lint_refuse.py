@@ -139,7 +139,7 @@ WORDS = [
     ("`Other::load` does not exist", f"{GLOSSARY}| load | Of another. | | `Other::load` | |\n"),
     ("`Short::load` does not exist", f"{GLOSSARY}| load | Of another. | | `Short::load` | |\n"),
     ("`None::load` does not exist", f"{GLOSSARY}| load | Of none. | | `None::load` | |\n"),
-    ("`at(x)` is no name", f"{GLOSSARY}| load | A call. | | `at(x)` | |\n"),
+    ("`at(x)` is not a name", f"{GLOSSARY}| load | A call. | | `at(x)` | |\n"),
     ("must have five cells", f"{GLOSSARY}| load | Four cells. | | `State` |\n"),
     ("must have a word and a sentence", f"{GLOSSARY}| load | no sentence | | `State` | |\n"),
     ("must have a word and a sentence", f"{GLOSSARY}| | No word. | | `State` | |\n"),

@@ -7,5 +7,5 @@ import subprocess
 import sys
 
 LINT = pathlib.Path(__file__).resolve().parents[2] / "tools/lint.py"
-failed = [check for check in ("layers", "glossary", "api", "sizes") if subprocess.run([sys.executable, LINT, check]).returncode != 0]
+failed = [check for check in ("layers", "glossary", "api", "sizes", "words") if subprocess.run([sys.executable, LINT, check]).returncode != 0]
 sys.exit(f"lint.py refuses: {', '.join(failed)}" if failed else 0)

@@ -161,7 +161,7 @@ def alone(program):
     """A program of the terminal that it is started from, which needs no library but those of Windows."""
     bytes_ = program.read_bytes()
     header = struct.unpack_from("<I", bytes_, 0x3C)[0]
-    check(struct.unpack_from("<H", bytes_, header + 24 + 68)[0] == 3, "fstiff.exe is no program for a terminal")
+    check(struct.unpack_from("<H", bytes_, header + 24 + 68)[0] == 3, "fstiff.exe is not a program for a terminal")
     libraries = {name.decode().lower() for name in re.findall(rb"[\w.-]+\.dll", bytes_, re.I)}
     libraries -= {"libgcj-16.dll", "libgcj-13.dll"}  # named in the start-up of GCC, and asked for by nobody
     of_windows = {"kernel32.dll", "msvcrt.dll", "shell32.dll", "advapi32.dll", "ntdll.dll"}

@@ -161,7 +161,7 @@ TEST_CASE("The C interface refuses requests in one sentence") {
     refused(fstiff_generate("kind = plane", &none), FSTIFF_REFUSED, "must be one of wm, profile, map");
     refused(fstiff_generate("kind = map\nspacing = 1 um\nrms = 1 um", &none), FSTIFF_REFUSED, "needs hurst");
     refused(fstiff_generate("seed 3", &none), FSTIFF_REFUSED, "key = value");
-    refused(fstiff_generate("seed = 3\nseed = 4", &none), FSTIFF_REFUSED, "seed is there twice");
+    refused(fstiff_generate("seed = 3\nseed = 4", &none), FSTIFF_REFUSED, "seed is listed twice");
     refused(fstiff_generate("points = 1.5", &none), FSTIFF_REFUSED, "points = 1.5");
     refused(fstiff_peaks(nullptr, "theta = 1\nexponential = perhaps", &none), FSTIFF_REFUSED, "true or false");
     refused(fstiff_ultrasound(nullptr, "stiffness = 1e15\nfrequency = 7e6", &none), FSTIFF_REFUSED, "impedance");

@@ -245,7 +245,7 @@ TEST_CASE("A scene without heat and friction has their cards and columns in no f
     CHECK(columns.size() == 2);
 }
 
-TEST_CASE("export replaces its own tables, and says where CalculiX makes less of one") {
+TEST_CASE("export replaces its own tables, and reports where CalculiX resamples one") {
     const test::Folder folder;
     for (const std::string to : {"moose", "comsol"}) {
         const std::string file = folder / to;

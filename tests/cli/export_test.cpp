@@ -73,7 +73,7 @@ TEST_CASE("The ends of the table are as far apart as the separations that run pr
     CHECK(test::relative_error(table.overclosures.back() - first, at_one - at_ten) < 1e-8);
 }
 
-TEST_CASE("The comments say where the table comes from and what it is good for") {
+TEST_CASE("The comments give the source of the table and its range") {
     const std::string text = test::run_fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
     for (const std::string part :
          {"** fstiff " FSTIFF_VERSION_TEXT
@@ -168,7 +168,7 @@ TEST_CASE("export refuses in one sentence") {
     test::check_refused("export --to nastran", 2, {"nastran", "calculix"});
     test::check_refused("export --to abaqus --units mm", 3, {"--units = \"mm\"", "length, force and pressure"});
     test::check_refused("export --to abaqus --units mm,N,Pa", 3, {"consistent", "1 N/mm^2 is 1e+06 Pa"});
-    test::check_refused("export --to abaqus --units mm,kgf,MPa", 3, {"kgf is no unit of force"});
+    test::check_refused("export --to abaqus --units mm,kgf,MPa", 3, {"kgf is not a unit of force"});
     test::check_refused("export --to abaqus --units mm,N,bananas", 3, {"--units", "bananas"});
     test::check_refused("export --to abaqus --tolerance much", 3, {"--tolerance", "much"});
     test::check_refused("export --to abaqus --tolerance 30%", 3, {"--tolerance = 0.3", "20 %"});

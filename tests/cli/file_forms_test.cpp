@@ -13,7 +13,7 @@ const std::string files = FSTIFF_TEST_DATA "/formats/";
 std::string decisions(const std::string& arguments) {
     const auto outcome = test::run_fstiff("measure " + arguments);
     INFO("fstiff measure " << arguments << "\n" << outcome.err);
-    REQUIRE(outcome.status % 4 == 0);  // a doubtful parameter is no matter here
+    REQUIRE(outcome.status % 4 == 0);  // a doubtful parameter is accepted here
     return nlohmann::json::parse(outcome.out)["source"]["decisions"].dump();
 }
 
@@ -43,14 +43,14 @@ TEST_CASE("The channel of a Gwyddion file is an option, and a key of a scene") {
     CHECK(run("chanel = \"Height\"\n").status == 3);
 }
 
-TEST_CASE("Masks, check sums and compression are told where a file is measured") {
+TEST_CASE("Masks, check sums and compression are reported where a file is measured") {
     CHECK(test::contains(decisions(files + "mask.gwy"), "of which 3 missing (3 of them under the mask)"));
     CHECK(test::contains(test::run_fstiff("measure " + files + "mask.gwy").err, "has a mask over 3 points"));
     CHECK(test::contains(decisions(files + "trace.smd"), "check sum: agrees"));
     CHECK(test::contains(decisions(files + "trace.prf"), "stylus radius: 2.000000e-003 mm in the file, not used"));
 }
 
-TEST_CASE("A file cut short ends with one sentence and exit code 3, and leaves nothing behind") {
+TEST_CASE("A file cut short ends with one sentence and exit code 3, and leaves no output") {
     const test::Folder folder;
     for (const char* name : {"two-channels.gwy", "compressed.sur", "plain.sur", "trace.smd", "trace.prf"}) {
         CAPTURE(name);

@@ -10,7 +10,7 @@
 
 namespace fit_test {
 
-TEST_CASE("The readable fit says what it decided about the file") {
+TEST_CASE("The readable fit prints its decisions about the file") {
     std::string text = "x [\xC2\xB5m];z [nm]\r\n";
     const auto profile = fstiff::self_affine_profile<double>({.hurst = 0.5, .rms = 1e-6}, 1024, 0.5e-6);
     for (std::size_t i = 0; i < profile.size(); ++i) {

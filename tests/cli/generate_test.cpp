@@ -64,7 +64,7 @@ TEST_CASE("A generated file holds the heights of the library, bit for bit") {
     }
 }
 
-TEST_CASE("What is generated is what the fit finds") {
+TEST_CASE("The fit finds the parameters that were generated") {
     const auto fit_of = [](const std::string& arguments) {
         const auto outcome = test::shell("fstiff generate " + arguments +
                                          " | fstiff fit - --lambda-s none --lambda-c none --format json");
@@ -98,7 +98,7 @@ TEST_CASE("The same seed makes the same file, another seed another") {
     CHECK(test::contains(test::run_fstiff(profile + "1 --format sdf").err, "seed 1"));
 }
 
-TEST_CASE("What cannot be generated is refused") {
+TEST_CASE("Surfaces that cannot be generated are refused") {
     test::check_refused("generate waves", 2, {"waves", "wm"});
     test::check_refused("generate wm --points 64 --spacing '1 um' --dimension 1.5", 2, {"--roughness"});
     test::check_refused("generate profile --spacing '1 um' --rms '1 um'", 2, {"--hurst"});

@@ -58,7 +58,7 @@ TEST_CASE("A wrong word is answered with the nearest right one") {
     const auto help = test::run_fstiff("help msure");
     CHECK(help.status == 2);
     CHECK(help.out.empty());
-    CHECK(test::contains(help.err, "msure: is no subcommand or option"));
+    CHECK(test::contains(help.err, "msure: is not a subcommand or option"));
     CHECK(test::contains(help.err, "did you mean measure?"));
     CHECK_FALSE(test::contains(test::run_fstiff("quaternion").err, "did you mean"));
     CHECK_FALSE(test::contains(test::run_fstiff("run --zzzzzz").err, "did you mean"));
@@ -128,7 +128,7 @@ TEST_CASE("measure --show and sweep --merge are the commands of older names") {
               .status == 0);
 }
 
-TEST_CASE("measure prints a table on a terminal, JSON into a pipe and a file, and what --format says") {
+TEST_CASE("measure prints a table on a terminal, JSON into a pipe and a file, and the form of --format otherwise") {
     if (test::shell("script -qec true /dev/null").status != 0) SKIP_CASE("`script` makes no terminal here");
     const test::Folder folder;
     const std::string trace = folder.write(
@@ -182,7 +182,7 @@ TEST_CASE("run --example prints a scene that runs, also with all that is comment
     test::check_refused("run scene.toml --example", 2, {"--example", "computes nothing"});
 }
 
-TEST_CASE("formats tells of every form that --input-format takes") {
+TEST_CASE("formats lists every form that --input-format takes") {
     const auto list = test::run_fstiff("formats --format csv");
     CHECK(list.status == 0);
     for (const char* name : {"profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur", "scene"}) {

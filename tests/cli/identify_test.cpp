@@ -145,7 +145,7 @@ TEST_CASE("identify without errors takes them from the scatter") {
                                scatter * known["parameters"][0]["standard_error"].get<double>()) < 0.05);
 }
 
-TEST_CASE("identify: parameters that the data cannot tell apart end with exit code 4 and their names") {
+TEST_CASE("identify: parameters that the data cannot distinguish end with exit code 4 and their names") {
     const test::Folder folder;
     const std::string data = measured("stiffness_Pa_per_m", 0.02);
     const auto product = identify(folder, scene(), data, "--fit R,Dp,offset", 4);
@@ -169,7 +169,7 @@ TEST_CASE("identify: parameters that the data cannot tell apart end with exit co
     CHECK(test::contains(csv.err, "cannot tell R and Dp apart"));
 }
 
-TEST_CASE("identify says when a parameter runs out of its range, or is hardly known") {
+TEST_CASE("identify reports a parameter at the end of its range, or hardly known") {
     const test::Folder folder;
     // D would have to make K smaller than the least that the factor f of the fractal law, 4/3, gives
     const auto hertz = identify(folder, scene("0.832 um", "500 /mm^2", "\"fractal\""),
@@ -187,7 +187,7 @@ TEST_CASE("identify says when a parameter runs out of its range, or is hardly kn
     CHECK(test::contains(three["fits"][0]["concerns"].dump(), "unresolved"));
 }
 
-TEST_CASE("identify fits every law of the scene and says which describes the data") {
+TEST_CASE("identify fits every law of the scene and reports which describes the data") {
     const test::Folder folder;
     const std::string both = scene("0.8 um", "450 /mm^2", "\"hertz\", \"fractal\", \"greenwood_williamson\"");
     const std::string data = measured("stiffness_Pa_per_m", 0.02);
@@ -281,11 +281,11 @@ TEST_CASE("identify refuses what it cannot fit, in one sentence") {
     refused(start + "--fit r", 3, {"r = 0", "between 0 and 1"}, data);
 }
 
-TEST_CASE("What run prints as CSV, identify takes") {
+TEST_CASE("identify takes the CSV of run") {
     const test::Folder folder;
     folder.write("one.toml", scene());
     folder.write("start.toml", scene("1 um", "300 /mm^2"));
-    // one curve with r and reflections beside the stiffness: its r is the correlation, its errors are bounds
+    // one curve with r and reflections with the stiffness: its r is the correlation, its errors are bounds
     const auto outcome = test::shell("fstiff run '" + folder / "one.toml" + "' --format csv | fstiff identify '" +
                                      folder / "start.toml" + "' --measured - --fit sigma,Dp --format json");
     INFO(outcome.err);
@@ -394,11 +394,11 @@ TEST_CASE("identify fits hybrid and plastic, which run answers with") {
             CHECK(one["interval"]["high"].get<double>() > truth);
         }
         CHECK(std::abs(value(fit, 0) / 0.8e-6 - 1) < (law == "hybrid" ? 0.1 : 0.01));
-        // elastic peaks of H/(E g) = 0.15 have no hardness to be told
+        // elastic peaks of H/(E g) = 0.15 have no hardness to be found
         const bool told = test::contains(document["warnings"].dump(), "the peaks of the fitted surface flow");
         CHECK(told == (law == "hybrid"));
         if (told) CHECK(test::contains(document["warnings"].dump(), "H/(E g) = 0.1"));
-        // nobody chose a law: that of peaks that flow
+        // no law was chosen: the one for peaks that yield
         const auto best = identify(folder, of("", "0.5 um", "0.12"), data, "--fit sigma", law == "hybrid" ? 4 : 0);
         REQUIRE(best["fits"].size() == 1);
         CHECK(best["fits"][0]["law"] == "plastic");

@@ -64,7 +64,7 @@ TEST_CASE("The paper's rule has an error estimate that covers its error") {
     const auto outcome = test::run_fstiff("integral --method paper " + table_file("integrals_plain.csv"));
     REQUIRE(outcome.status == 0);
     const test::Csv rows(outcome.out);
-    CHECK(worst(rows) > 1e-9);  // a 50 x 50 Gauss-Legendre rule on a box knows nothing of the branch points
+    CHECK(worst(rows) > 1e-9);  // a 50 x 50 Gauss-Legendre rule on a box ignores the branch points
     CHECK(rows.number(0, "evaluations") == 50 * 50 + 25 * 25);  // the coarser rule is for the estimate
 }
 

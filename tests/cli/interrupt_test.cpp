@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an interruption leaves behind. The signal comes at a known place of the work, whatever the speed of the machine.
+// Files after an interruption. The signal comes at a known place of the work, whatever the speed of the machine.
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 
@@ -73,14 +73,14 @@ TEST_CASE("Ctrl-C during long work ends the command and leaves no file") {
 #ifdef __linux__
 namespace {
 
-/// Sends Ctrl-C when the first file that is not complete stands in \p watched.
+/// Sends Ctrl-C when the first incomplete file is in \p watched.
 void interrupt_while_writing(const std::vector<std::string>& arguments, const std::string& watched) {
     const int nothing = open("/dev/null", O_WRONLY);
     const pid_t child = start(arguments, nothing, [] {
         if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(126);
     });
     close(nothing);
-    // From system call to system call, until the file that is being written stands beside the one it will become.
+    // From system call to system call, until the temporary file is there next to its target.
     int code = 0;
     bool seen = false;
     while (!seen && waitpid(child, &code, 0) == child && WIFSTOPPED(code)) {
@@ -97,7 +97,7 @@ void interrupt_while_writing(const std::vector<std::string>& arguments, const st
 
 }  // namespace
 
-TEST_CASE("Ctrl-C while a file is written leaves nothing of it") {
+TEST_CASE("Ctrl-C while a file is written leaves no part of it") {
     const Folder folder;
     interrupt_while_writing({"generate", "map", "--format", "sdf", "--hurst", "0.8", "--rms", "1 um", "--points", "256",
                              "--spacing", "1 um", "-o", folder / "map.sdf"},
@@ -105,7 +105,7 @@ TEST_CASE("Ctrl-C while a file is written leaves nothing of it") {
     CHECK(folder.files() == 0);
 }
 
-TEST_CASE("Ctrl-C while a folder or a picture is written leaves nothing of them") {
+TEST_CASE("Ctrl-C while a folder or a picture is written leaves no part of them") {
     const Folder folder;
     interrupt_while_writing({"report", "-o", folder / "new/report"}, folder / "new/report");
     CHECK(folder.files() == 0);

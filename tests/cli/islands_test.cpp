@@ -12,7 +12,7 @@ std::string map_text() {
 
 }  // namespace
 
-TEST_CASE("The readable islands say what was decided, and warn of a pair that means little") {
+TEST_CASE("The readable islands print the decisions, and warn of a pair that means little") {
     const auto outcome = test::run_fstiff("islands -", map_text());
     REQUIRE(outcome.status == 4);
     for (const std::string part : {"format: matrix", "96 x 96 points", "8 neighbours", "D_p = ", "R = ", "seed 2014",
@@ -22,7 +22,7 @@ TEST_CASE("The readable islands say what was decided, and warn of a pair that me
     }
 }
 
-TEST_CASE("What islands cannot take ends with exit codes 3 and 2") {
+TEST_CASE("Wrong files and options of islands end with exit codes 3 and 2") {
     const std::string text = map_text();
     test::check_refused("islands -", 3, {"standard input", "empty"});
     test::check_refused("islands - --spacing '1 um'", 2, {"--spacing"}, text);

@@ -9,7 +9,7 @@
 
 namespace test {
 
-/// Of a run that succeeds; exit code 4, a doubtful parameter, is no matter here.
+/// JSON of a run that succeeds; exit code 4, a doubtful parameter, is accepted here.
 inline nlohmann::json json_of(const std::string& arguments, const std::string& input = "") {
     const auto outcome = run_fstiff(arguments, input);
     INFO("fstiff " << arguments << "\n" << outcome.err);

@@ -78,7 +78,7 @@ TEST_CASE(
         const auto outcome = test::run_fstiff(call);
         INFO(call << "\n" << outcome.out << outcome.err);
         CHECK(outcome.status == 4);
-        CHECK(test::contains(test::as_one_line(outcome.out + outcome.err), "represents nothing"));
+        CHECK(test::contains(test::as_one_line(outcome.out + outcome.err), "must not be used as a pair"));
     };
     repeats("islands '" + map + "'" + options);
     // the answer rests on neither, laws of peaks that are named do

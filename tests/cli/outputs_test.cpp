@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outputs do no harm: no input is written over, nothing of somebody else is replaced, and nothing is left half written.
+// Outputs are safe: no input is overwritten, no foreign file is replaced, and no file is left half written.
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 
@@ -61,7 +61,7 @@ TEST_CASE("No command writes over a file that it reads") {
     check_harmless(folder, "integral -o k.csv < k.csv", 3, {"k.csv", input});  // standard input without its name
 }
 
-TEST_CASE("What stands beside a picture is replaced only where fstiff made it") {
+TEST_CASE("A file next to a picture is replaced only if fstiff made it") {
     const Folder folder;
     folder.write("trace.csv", profile());
     // the case of the review: the numbers of the trace were replaced by those of its picture
@@ -98,7 +98,7 @@ TEST_CASE("report and reproduce replace their own pages only, and leave no half 
     CHECK_FALSE(std::filesystem::exists(folder / "other"));
 }
 
-TEST_CASE("Files of reproduce that somebody else made stay") {
+TEST_CASE("reproduce keeps files that it did not make") {
     const Folder folder;
     std::filesystem::create_directory(folder / "paper");
     folder.write("paper/fig9.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n");
@@ -126,7 +126,7 @@ TEST_CASE("A file that may not grow further is reported with its reason, and the
     CHECK(contains(output.err, "standard output cannot be written: File too large"));
 }
 
-TEST_CASE("A full disk is reported with its reason, and nothing is left on it") {
+TEST_CASE("A full disk is reported with its reason, and no part of the file is left") {
     const Folder folder;
     const std::string disk = folder / "disk";
     std::filesystem::create_directory(disk);
@@ -145,7 +145,7 @@ TEST_CASE("A full disk is reported with its reason, and nothing is left on it") 
     CHECK(contains(full.err, "standard output cannot be written: No space left on device"));
 }
 
-TEST_CASE("What is protected from writing stays, and is refused with its reason") {
+TEST_CASE("A write-protected output stays, and is refused with its reason") {
     const Folder folder;
     std::filesystem::copy_file(FSTIFF_COMMAND, folder / "command");  // where everybody reaches it
     folder.write("old.txt", "old\n");
@@ -161,7 +161,7 @@ TEST_CASE("What is protected from writing stays, and is refused with its reason"
     if (shell(as + "--version").status == 0) {
         refused("run -o old.txt", "old.txt: cannot be written: Permission denied");
         refused("run -o new.txt", "new.txt: cannot be written: Permission denied");
-        refused("report -o new/folder", "new/folder: is no folder and cannot be made one: Permission denied");
+        refused("report -o new/folder", "new/folder: is not a folder and cannot be made one: Permission denied");
     } else {
         leave_out("nobody but root can run the command here");
     }

@@ -96,7 +96,7 @@ TEST_CASE("The table and the CSV of peaks hold the same") {
         CHECK(test::contains(table.out, part));
 }
 
-TEST_CASE("Peaks refuses what no density has") {
+TEST_CASE("Peaks refuses values that no density has") {
     using test::check_refused;
     check_refused("peaks --theta pi/2 --r 0.5", 3, {"theta = 1.57", "pi/2"});
     check_refused("peaks --theta 0 --r 0.5", 3, {"theta = 0", "pi/2"});

@@ -11,7 +11,7 @@ using namespace test;
 
 namespace {
 
-/// The curves of a picture's CSV in the order of the file: label, then the points. Labels with commas stand in quotes.
+/// The curves of a picture's CSV in the order of the file: label, then the points. Labels with commas are in quotes.
 struct Drawn {
     std::string label;
     std::vector<double> x, y, low, high;
@@ -110,7 +110,7 @@ TEST_CASE("run --plot refuses other endings, folders that are not there, and a s
 
 namespace {
 
-/// What stands between \p open and \p close, every time.
+/// All texts between \p open and \p close.
 std::vector<std::string> all_between(const std::string& text, const std::string& open, const std::string& close) {
     std::vector<std::string> found;
     for (auto at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
@@ -181,7 +181,7 @@ TEST_CASE("No reflection is drawn on the frame") {
     CHECK(last - first > 0.5);  // the band of the answer, which the frame holds, is wide
 }
 
-TEST_CASE("Many curves are few that can be told apart, and long names are broken") {
+TEST_CASE("Of many curves a few distinguishable ones are drawn, and long names are broken") {
     const Folder folder;
     std::string many = "peaks = [";
     for (int k = 1; k <= 10; ++k)
@@ -195,7 +195,7 @@ TEST_CASE("Many curves are few that can be told apart, and long names are broken
     CHECK(contains(picture, "7 of 21 curves are drawn"));
     std::vector<std::string> looks = all_between(plots(picture).at(0), "<path class=\"line ", "\"");
     CHECK(looks.size() == 8);  // and p/(0.48 sigma)
-    // the legend tells those that lie on one another, which these nearly do
+    // the legend names overlapping curves, which these nearly are
     CHECK(contains(picture, "(lies on"));
     CHECK(contains(picture, " wide"));
     for (std::string& look : looks) look = look.substr(0, look.find(" wide"));
@@ -206,7 +206,7 @@ TEST_CASE("Many curves are few that can be told apart, and long names are broken
     CHECK(all_between(picture, "class=\"title\">", "<").size() >= 3);
 }
 
-TEST_CASE("At one pressure the curves stand next to one another with their error bars") {
+TEST_CASE("At one pressure the curves are next to one another with their error bars") {
     const Folder folder;
     std::string text = replaced(read(scene_file), range, "pressures = [\"10 MPa\"]");
     text = replaced(text, "peaks     = [ { theta = \"pi/4\", r = \"exponential\" } ]",
@@ -260,7 +260,7 @@ TEST_CASE("Of many laws the same distributions of peaks are drawn, one stroke fo
     }
 }
 
-TEST_CASE("The picture has the verdict in short") {
+TEST_CASE("The picture has the short explanation") {
     const Folder folder;
     const auto brief = [](const std::string& picture) {
         std::string all;
@@ -268,7 +268,7 @@ TEST_CASE("The picture has the verdict in short") {
         return all;
     };
     const std::string steel = brief(drawn(folder, read(FSTIFF_SCENES "/sand_blasted_fine.toml")));
-    CHECK(contains(steel, "The peaks flow: K is that of unloading."));
+    CHECK(contains(steel, "The peaks yield: K is that of unloading."));
     CHECK(steel.size() < 220);
     CHECK(brief(drawn(folder, read(scene_file))) == "Taken as elastic: no hardness is given. ");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bar of long work, and what an interruption leaves behind.
+// The bar of long work, and the files after an interruption.
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 

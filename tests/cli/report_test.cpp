@@ -40,7 +40,7 @@ Promise.all(images).then(sizes => {
     const answer = document.createElement("pre");
     answer.id = "measured";
     answer.textContent = JSON.stringify({figures, sizes, rows: document.querySelectorAll("tr").length,
-                                         verdict: document.querySelector(".verdict").getBoundingClientRect().bottom,
+                                         result: document.querySelector(".result").getBoundingClientRect().bottom,
                                          wide: document.documentElement.scrollWidth, title: document.title});
     document.body.append(answer);
 });
@@ -121,9 +121,9 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
         CHECK(seen["figures"][i]["bands"] == (i < 3 ? 6 : 0));
     }
     CHECK(seen["wide"].get<double>() <= 1280);
-    // the answer is on the first screen: the picture, and the verdict beside it
+    // the answer is on the first screen: the picture, and the result next to it
     CHECK(k["bottom"].get<double>() < 1000);
-    CHECK(seen["verdict"].get<double>() < 1000);
+    CHECK(seen["result"].get<double>() < 1000);
 }
 
 TEST_CASE("The report shows the conductances that a scene asks for, with the band of K") {
@@ -174,7 +174,7 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
     CHECK(seen["figures"][5]["points"] > 20);
     CHECK(seen["figures"][5]["lines"] == 1);
     CHECK(seen["figures"][5]["windows"] == 1);
-    CHECK(seen["figures"][6]["lines"].get<int>() >= 5);  // K, sigma, gradient, R, D_p behind other cut-offs
+    CHECK(seen["figures"][6]["lines"].get<int>() >= 5);  // K, sigma, gradient, R, D_p with other cut-offs
     CHECK(contains(page, "Influence of the cut-offs"));
     CHECK(contains(page, "Structure function of second differences"));
     CHECK(contains(page, "share of peaks counted, which differs where heights are not Gaussian"));
@@ -197,7 +197,7 @@ TEST_CASE("The report of a measured map shows it in colours") {
     // the windows of the fits along x and y have the colours of their curves
     CHECK(contains(page, "class=\"window fc0 c0\""));
     CHECK(contains(page, "class=\"window fc1 c1\""));
-    // the pair that was chosen stands in both pictures of the islands, as fstiff islands gives it
+    // the pair that was chosen is in both pictures of the islands, as fstiff islands gives it
     const Csv islands(run_fstiff("islands '" + folder / "map.sdf" + "' --format csv").out);
     std::size_t most = 0;
     for (std::size_t i = 0; i < islands.size(); ++i)
@@ -228,7 +228,7 @@ TEST_CASE("report refuses what run refuses, and leaves no folder then") {
     CHECK(run_fstiff("report").status == 2);
 }
 
-TEST_CASE("The report begins with the answer and says which material was assumed") {
+TEST_CASE("The report begins with the answer and names the assumed material") {
     const Folder folder;
     REQUIRE(run_fstiff("report -o '" + folder / "builtin" + "'").status == 0);
     const std::string page = read(folder / "builtin/report.html");
@@ -246,9 +246,9 @@ TEST_CASE("The report begins with the answer and says which material was assumed
     std::snprintf(shown, sizeof shown, "<td>%.3g</td>", run.number(20, "stiffness_Pa_per_m") / 1e12);
     CHECK(before_inputs(shown));
     CHECK(before_inputs("<th>K/A0 [MPa/µm]</th>"));  // the numbers of the table are between 1 and 1000
-    CHECK(before_inputs("K/A₀ [MPa/µm]</text>"));    // and the picture beside it has the same unit
-    CHECK(before_inputs("<li>The peaks flow"));
-    CHECK(before_inputs("class=\"brief\">The peaks flow"));  // the verdict in the picture
+    CHECK(before_inputs("K/A₀ [MPa/µm]</text>"));    // and the picture next to it has the same unit
+    CHECK(before_inputs("<li>The peaks yield"));
+    CHECK(before_inputs("class=\"brief\">The peaks yield"));  // the explanation in the picture
     const std::string scene = folder.write("scene.toml", replaced(read(FSTIFF_SCENES "/../docs/stiffness.toml"),
                                                                   "[material.lower]\nyoungs_modulus = "
                                                                   "\"205 GPa\"",
@@ -289,7 +289,7 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
                     .status == 0);
         const std::string first = shell("pdftotext -l 1 '" + pdf + "' -").out,
                           all = shell("pdftotext '" + pdf + "' -").out;
-        for (const char* part : {"Surface measured from", "K/A₀ [", "Verdict: "}) {
+        for (const char* part : {"Surface measured from", "K/A₀ [", "Result: "}) {
             INFO(part);
             CHECK(contains(first, part));
         }
@@ -301,7 +301,7 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
 
 TEST_CASE("A report gives no sentence three times") {
     const Folder folder;
-    // too few lags for D: the reason stands among the warnings and under the surface
+    // too few lags for D: the reason is among the warnings and under the surface
     REQUIRE(run_fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '40 um' "
                        "--longest '60 um' -o '" +
                        folder / "trace.txt" + "'")

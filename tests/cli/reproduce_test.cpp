@@ -17,7 +17,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The points of a picture's CSV: panel and label of the curve, then y at x. Cells with commas stand in quotes.
+/// The points of a picture's CSV: panel and label of the curve, then y at x. Cells with commas are in quotes.
 using Curves = std::map<std::pair<int, std::string>, std::map<double, double>>;
 Curves curves(const std::string& file) {
     Curves result;
@@ -35,7 +35,7 @@ double at(const std::map<double, double>& curve, double x) {
     return after->second;
 }
 
-/// Integral of f from a to b by the trapezoidal rule after t = tanh-like substitution: slow, and nothing of the
+/// Integral of f from a to b by the trapezoidal rule after t = tanh-like substitution: slow, and without the
 /// library.
 template <class F>
 double integral(double a, double b, const F& f) {
@@ -100,12 +100,12 @@ TEST_CASE("reproduce writes every figure three times, a page that holds them, an
     CHECK(titles > 15);
     for (const std::string* text : {&outcome.out, &page}) CHECK(contains(*text, "Experimental points are not drawn"));
 
-    std::size_t verdicts = 0;
-    for (const std::string& line : lines(outcome.out)) verdicts += contains(line, "  verdict: ");
-    CHECK(verdicts == 3);
-    CHECK(contains(outcome.out, "verdict: not testable: only that the models differ by a constant factor"));
-    CHECK(contains(outcome.out, "verdict: holds at equal pressure, not at equal separation"));
-    CHECK(contains(outcome.out, "verdict: half: it grows with the load, but is largest on the smoothest surface"));
+    std::size_t results = 0;
+    for (const std::string& line : lines(outcome.out)) results += contains(line, "  result: ");
+    CHECK(results == 3);
+    CHECK(contains(outcome.out, "result: not testable: only that the models differ by a constant factor"));
+    CHECK(contains(outcome.out, "result: holds at equal pressure, not at equal separation"));
+    CHECK(contains(outcome.out, "result: half: it grows with the load, but is largest on the smoothest surface"));
 }
 
 TEST_CASE("The curves of Figs. 7, 8 and 9 are those of the table of arbitrary precision") {
@@ -220,7 +220,7 @@ TEST_CASE("Fig. 6 shows what was fitted, and Fig. 4 holds the radii at the level
     CHECK(contains(page, "<th>G [nm]</th>"));
 }
 
-TEST_CASE("The numbers behind the conclusions are the known ones") {
+TEST_CASE("The numbers for the conclusions are the known ones") {
     const Folder folder;
     const Outcome outcome = test::run_fstiff("reproduce --format json -o '" + folder / "paper" + "'");
     REQUIRE(outcome.status == 0);
@@ -252,7 +252,7 @@ TEST_CASE("The numbers behind the conclusions are the known ones") {
     CHECK(document.at("files").size() == 14);
 }
 
-TEST_CASE("reproduce gives the same files twice, and refuses what is no folder") {
+TEST_CASE("reproduce gives the same files twice, and refuses an output that is not a folder") {
     const Folder folder;
     REQUIRE(test::run_fstiff("reproduce -o '" + folder / "one" + "'").status == 0);
     REQUIRE(test::run_fstiff("reproduce -o '" + folder / "two" + "'").status == 0);
@@ -264,7 +264,7 @@ TEST_CASE("reproduce gives the same files twice, and refuses what is no folder")
     const std::string file = folder.write("file", "text");
     const Outcome refused = test::run_fstiff("reproduce -o '" + file + "'");
     CHECK(refused.status == 3);
-    CHECK(contains(refused.err, "is no folder"));
+    CHECK(contains(refused.err, "is not a folder"));
     CHECK(test::run_fstiff("reproduce").status == 2);
 }
 

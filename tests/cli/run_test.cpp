@@ -266,7 +266,7 @@ TEST_CASE("JSON and CSV hold the same numbers, and the answer comes first") {
     }
 }
 
-TEST_CASE("The output file is whole, replaces an older one and leaves nothing beside it") {
+TEST_CASE("The output file is whole, replaces an older one and leaves no other file") {
     const test::Folder folder;
     const std::string file = folder.write("curve.csv", "old");
     const auto outcome = test::run_fstiff("run --format csv -o '" + file + "'");

@@ -51,7 +51,7 @@ std::vector<ShownOption> options(const std::string& command) {
     return shown;
 }
 
-/// \p page as a reader sees it who knows of roff that \- is a dash and \fB begins bold letters.
+/// \p page as a reader sees it, given that in roff \- is a dash and \fB begins bold letters.
 std::string plain(std::string page) {
     page = std::regex_replace(page, std::regex(R"(\\f[BIR])"), "");
     page = std::regex_replace(page, std::regex(R"(\\-)"), "-");

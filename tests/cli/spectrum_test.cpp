@@ -173,7 +173,7 @@ TEST_CASE("Roughness parameters of measured files are those that numpy and scipy
     }
 }
 
-TEST_CASE("measure names the standard and says what is not defined, and its CSV has no more rows than before") {
+TEST_CASE("measure names the standard and the undefined parameters, and its CSV has no more rows than before") {
     const std::string text = map_text();
     const auto roughness = document_of("measure - --resamples 2", text)["roughness"];
     CHECK(roughness["standard"] == "ISO 25178-2:2021");
@@ -202,7 +202,7 @@ TEST_CASE("measure names the standard and says what is not defined, and its CSV 
     CHECK(contains(found["reasons"]["Str"].get<std::string>(), "degrees from x"));
 }
 
-TEST_CASE("Missing points have an autocorrelation and no spectrum, and say so") {
+TEST_CASE("Missing points have an autocorrelation and no spectrum, with a note") {
     std::string text;
     for (int i = 0; i < 100; ++i) text += i == 30 ? "nan\n" : std::to_string(std::sin(0.3 * i)) + "\n";
     const std::string how = "spectrum - --units um --spacing '1 um'" + none;

@@ -41,7 +41,7 @@ pid_t start(std::vector<std::string> arguments) {
     _exit(127);
 }
 
-/// Of \p runs sweeps that are killed until one comes to its end.
+/// Runs \p runs sweeps, each killed again and again until it comes to its end.
 void check_killed_sweeps(unsigned runs) {
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid(10000));
@@ -89,7 +89,7 @@ TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same byte
     check_killed_sweeps(40);
 }
 
-TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on behind what was written") {
+TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on after the written lines") {
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid(5000)), out = folder / "out";
     const std::string sweep = "fstiff sweep '" + file + "' -o '" + out + "'";
@@ -118,7 +118,7 @@ TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on be
     CHECK(!std::filesystem::exists(folder / "all.partial"));
 }
 
-TEST_CASE("A sweep whose threads find no room goes on with fewer, and says how many") {
+TEST_CASE("A sweep without room for all threads goes on with fewer, and reports how many") {
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid(500)), out = folder / "out";
     REQUIRE(run_fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
@@ -133,7 +133,7 @@ TEST_CASE("A sweep whose threads find no room goes on with fewer, and says how m
             shell("ulimit " + std::string(limits) + " && fstiff sweep '" + file + "' -o '" + out + "' --threads 64");
         INFO(limits << "\n" << outcome.err);
         CHECK(outcome.status == 0);
-        CHECK(contains(outcome.err, " of 64 threads computed; the system has no room for more"));
+        CHECK(contains(outcome.err, " of 64 threads ran; the system has no room for more"));
         CHECK(read(out) == read(folder / "serial"));
     }
 }

@@ -43,7 +43,7 @@ const std::string grid =
     "peaks = [ { theta = \"pi/3\", r = 0.5 } ]\n"
     "pressures = [ { from = \"0.1 MPa\", to = \"100 MPa\", count = 11 } ]\n";
 
-/// A scene in which every quantity may be swept, with \p key replaced by what \p written says.
+/// A scene in which every quantity may be swept, with \p key replaced by \p written.
 std::string scene_with(const std::string& key, const std::string& written) {
     const std::string scene =
         "[surface]\nrms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n"
@@ -129,7 +129,7 @@ TEST_CASE("Each line of a sweep has the digits of fstiff run of that scene, for 
     }
 }
 
-TEST_CASE("A grid that names no law carries the answer, whose law is chosen anew where a swept value lets peaks flow") {
+TEST_CASE("A grid that names no law has the answer, with a new law where a swept value lets peaks yield") {
     const auto scene = [](const std::string& strength) {
         return "[surface]\nrms_height = \"0.5 um\"\nrms_gradient = 0.1\nalpha = 5\n"
                "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nyield_strength = " +
@@ -166,7 +166,7 @@ TEST_CASE(
     check_as_run(results, [&](const Line& line) { return scene(line.at(1).second); });
 }
 
-TEST_CASE("Words and tables may be swept, and stand in the lines as texts") {
+TEST_CASE("Words and tables may be swept, and are in the lines as texts") {
     const Folder folder;
     const std::string text = scene_with("laws", "[ { values = [\"hertz\", \"plastic\"] } ]");
     const std::string file = folder.write(
@@ -217,7 +217,7 @@ TEST_CASE("Measured files may be swept") {
         contains(scene("[\"trace1.csv\", \"trace2.csv\"]", "\"1 MPa\""), value(fields(all[2]), "stiffness_Pa_per_m")));
 }
 
-TEST_CASE("K by the table of a law is within the error that it tells, for any number of shards") {
+TEST_CASE("K by the table of a law is within its stated error, for any number of shards") {
     const std::string output = "[output]\nquantities = [\"stiffness\", \"separation\"]\n";
     for (const bool separations : {false, true}) {
         std::string text = grid + output;
@@ -338,7 +338,7 @@ TEST_CASE("A second sweep does nothing, and a cut one goes on, wherever it was c
         CHECK(read(out) == whole);
         CHECK(read(out + ".sweep") == description);
     }
-    // zeros behind what was synced, as some file systems leave them after a loss of power, and a scene in between that
+    // zeros after what was synced, as some file systems leave them after a loss of power, and a scene in between that
     // is lost
     folder.write("out.sweep", unfinished);
     folder.write("out", whole.substr(0, 1000) + std::string(5000, '\0'));
@@ -382,7 +382,7 @@ TEST_CASE("Results of another grid, shard or unknown origin are refused") {
     CHECK(read(file) == grid);
 }
 
-TEST_CASE("What is wrong with a value is told before anything is computed") {
+TEST_CASE("Errors of values are reported before anything is computed") {
     const Folder folder;
     const auto check = [&](const std::string& text, const std::string& sentence) {
         const std::string file = folder.write("grid.toml", text);
@@ -405,7 +405,7 @@ TEST_CASE("What is wrong with a value is told before anything is computed") {
           2);
 }
 
-TEST_CASE("A scene that cannot be computed says why, and the others have their results") {
+TEST_CASE("A scene that cannot be computed has its reason, and the others have their results") {
     const Folder folder;
     const std::string file =
         folder.write("grid.toml", replaced(grid, "{ from = \"0.1 MPa\", to = \"100 MPa\", count = 11 }",
@@ -430,7 +430,7 @@ TEST_CASE("A scene that cannot be computed says why, and the others have their r
     CHECK(read(folder / "all") == read(folder / "out"));
 }
 
-TEST_CASE("Merging says which shard is missing, double, unfinished or of another grid, and writes nothing") {
+TEST_CASE("Merging names a shard that is missing, duplicate, unfinished or of another grid, and writes nothing") {
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid);
     const auto sweep = [&](const std::string& shard, const std::string& name) {
@@ -450,7 +450,7 @@ TEST_CASE("Merging says which shard is missing, double, unfinished or of another
           {"shard 2/4 is missing; run: fstiff sweep " + file + " --shard 2/4 -o part-2.jsonl",
            "shard 3/4 is missing; run: fstiff sweep " + file + " --shard 3/4 -o part-3.jsonl"});
     sweep("3/4", "again.jsonl");
-    check("part-*.jsonl again.jsonl", {"shard 3/4 is there twice"});
+    check("part-*.jsonl again.jsonl", {"shard 3/4 is listed twice"});
     sweep("1/2", "half.jsonl");
     check("part-*.jsonl half.jsonl", {"half.jsonl is shard 1/2 and part-1.jsonl is shard 1/4"});
     const Outcome itself = shell("cd '" + folder / "" + "' && fstiff merge half.jsonl -o half.jsonl");

@@ -31,7 +31,7 @@ Csv drawn(const Folder& folder, const std::string& text) {
     REQUIRE(outcome.status == 0);
     CHECK(contains(read(folder / "k.svg"), "<svg "));
     const std::string table = read(folder / "k.plot.csv");
-    return Csv(table.substr(table.find('\n') + 1));  // behind the line that names fstiff
+    return Csv(table.substr(table.find('\n') + 1));  // after the line that names fstiff
 }
 
 /// All K of the results.
@@ -92,7 +92,7 @@ TEST_CASE("Draws are drawn as their median with 5 to 95 %") {
     auto all = stiffnesses(read(folder / "out"));
     // 101 draws under each of two pressures; the quantiles of 101 values are the values themselves
     for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
-        std::vector<double> some;  // the pressure is the axis, the draws stand side by side
+        std::vector<double> some;  // the pressure is the axis, the draws are adjacent
         some.assign(all.begin() + static_cast<std::ptrdiff_t>(101 * i),
                     all.begin() + static_cast<std::ptrdiff_t>(101 * (i + 1)));
         std::sort(some.begin(), some.end());
@@ -165,7 +165,7 @@ TEST_CASE("Sensitivities are those of the draws, and a shard or a grid without d
     const Outcome shard = run_fstiff(sweep + " --shard 1/2");
     CHECK(shard.status == 2);
     CHECK(contains(shard.err, "merge the shards first"));
-    // what they need is told before anything is computed
+    // their needs are reported before anything is computed
     const auto refused = [&](const std::string& from, const std::string& to, const std::string& view,
                              const std::string& sentence) {
         const std::string other = folder.write("other.toml", replaced(text, from, to));
@@ -183,7 +183,7 @@ TEST_CASE("Sensitivities are those of the draws, and a shard or a grid without d
     CHECK(run_fstiff("sweep '" + plain + "' -o '" + folder / "plain" + "' --sensitivity").status == 2);
 }
 
-TEST_CASE("Inputs that K does not hang on have no sensitivities, and the picture of the same call is drawn") {
+TEST_CASE("Inputs that K does not depend on have no sensitivities, and the picture of the same call is drawn") {
     const Folder folder;
     const std::string file = folder.write(
         "grid.toml", replaced(grid("\"0.8 um\"", "\"40 um\"", "pressures = [ { values = [\"1 MPa\", \"10 MPa\"] } ]",
@@ -211,7 +211,7 @@ TEST_CASE("Results whose lines were damaged are not drawn, and go on where they 
     const Outcome drawn = run_fstiff(sweep + " --plot '" + folder / "k.svg" + "'");
     INFO(drawn.err);
     CHECK(drawn.status == 3);
-    CHECK(contains(drawn.err, "out:2: is no whole line of results"));
+    CHECK(contains(drawn.err, "out:2: is not a whole line of results"));
     CHECK_FALSE(std::filesystem::exists(folder / "k.svg"));
     const Outcome merged = run_fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
     CHECK(merged.status == 4);

@@ -57,7 +57,7 @@ TEST_CASE("Unlike media follow the boundary conditions of a spring") {
     CHECK(test::relative_error(document["welded_reflection"].get<double>(), 29.0 / 63.0) < 1e-15);
 }
 
-TEST_CASE("Density and velocity stand for the impedance") {
+TEST_CASE("Density and velocity give the impedance") {
     const auto a = json("--stiffness '1 GPa/um' --frequency '7 MHz' --density '7850 kg/m^3' --velocity '5900 m/s'");
     CHECK(a["impedance_Rayl"].get<double>() == 7850.0 * 5900.0);
     CHECK(a["impedance2_Rayl"] == a["impedance_Rayl"]);
@@ -130,7 +130,7 @@ TEST_CASE("Reflections without a column of errors take --reflection-error, or ha
     CHECK(test::lines(without.out).front() == "pressure_Pa,stiffness_Pa_per_m");
 }
 
-TEST_CASE("Rows whose R no stiffness gives have none, and the exit code says so") {
+TEST_CASE("Rows whose R belongs to no stiffness have none, and the exit code is 4") {
     const std::string file = "p [MPa],R,error\n1,1.002,0.002\n2,0.999,0.002\n10,0.9,0.002\n60,0.4,0.002\n";
     const std::string call = "ultrasound --reflection - --impedance2 '17 MRayl'" + steel;
     const auto json = test::run_fstiff(call + " --format json", file);

@@ -23,7 +23,7 @@ int main() {
     try {
         (void)io::read_surface("PK\3\4", "damaged.x3p");
         right = false;
-    } catch (const domain_error& error) {  // as a damaged archive, or for want of zlib
+    } catch (const domain_error& error) {  // such as a damaged archive, or without zlib
         right = right && std::string(error.what()).starts_with("damaged.x3p: ");
     }
     return right ? 0 : 1;

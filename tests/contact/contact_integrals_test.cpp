@@ -134,7 +134,7 @@ TEST_CASE("the estimate covers the error at random points of every regime, at ev
 }
 
 TEST_CASE(
-    "far above the surface, where the rounding of eta rules, the estimate covers it and is no hundred times too "
+    "far above the surface, where the rounding of eta rules, the estimate covers it and is not a hundred times too "
     "large") {
     // At a separation eta the exponent z = (t - r eta)/c inherits the rounding of numbers of the size of eta: the value
     // is wrong by a part of eta epsilon, while the rule itself is right to the tolerance, 50 epsilon.

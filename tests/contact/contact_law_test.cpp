@@ -32,7 +32,7 @@ RoughContact<double, HertzLaw<double>> hertz(const RoughContactOptions<double>& 
 
 using Law = ContactLaw<double>;
 
-/// Abbott and Firestone: mean pressure H, elastic on unloading: K is no constant times -dp/dd.
+/// Abbott and Firestone: mean pressure H, elastic on unloading: K is not a constant times -dp/dd.
 struct YieldingLaw {
     double hardness_over_modulus;
     static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
@@ -46,7 +46,7 @@ RoughContact<double, YieldingLaw> plastic(const RoughContactOptions<double>& opt
 }
 
 /// Largest relative error of the law between the nodes, against the model, at seeded random pressures; of -dp/dd too
-/// where K is no constant times that.
+/// where K is not a constant times that.
 template <class Contact>
 double worst_error(const Law& law, const Contact& contact, int count = 400) {
     std::mt19937 random(11);
@@ -301,7 +301,7 @@ TEST_CASE("outside the range: refuse, clamp or evaluate, as asked for") {
 
 namespace {
 
-/// Laws of every kind over \p range: with and without interaction, and K over -dp/dd, 0 where it is no constant.
+/// Laws of every kind over \p range: with and without interaction, and K over -dp/dd, 0 where it is not a constant.
 template <class Check>
 void for_laws(const LawRange<double>& range, const Check& check) {
     const RoughContactOptions<double> patch{.interaction = {InteractionReading::effective_separation, 0.1}};

@@ -69,7 +69,7 @@ TEST_CASE("one sphere follows Cattaneo, Mindlin and Deresiewicz") {
     const double d = 10 - 1.3, p = std::pow(1.3, 1.5), kt = ratio * 1.5 * std::sqrt(1.3);
     for (const double share : {0.01, 0.2, 0.5, 0.9}) {  // Q/(mu P); Johnson (1985), (7.42) and (7.57)
         CAPTURE(share);
-        const double tolerance = share < 0.9 ? 1e-11 : 1e-5;  // near touch p is no polynomial
+        const double tolerance = share < 0.9 ? 1e-11 : 1e-5;  // near touch p is not a polynomial
         const double slip = 1.5 * mu * p / kt * (1 - std::pow(1 - share, 2.0 / 3));
         const auto at = friction.first_slip(d, slip);
         CHECK(test::relative_error(at.traction, share * mu * p) < tolerance);

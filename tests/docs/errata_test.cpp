@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of docs/errata.md that no test beside its header holds: each to the digits in which it is quoted.
+// The figures of docs/errata.md that the test of no header checks, each to the digits in which it is quoted.
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What docs/validation.md says of the models against boundary elements. Its numbers stand in bench/validation.csv,
-// which a test of its own compares with what bench/validation.cpp prints; here they are held against other
-// computations.
+// The comparison of the models with boundary elements in docs/validation.md. Its numbers are those of
+// bench/validation.csv, which another test compares with the output of bench/validation.cpp. Here they are compared
+// with other computations.
 #include <fstiff/asperity/material.hpp>
 
 #include "support/accuracy.hpp"
@@ -35,8 +35,8 @@ Range range_of(const std::string& law, double low, double high) {
 }  // namespace
 
 TEST_CASE("the models over boundary elements are those of an independent computation") {
-    // Made by other code, over seven families, of which the table holds five: the ranges here lie inside. They are
-    // printed to two digits, and K of the table is right to 2 % (grids of 512 and 1024 points a side).
+    // Made by other code, over seven families. The table holds five of them, and its ranges lie within those here. They
+    // are printed to two digits, and K of the table is right to 2 % (grids of 512 and 1024 points a side).
     const struct {
         const char* law;
         double low, high, least, largest;

@@ -38,7 +38,7 @@ TEST_CASE("the change from one grid to the next covers the change to the one aft
     CHECK(covered >= all * 3 / 4);
 }
 
-TEST_CASE("K of a map whose points all touch is infinite on both grids, without an error that is no number") {
+TEST_CASE("K of a map whose points all touch is infinite on both grids, without an error that is not a number") {
     SelfAffineOptions<double> of;
     of.hurst = 0.8;
     of.rms = 1e-3;

@@ -92,8 +92,8 @@ TEST_CASE("Numbers of points are positions where they are chosen or named so", "
     CHECK(test::relative_error(read(two).profile().spacing, 1e-6) < 1e-12);
     CHECK(test::relative_error(read(bare, {.units = "um"}).profile().spacing, 1e-6) < 1e-12);
     const std::string why = refusal(nr, {.units = "um"});
-    CHECK(has(
-        why, "has no column of positions (column 1 numbers the points; as positions it must be told by x_column = 1)"));
+    CHECK(has(why,
+              "has no column of positions (column 1 numbers the points; to use it as positions, give x_column = 1)"));
     CHECK(has(why, "spacing = \"0.5 um\""));
     CHECK(read(nr, {.spacing = 2e-6}).profile().spacing == 2e-6);
     CHECK(test::relative_error(read(nr, {.units = "um", .x_column = 1}).profile().spacing, 1e-6) < 1e-12);
@@ -101,10 +101,9 @@ TEST_CASE("Numbers of points are positions where they are chosen or named so", "
 
 TEST_CASE("A first column that counts next to equal steps is refused without titles", "[index]") {
     const std::string text = counted("");
-    CHECK(
-        has(refusal(text, {.units = "um", .column = 3}),
-            "counts the points in column 1, and column 2 rises in equal steps: either may hold the positions; must be "
-            "told by x_column"));
+    CHECK(has(refusal(text, {.units = "um", .column = 3}),
+              "counts the points in column 1, and column 2 rises in equal steps: either may hold the positions; give "
+              "x_column"));
     CHECK(test::relative_error(read(text, {.units = "um", .column = 3, .x_column = 2}).profile().spacing, 5e-7) <
           1e-12);
     CHECK(test::relative_error(read(text, {.units = "um", .column = 3, .x_column = 1}).profile().spacing, 1e-6) <

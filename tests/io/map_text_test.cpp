@@ -112,7 +112,7 @@ TEST_CASE("An export of Keyence has its pitch, counts and unit in quoted cells")
     check_map(read(german + with_commas(matrix(";"))), 350e-9, 350e-9, 1e-6);
     CHECK(has(refusal(with("\"5\"", "\"6\"")), "line 3: states 6 columns where there are 5"));
     CHECK(has(refusal(with("\"4\"", "\"9\"")), "line 4: states 9 rows where there are 4"));
-    CHECK(has(refusal(with("\"um\"", "\"V\"")), "\"V\" is no unit of length"));
+    CHECK(has(refusal(with("\"um\"", "\"V\"")), "\"V\" is not a unit of length"));
     CHECK(has(refusal(with("\"nm\"", "\"s\"")), "states no physical size"));
 }
 
@@ -243,11 +243,11 @@ TEST_CASE("Points off a grid, twice at a place or without a unit are refused") {
 }
 
 TEST_CASE("Bad text is refused with the line and the cell") {
-    CHECK(has(refusal(gwyddion + "1 2 3\n4 five 6\n"), "line 6: \"five\" is no number"));
+    CHECK(has(refusal(gwyddion + "1 2 3\n4 five 6\n"), "line 6: \"five\" is not a number"));
     CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7\n"), "line 6: has 3 columns; must be 4 as in line 5"));
     CHECK(has(refusal(gwyddion + "1,2,3,4\n5,6,7\n"), "line 6: has 3 columns"));
     CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 1e999\n"), "beyond the range"));
-    CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 inf\n"), "\"inf\" is no number"));
+    CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 inf\n"), "\"inf\" is not a number"));
     CHECK(has(refusal(gwyddion + "1 1 1 1\n1 1 1 1\n"), "constant height"));
     CHECK(has(refusal(gwyddion + "1 2 3 4\n"), "at least 2 a side"));
     CHECK(has(refusal(""), "is empty"));
@@ -266,7 +266,7 @@ TEST_CASE("A number for missing points is honoured where the header names it, an
     CHECK(has(found.record.sentences().back(), "5 missing (-9999, from line 6)"));
     CHECK(std::isnan(found.map().heights(0, 1)));
     CHECK(found.map().heights(0, 0) == height(0, 0) * 1e-9);
-    CHECK(has(refusal(gwyddion + matrix(" ", cell)), "line 5: height -9999 nm stands here and 4 times more"));
+    CHECK(has(refusal(gwyddion + matrix(" ", cell)), "line 5: height -9999 nm is here and 4 times more"));
     CHECK(has(refusal(gwyddion + matrix(" ", cell)), "missing = \"-9999\""));
     CHECK(test::missing(read(gwyddion + matrix(" ", cell), {.missing = "-9999"})) == 5);
     CHECK(test::missing(read(gwyddion + matrix(" ", cell), {.missing = "none"})) == 0);
@@ -283,7 +283,7 @@ TEST_CASE("Words for missing points are the same in every form of a map", "[miss
         for (const char* separator : {",", "\t", " "}) {
             INFO(word << separator);
             const Cell cell = [&](int i, int j) { return j == 0 ? std::string(word) : plain(i, j); };
-            const auto found = read(gwyddion + matrix(separator, cell));  // the first row is no title
+            const auto found = read(gwyddion + matrix(separator, cell));  // the first row is not a title
             CHECK(found.map().rows() == rows);
             CHECK(test::missing(found) == 5);
         }

@@ -119,7 +119,7 @@ TEST_CASE("Units and steps are asked for, and taken in one way only") {
     CHECK(has(refusal(bytes, {.units = "nm"}), "states no steps; must be given as dx and dy"));
     CHECK(has(refusal(bytes, {.units = "nm", .dx = 1e-6, .dy = 1e-6, .width = 1e-6}), "dx and width are both given"));
     CHECK(has(refusal(bytes, {.units = "nm", .spacing = 1e-6}), "holds a map"));
-    CHECK(has(refusal(bytes, {.units = "V", .dx = 1e-6, .dy = 1e-6}), "is no unit of length"));
+    CHECK(has(refusal(bytes, {.units = "V", .dx = 1e-6, .dy = 1e-6}), "is not a unit of length"));
     const auto sized = read(bytes, {.units = "um,nm", .width = 3e-6, .height = 8e-6});
     CHECK(sized.map.dx == 3e-6 / 3);
     CHECK(sized.map.dy == 4e-6);

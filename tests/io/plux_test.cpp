@@ -48,7 +48,7 @@ TEST_CASE("Archives of Sensofar that cannot be meant are refused with element, v
     CHECK(contains(test::refusal([] { (void)read(test::stored_archive({{"z", "z"}})); }), "holds no index.xml"));
     CHECK(contains(refusal("<FILENAME_Z>LAYER_0.raw</FILENAME_Z>", "<FILENAME_C>LAYER_0.raw</FILENAME_C>"),
                    "has no LAYER_0 with a FILENAME_Z"));
-    CHECK(contains(refusal("</xml>", "</xm>"), "index.xml is no XML"));
+    CHECK(contains(refusal("</xml>", "</xm>"), "index.xml is not valid XML"));
 }
 
 }  // namespace plux_test

@@ -402,7 +402,7 @@ TEST_CASE("A position that leaps forth is named itself instead of the one after 
     std::string text = "x [um],z [um]\n";
     for (int i = 0; i < 20; ++i)
         text += (i == 7 ? std::string("70") : std::to_string(i)) + "," + std::to_string(i % 3) + "\n";
-    CHECK(has(refusal(text), "line 9: position 70 um stands between 6 and 8 um"));
+    CHECK(has(refusal(text), "line 9: position 70 um is between 6 and 8 um"));
 }
 
 TEST_CASE("A number that denotes missing points is reported or refused with the option that states it", "[missing]") {
@@ -447,13 +447,13 @@ TEST_CASE("A point in a number of a file with decimal commas is refused, never r
     for (const char* z : {".012", ".5", ".000,5", ".123.456"}) {
         CAPTURE(z);
         const std::string why = refusal(text(",0", z));
-        CHECK(has(why, "line 2: \"1" + std::string(z) + "\" is no number where the decimal sign is the comma"));
+        CHECK(has(why, "line 2: \"1" + std::string(z) + "\" is not a number where the decimal sign is the comma"));
         CHECK(has(why, "without separators of thousands"));
     }
-    CHECK(has(refusal(text(".0", ",012")), "is no number where the decimal sign is the point"));
-    CHECK(has(refusal(text(".0", ",000.5")), "is no number where the decimal sign is the point"));
+    CHECK(has(refusal(text(".0", ",012")), "is not a number where the decimal sign is the point"));
+    CHECK(has(refusal(text(".0", ",000.5")), "is not a number where the decimal sign is the point"));
     CHECK(read(text(",0", ",012")).profile().size() == 20);
-    CHECK(has(refusal("x [um]\tz [nm]\n0,0\t5.012\n1,0\t5.013\n"), "line 2: \"5.012\" is no number"));
+    CHECK(has(refusal("x [um]\tz [nm]\n0,0\t5.012\n1,0\t5.013\n"), "line 2: \"5.012\" is not a number"));
 }
 
 TEST_CASE("A comma that separates columns and is decimal is refused as such", "[decimal]") {

@@ -22,7 +22,7 @@ TEST_CASE("an axis is found through missing lines and rounded positions", "[regu
     CHECK_FALSE(axis_of({1, 1, 1}, 0.1));
 }
 
-TEST_CASE("heights go to their points, and no point is there twice", "[regular_grid]") {
+TEST_CASE("heights go to their points, and no point is listed twice", "[regular_grid]") {
     const TableRules rules{.holds = "numbers"};
     NumberTable table = open_table("1 0 5\n0 0 4\n0 2 6\n", "file", rules);
     read_rows(table, "file", rules);

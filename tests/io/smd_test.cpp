@@ -127,7 +127,7 @@ TEST_CASE("Profiles in records that cannot be meant are refused with line, value
     CHECK(has(refusal(Smd{.z = "CZ A 20 um"}.bytes()), "has 4 fields"));
     CHECK(has(refusal(Smd{.z = "CZ A 2.5 um 1 D"}.bytes()), "\"2.5\" points; must be a whole number"));
     CHECK(has(refusal(Smd{.z = "CZ A 4294967295 um 1 D"}.bytes()), "states 4294967295 points where CX has 20"));
-    CHECK(has(refusal(Smd{.z = "CZ A 20 V 1 D"}.bytes()), "\"V\" is no unit of length"));
+    CHECK(has(refusal(Smd{.z = "CZ A 20 V 1 D"}.bytes()), "\"V\" is not a unit of length"));
     CHECK(has(refusal(Smd{.z = "CZ A 20 um 0 D"}.bytes()), "scale \"0\""));
     CHECK(has(refusal(Smd{.z = "CZ A 20 um 1 X"}.bytes()), "type \"X\""));
     CHECK(has(refusal(Smd{.x = "CX I 20 mm 1 D"}.bytes()), "states no increment"));

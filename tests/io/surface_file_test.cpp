@@ -173,7 +173,7 @@ TEST_CASE("Binary files are known by their first bytes") {
     REQUIRE(read(line.str()).is_profile());
     CHECK(read(line.str()).profile().heights == profile.heights);
 
-    CHECK(has(refusal("PK\3\4rest"), io::reads_x3p() ? "is no zip archive" : "built without"));
+    CHECK(has(refusal("PK\3\4rest"), io::reads_x3p() ? "is not a zip archive" : "built without"));
     std::istringstream input(sdf.str());
     CHECK((io::read_surface(input, "file").map().heights == map.heights).all());
     CHECK(has(refusal(std::string("\0\1\2", 3)), "is binary"));

@@ -32,9 +32,9 @@ bool refused(const ZipLies& lies, const std::string& sentence, bool deflate = tr
     return found.ends_with(sentence);
 }
 
-const std::string no_archive = "is no zip archive, or a damaged one; must be a whole X3P file";
-const std::string damaged = "\"a\" is damaged; must be a whole X3P file";
-const std::string unreadable = "\"a\" has no readable entry; must be a whole X3P file";
+const std::string no_archive = "is not a zip archive, or a damaged one; must be a whole archive";
+const std::string damaged = "\"a\" is damaged; must be a whole archive";
+const std::string unreadable = "\"a\" has no readable entry; must be a whole archive";
 
 }  // namespace
 
@@ -103,7 +103,7 @@ TEST_CASE("A file that holds more or fewer bytes than its entry states is refuse
 
 TEST_CASE("Sizes and places outside of the file are refused") {
     CHECK(refused({.packed = 5000},
-                  "\"a\" declares 5000 deflated bytes, more than the file has; must be a whole X3P file"));
+                  "\"a\" declares 5000 deflated bytes, more than the file has; must be a whole archive"));
     const std::size_t length = zipped(two).size();
     CHECK(refused({.packed = length}, unreadable));
     CHECK(refused({.offset = length}, unreadable));

@@ -529,7 +529,7 @@ TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is 
     }
     const auto found = parts::surface_parameters(peaks);
     check_sound(found);
-    CHECK(found.why_no_peaks == "theta = pi/2, must be less: every point stands above or below both of its neighbours");
+    CHECK(found.why_no_peaks == "theta = pi/2, must be less: every point is above or below both of its neighbours");
     CHECK(found.peak_radius.error <= 1e-12 * found.peak_radius.value);  // all are alike
 }
 

@@ -276,7 +276,7 @@ TEST_CASE("A surface has its parameters by name and by Parameter") {
     CHECK(refusal_of(found).empty());
     CHECK(test::refusal([] {
               parts::SurfaceParameters<double>().set(Parameter::offset, {1, 1});
-          }) == "offset: is no parameter of a surface; must be one that SurfaceParameters holds");
+          }) == "offset: is not a parameter of a surface; must be one that SurfaceParameters holds");
 }
 
 TEST_CASE("A quantile lies between its neighbouring values") {

@@ -108,7 +108,7 @@ TEST_CASE("The error of D is the scatter of D over random walks, and the regress
     CHECK(scatter / regression > 5);
 }
 
-TEST_CASE("A straight line is no fractal, in any window") {
+TEST_CASE("A straight line is not a fractal, in any window") {
     Profile<double> line{std::vector<double>(1000), 1e-6};
     for (std::size_t i = 0; i < 1000; ++i) line.heights[i] = 1e-3 * 1e-6 * static_cast<double>(i);
     CHECK_FALSE(test::refusal([&] { (void)fit_fractal(line, {.window = LagWindow<double>{4e-6, 100e-6}}); }).empty());

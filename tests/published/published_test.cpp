@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What docs/published.md says of fstiff against measurements and simulations of others (tests/data/published, whose
-// sources stand in tests/data/README.md). The bounds are what was found; where a law fails, the case says so.
+// Claims of docs/published.md about fstiff against measurements and simulations of others (tests/data/published, whose
+// sources are in tests/data/README.md). The bounds are what was found; the case states where a law fails.
 #include "support/library.hpp"
 #include "support/table.hpp"
 

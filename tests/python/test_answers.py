@@ -108,7 +108,7 @@ def test_identification_is_that_of_the_command(command, root):
     one_radius = fstiff.identify(scene, file, ["sigma"], law="greenwood_williamson")  # has no joint peaks
     assert_same(one_radius, command.json("identify", scene, "--measured", file, "--law", "greenwood_williamson", "--fit", "sigma"))
     assert one_radius.to_dataframe()["r"].isna().all()
-    with pytest.raises(ValueError, match='"theta2" is no parameter'):
+    with pytest.raises(ValueError, match='"theta2" is not a parameter'):
         fstiff.identify(scene, file, ["theta2"])
     with pytest.raises(ValueError, match="must have the columns"):
         fstiff.identify(scene, {"pressure": [1e6]}, ["sigma"])

@@ -44,13 +44,13 @@ def test_there_are_scenes_and_one_is_built_in(command):
 def test_the_answer_is_that_of_the_command(command, scene):
     document = command.json("run", *([scene] if scene else []))
     answer = fstiff.run(scene).answer
-    assert answer.rows == document["answer"] and answer.verdict == document["verdict"]
+    assert answer.rows == document["answer"] and answer.explanation == document["explanation"]
     assert answer.outside_band == document["outside_band"]
     assert answer["law"].tolist() == [row["law"] for row in document["answer"]]
     K, low, high = (answer[f"stiffness{end}_Pa_per_m"] for end in ("", "_p05", "_p95"))
     assert len(K) > 2 and np.all(low < K) and np.all(K < high)
     assert all(sum(causes.values()) == pytest.approx(1) for causes in answer.causes)
-    assert answer.verdict[0] in repr(answer) and len(answer.to_dataframe()) == len(K)
+    assert answer.explanation[0] in repr(answer) and len(answer.to_dataframe()) == len(K)
 
 
 def test_a_text_gives_what_its_file_gives(root):
@@ -115,7 +115,7 @@ def test_what_stands_beside_the_columns(command, tmp_path):
     file.write_text(scene)
     document, curves = command.json("run", file), fstiff.run(scene)
     assert curves.warnings == document["warnings"]
-    assert curves.verdict == document["verdict"]
+    assert curves.explanation == document["explanation"]
     assert curves.effective_modulus == document["effective_modulus_Pa"]
     assert curves.name == "bodies"
     laws = [title.split(",")[0] for title, _ in curves.parts()]

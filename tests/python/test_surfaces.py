@@ -184,7 +184,7 @@ samples = 0
     keys = ("rms_height", "peak_radius", "peak_density", "r", "theta")
     numbers = fstiff.Contact("hertz", effective_modulus=1e11, **{key: surface[key] for key in keys})
     assert hertz.stiffness == numbers.at_pressures(1e6).stiffness
-    with pytest.raises(ValueError, match="rms_height: must not stand beside surface"):
+    with pytest.raises(ValueError, match="rms_height: must not be given with surface"):
         fstiff.Contact("hertz", surface=measured, rms_height=1e-6, effective_modulus=1e11)
 
 

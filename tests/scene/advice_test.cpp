@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every sentence that advises something is tested by doing what it says, over the scenes of data/ and docs/ and the
+// Every sentence that advises something is tested by following it, over the scenes of data/ and docs/ and the
 // files of tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
-#include "scene/verdict.hpp"
+#include "scene/explanation.hpp"
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
@@ -77,14 +77,14 @@ struct Advice {
 
 const std::vector<Advice>& table() {
     static const std::vector<Advice> rows{
-        {R"(measure a map|only a map shows it|needs a map: surface\.from, or --surface, must name the file of one)",
+        {R"(measure a map|only a map shows this|needs a map: surface\.from, or --surface, must name the file of one)",
          [](const std::string& text, const std::smatch&) { return with_law(of_map(text), "boundary_elements"); }},
-        {R"(must be told surface\.rms_gradient and surface\.alpha)",
+        {R"(set surface\.rms_gradient and surface\.alpha)",
          [](const std::string& text, const std::smatch&) {
              return with_law(with_line(with_line(text, "[surface]", "rms_gradient = 0.1"), "[surface]", "alpha = 8"),
                              "hybrid");
          }},
-        {R"(must be told surface\.alpha)",
+        {R"(set surface\.alpha)",
          [](const std::string& text, const std::smatch&) {
              return with_law(with_line(text, "[surface]", "alpha = 8"), "hybrid");
          }},
@@ -111,9 +111,8 @@ const std::vector<Advice>& table() {
 }
 
 /// Words that advise: who reads them has something to do.
-const std::regex advises(
-    R"re(\b(use |must be told|measure a|only a map|fills them|takes (?:it|them) out|keeps the|set |state ))re"
-    R"re(|[;(] ?give |needs a map|needs material)re");
+const std::regex advises(R"re(\b(use |measure a|only a map|fills them|takes (?:it|them) out|keeps the|set |state ))re"
+                         R"re(|[;(] ?give |needs a map|needs material)re");
 
 /// All scenes of data/, docs/ and of the pages, at one pressure and without a band, and one of them with a map in
 /// place of its surface.
@@ -162,8 +161,8 @@ std::string refusal_in_the_end(Text of, int* refused = nullptr) {
     return sentence;
 }
 
-/// Does what \p sentence says to \p of, by every row of the table that it is in; how many these are. What comes of it
-/// is computed, or its refusal says what else it needs.
+/// Follows \p sentence on \p of, by every row of the table that matches it; returns how many these are. The new
+/// scene is computed, or its refusal names what else it needs.
 int follow(const Text& of, const std::string& sentence) {
     int followed = 0;
     INFO("of " << of.file << ": " << sentence);
@@ -179,14 +178,14 @@ int follow(const Text& of, const std::string& sentence) {
     return followed;
 }
 
-/// What is said of \p results. The verdict has at most three sentences, and nothing asks for a law that was not
+/// All sentences about \p results. The explanation has at most three, and nothing asks for a law that was not
 /// computed.
 std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Results& results) {
-    std::vector<std::string> all = results.verdict;
+    std::vector<std::string> all = results.explanation;
     CHECK(all.size() <= 3);
     for (const std::string& sentence : all) CHECK(sentence.find(". ") == std::string::npos);
     all.push_back(outside_band(read, results));
-    for (const auto* more : {&results.short_verdict, &results.warnings})
+    for (const auto* more : {&results.short_explanation, &results.warnings})
         all.insert(all.end(), more->begin(), more->end());
     if (test::face(read).measured)
         all.insert(all.end(), test::face(read).measured->warnings.begin(), test::face(read).measured->warnings.end());
@@ -198,7 +197,7 @@ std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Res
 
 }  // namespace
 
-TEST_CASE("What the verdict and the warnings of a scene advise can be done, in every scene of data and docs") {
+TEST_CASE("Advice in the explanation and the warnings of a scene can be followed, in every scene of data and docs") {
     int followed = 0;
     const auto all = scenes();
     CHECK(all.size() >= 8);
@@ -210,10 +209,11 @@ TEST_CASE("What the verdict and the warnings of a scene advise can be done, in e
     CHECK(followed >= 5);  // the area of most of them is not known
 }
 
-TEST_CASE("Every law is computed in every scene of data and docs, or its refusal says how, and that is enough") {
+TEST_CASE(
+    "Every law is computed in every scene of data and docs, or its refusal names the remedy, and that is enough") {
     int refused = 0;
     for (const Text& of : scenes()) {
-        if (test::contains(of.text, "shared/surfaces")) continue;  // a large map: the verdict of it is followed above
+        if (test::contains(of.text, "shared/surfaces")) continue;  // a large map: its explanation is followed above
         for (const scene::Law& law : scene::laws()) {
             INFO(of.file << ", law " << law.name);
             CHECK(refusal_in_the_end({with_law_alone(of.text, std::string(law.name)), of.file}, &refused) == "");
@@ -222,7 +222,7 @@ TEST_CASE("Every law is computed in every scene of data and docs, or its refusal
     CHECK(refused >= 20);
 }
 
-TEST_CASE("What is advised about holes, spikes, a lay and waviness can be done") {
+TEST_CASE("Advice about holes, spikes, a lay and waviness can be followed") {
     const std::string rest =
         "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
         "pressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n[uncertainty]\nsamples = 0\n[boundary_elements]\npoints = 32\n";
@@ -265,13 +265,13 @@ TEST_CASE("What is advised about holes, spikes, a lay and waviness can be done")
                               of.file},
                              why);
     }
-    for (const char* words : {"fill = true next to", "takes it out", "only a map shows it"}) {
+    for (const char* words : {"fill = true next to", "takes it out", "only a map shows this"}) {
         INFO(said << "\nmissing: " << words);
         CHECK(test::contains(said, words));
     }
 }
 
-TEST_CASE("What is advised about the files of tests/data is a key that their scene takes") {
+TEST_CASE("Advice about the files of tests/data is a key that their scene takes") {
     int followed = 0;
     for (const char* path : {FSTIFF_TEST_DATA "/formats", FSTIFF_SURFACES}) {
         if (!std::filesystem::exists(path)) continue;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone;
-// what docs/scene.md says of it, statement by statement.
+// the statements of docs/scene.md about it, one by one.
 #include "scene/answer.hpp"
-#include "scene/verdict.hpp"
+#include "scene/explanation.hpp"
 
 #include "support/library.hpp"
 
@@ -53,7 +53,7 @@ struct Answered {
     [[nodiscard]] double width(std::size_t row) const {
         return double(rows.at(row).at("stiffness_p95_Pa_per_m")) / double(rows.at(row).at("stiffness_p05_Pa_per_m"));
     }
-    [[nodiscard]] std::string said() const { return test::joined(results.verdict); }
+    [[nodiscard]] std::string said() const { return test::joined(results.explanation); }
 };
 
 /// Each row has K within its band, a law, and causes that add up to 1.
@@ -85,7 +85,7 @@ TEST_CASE("A scene that names no law has one answer for each pressure, as laws =
     for (std::size_t i = 0; i < 9; ++i) CHECK(absent.K(i) == alone.results.curves[0].states[i].stiffness.value);
 }
 
-TEST_CASE("Laws that are named leave every digit of the answer, whichever they are and whatever is asked for") {
+TEST_CASE("Named laws change no digit of the answer, whichever they are and whatever is asked for") {
     const test::Folder folder;
     const std::string map = map_of(folder, 64);
     for (const std::string& surface : {numbers, map}) {
@@ -178,7 +178,7 @@ TEST_CASE("Where H/(E g) is below 0.7 K is that of unloading, with the loading s
         elastic(text_of(numbers, wide, "hardness = \"7.1 GPa\"\n")), unknown(text_of(numbers, wide));
     CHECK(contains(flows.said(), "H/(E g) = 0.69"));
     CHECK(contains(elastic.said(), "H/(E g) = 0.71"));
-    CHECK(contains(unknown.said(), "below H = 7 GPa the peaks flow"));
+    CHECK(contains(unknown.said(), "below H = 7 GPa the peaks yield"));
     for (std::size_t i = 0; i < 9; ++i) {
         CHECK(flows.law(i) == "plastic");
         CHECK(double(flows.rows[i].at("loading_stiffness_Pa_per_m")) < flows.K(i));
@@ -186,18 +186,19 @@ TEST_CASE("Where H/(E g) is below 0.7 K is that of unloading, with the loading s
         CHECK_FALSE(elastic.rows[i].contains("loading_stiffness_Pa_per_m"));
         CHECK(elastic.rows[i] == unknown.rows[i]);
     }
-    for (const char* part : {"K is the stiffness of unloading", "A vibration and a wave feel K; a static load"})
+    for (const char* part :
+         {"K is the unloading stiffness", "Vibration and waves depend on K; the first static loading"})
         CHECK(contains(flows.said(), part));
     const Answered yields(text_of(numbers, wide, "yield_strength = \"2.4642857142857144 GPa\"\n"));  // 6.9/2.8
     CHECK(yields.law(0) == "plastic");
     CHECK(test::relative_error(yields.K(4), flows.K(4)) < 1e-6);
 }
 
-TEST_CASE("A contact that closes says where, and has neither rows nor numbers beyond") {
+TEST_CASE("A contact that closes reports where, and has neither rows nor numbers beyond") {
     const test::Folder folder;
     const Answered closing(text_of(map_of(folder, 32), "pressures = [\"1 GPa\", \"900 GPa\"]\n"));
     REQUIRE(closing.rows.size() == 1);
-    CHECK(contains(closing.said(), "above 1 GPa the contact is closed, and the bulk carries"));
+    CHECK(contains(closing.said(), "above 1 GPa the contact is closed and the bulk carries the load"));
     CHECK_FALSE(contains(closing.rows.dump(), "null"));
     CHECK_FALSE(contains(test::csv_of(closing.results), "nan"));
 }
@@ -225,7 +226,7 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
           fstiff::parts::scatter_of_contacts(*reason.contacts).high);
 }
 
-TEST_CASE("A map is the contact itself, or a piece of a larger one where nominal_area says so") {
+TEST_CASE("A map is the contact itself, or a piece of a larger one if nominal_area is larger") {
     const test::Folder folder;
     const std::string map = map_of(folder, 64), contact = "pressures = [\"100 MPa\"]\n";
     const Answered itself(text_of(map, contact)), piece(text_of(map, "nominal_area = \"1 mm^2\"\n" + contact));
@@ -237,7 +238,7 @@ TEST_CASE("A map is the contact itself, or a piece of a larger one where nominal
     CHECK(piece.width(0) > itself.width(0));
 }
 
-TEST_CASE("A profile across a lay widens the band upward, and the answer says so") {
+TEST_CASE("A profile across a lay widens the band upward, and the answer reports it") {
     const test::Folder folder;
     fstiff::Profile<double> profile = fstiff::self_affine_profile<double>(
         {.hurst = 0.7, .rms = 0.12e-6, .longest_wavelength = 60e-6, .shortest_wavelength = 16e-6}, 1024, 4e-6);
@@ -281,18 +282,19 @@ TEST_CASE("The table of the answer has a row for each of its points, and fits th
     }
 }
 
-TEST_CASE("contact.interaction does not enter the answer, and one sentence says so") {
+TEST_CASE("contact.interaction does not enter the answer, and one sentence reports it") {
     const std::string interaction = "interaction = { reading = \"effective_separation\", length = \"1 mm\" }\n";
     const Answered without(text_of(numbers, wide)), with(text_of(numbers, interaction + wide));
     CHECK(with.rows == without.rows);
     CHECK(without.results.warnings.empty());
     REQUIRE(with.results.warnings.size() == 1);
-    CHECK(with.results.warnings[0] == "contact.interaction does not enter the answer, whose laws have their own");
+    CHECK(with.results.warnings[0] ==
+          "contact.interaction does not affect the answer, whose laws include their own interaction");
     const auto named = test::results_of(text_of(numbers, "laws = [\"hertz\"]\n" + interaction + wide));
     CHECK_FALSE(contains(test::joined(named.warnings), "does not enter"));
 }
 
-TEST_CASE("What the band of the answer holds is no warning, but of laws that are named") {
+TEST_CASE("Causes in the band of the answer give no warning, except for laws that are named") {
     const test::Folder folder;
     fstiff::HeightMap<double> map = fstiff::self_affine_map<double>(
         {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 128e-6, .shortest_wavelength = 4e-6}, 128, 128, 1e-6, 1e-6);
@@ -307,15 +309,15 @@ TEST_CASE("What the band of the answer holds is no warning, but of laws that are
     const std::string few = test::joined(best.results.warnings), all = test::joined(hertz.results.warnings);
     INFO(few << "\n---\n" << all);
     CHECK(best.results.warnings.size() == 2);  // the spike, and few summits
-    CHECK(contains(few, "as spikes do"));
-    for (const char* words : {"as spikes do", "waves longer than an eighth", "plasticity index"})
+    CHECK(contains(few, "like spikes"));
+    for (const char* words : {"like spikes", "waves longer than an eighth", "plasticity index"})
         CHECK(contains(all, words));
     CHECK_FALSE(best.results.doubtful);
     for (const std::string& sentence : best.results.warnings)  // the document of measure keeps which is which
         CHECK(std::count(best.of.face.measured->of_file.begin(), best.of.face.measured->of_file.end(), sentence) == 1);
 }
 
-TEST_CASE("What to measure next is what narrows the band most, and by as much as is said") {
+TEST_CASE("The measurement advised next narrows the band most, and by the printed factor") {
     const Answered little(text_of("[surface]\nRa = \"0.8 um\"\n", wide)),
         more(text_of("[surface]\nRa = \"0.8 um\"\nskewness = 0\nkurtosis = 3\n", wide));
     const std::string next = measure_next(little.of, little.results),
@@ -333,23 +335,23 @@ TEST_CASE("What to measure next is what narrows the band most, and by as much as
     CHECK_FALSE(test::parsed(run_document(all.of, all.results)).contains("measure_next"));
 }
 
-TEST_CASE("What the band does not hold is a worn or honed face too, where nobody gave the shape of the heights") {
+TEST_CASE("The band excludes a worn or honed face where the shape of the heights is not given") {
     const auto outside = [](const std::string& keys) {
         const Answered one(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, wide));
         return outside_band(one.of, one.results);
     };
-    CHECK(contains(outside(""), "of a worn or honed face K may be several times higher (give process, or skewness"));
+    CHECK(contains(outside(""), "for a worn or honed face K may be several times higher (give process, or skewness"));
     for (const char* keys : {"process = \"honed\"\n", "skewness = 0\nkurtosis = 3\n"})
         CHECK_FALSE(contains(outside(keys), "honed"));
 }
 
-TEST_CASE("Where nothing was measured no band is said to be that of surfaces drawn by errors") {
+TEST_CASE("Without a measurement no band is described as sampled from errors") {
     const auto origin = [](const std::string& keys, const std::string& laws) {
         return origin_of_band(test::scene_of(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, laws + wide)));
     };
     const std::string hybrid = "laws = [\"hybrid\"]\n", error = "errors = { Ra = \"0.1 um\" }\n";
-    CHECK(origin("", hybrid) == "what is not known of the surface");
-    CHECK(origin(error, hybrid) == "20 surfaces drawn by the errors, seed 2014; what is not known of the surface");
+    CHECK(origin("", hybrid) == "unknown parameters of the surface");
+    CHECK(origin(error, hybrid) == "20 surfaces sampled from the errors, seed 2014; unknown parameters of the surface");
     CHECK(origin(error, "") == "the 90 % band of the answer");
 }
 

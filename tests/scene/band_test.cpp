@@ -14,11 +14,11 @@ const std::string rest =
 
 }  // namespace
 
-TEST_CASE("The band holds K behind half and twice the root of two of lambda_s, and the sampled band") {
+TEST_CASE("The band holds K at half and twice the root of two of lambda_s, and the sampled band") {
     const test::Folder folder;
     const fstiff::SelfAffineOptions<double> rough{
         .hurst = 0.6, .rms = 1e-6, .longest_wavelength = 300e-6, .shortest_wavelength = 2e-6};
-    // rough down to the step: R hangs on lambda_s
+    // rough down to the step: R depends on lambda_s
     const std::string trace = folder.write("trace.csv", test::profile_text(8192, 1e-6, rough));
     const auto of = [&](const std::string& surface) {
         return test::results_of("[surface]\nfrom = \"" + surface + rest, folder / "scene.toml");
@@ -52,7 +52,7 @@ TEST_CASE("The band holds K behind half and twice the root of two of lambda_s, a
         }
 }
 
-TEST_CASE("What a scene writes by hand holds behind every lambda_s") {
+TEST_CASE("Keys written in a scene hold for every lambda_s") {
     const test::Folder folder;
     folder.write(
         "trace.csv",

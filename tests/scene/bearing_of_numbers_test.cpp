@@ -111,7 +111,7 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     CHECK_THROWS_AS(stiffness(), domain_error);
 }
 
-TEST_CASE("What is wrong with a bearing curve is told in one sentence") {
+TEST_CASE("Errors of a bearing curve are reported in one sentence") {
     const auto wrong = [](const std::string& keys, const std::string& sentence) {
         const std::string found = refusal(numbers + keys);
         CAPTURE(keys, found);
@@ -123,7 +123,7 @@ TEST_CASE("What is wrong with a bearing curve is told in one sentence") {
     wrong("skewness = 1\nkurtosis = 1.9\n", "surface.kurtosis = 1.9: must be from 2.25 to 100 at this skewness");
     wrong("skewness = 4\nkurtosis = 30\n", "surface.skewness = 4: must be from -3 to 3");
     wrong("skewness = \"1 um\"\nkurtosis = 4\n", "must be a plain number");
-    wrong("Sk = \"2.5 um\"\n", "surface.Spk: is missing; Sk, Spk, Svk, Smr1 and Smr2 stand side by side");
+    wrong("Sk = \"2.5 um\"\n", "surface.Spk: is missing; Sk, Spk, Svk, Smr1 and Smr2 belong together");
     wrong("Sk = 2.5\nSpk = 1\nSvk = 1\nSmr1 = 0.1\nSmr2 = 0.9\n", "a number without a unit");
     wrong("Sk = \"0 um\"\nSpk = \"1 um\"\nSvk = \"1 um\"\nSmr1 = 0.1\nSmr2 = 0.9\n",
           "must be finite and greater than 0");
@@ -135,7 +135,7 @@ TEST_CASE("What is wrong with a bearing curve is told in one sentence") {
           "must be greater than surface.Rmr1");
     wrong("Sk = \"2.5 nm\"\nSpk = \"1 nm\"\nSvk = \"1 nm\"\nSmr1 = 0.1\nSmr2 = 0.9\n", "within a factor of 2");
     wrong("skewness = 0\nkurtosis = 3\nbearing_curve = []\n",
-          "must not stand beside surface.skewness; give one bearing curve");
+          "must not be given with surface.skewness; give one bearing curve");
     wrong("bearing_curve = [\"1 um\", \"2 um\"]\n", "must be a list of at least 10 lengths");
     wrong(
         "bearing_curve = [\"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\", "

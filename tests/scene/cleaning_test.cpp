@@ -50,7 +50,7 @@ TEST_CASE("A part of a surface is measured as a file of that part would be") {
     test::check_sentence(refused("--crop '0,1 um'", text), {"--crop", "four lengths"});
 }
 
-TEST_CASE("A mask, spikes and filling are done in this order, and told with their counts") {
+TEST_CASE("A mask, spikes and filling are done in this order, and reported with their counts") {
     const test::Folder folder;
     const std::string how = "--units um --spacing '1 um'";
     const auto struck = measured(how, wave(true));

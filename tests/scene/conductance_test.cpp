@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heat and current through a contact: k K/E of every law, the gap beside it, and what is refused.
+// Heat and current through a contact: k K/E of every law, the gap in parallel, and refusals.
 #include "scene/result_rows.hpp"
 #include "scene/results.hpp"
 
@@ -52,7 +52,7 @@ TEST_CASE("The spots conduct k K/E of every law, with the band of K") {
     }
 }
 
-TEST_CASE("The gap, radiation and films stand beside the spots") {
+TEST_CASE("The gap and radiation are in parallel with the spots, and films in series") {
     const std::string steel = "material.upper = \"steel\"\n", laws = "laws = [\"hybrid\"]\n";
     const auto bare = results_of(steel + surface + contact + laws +
                                  "[output]\nquantities = [\"thermal_conductance\", \"separation\", \"real_area\"]\n");
@@ -87,9 +87,9 @@ TEST_CASE("A gap is filled by name: a gas jumps at its faces, a liquid does not,
     }
 }
 
-TEST_CASE("Plastic peaks conduct as Cooper, Mikic and Yovanovich say, less what their spots share") {
-    // h = 1.25 k m/sigma (p/H)^0.95 with the mean slope of a profile m = g/sqrt(pi), of spots that do not feel one
-    // another;
+TEST_CASE("Plastic peaks conduct as by Cooper, Mikic and Yovanovich, less the interaction of their spots") {
+    // h = 1.25 k m/sigma (p/H)^0.95 with the mean slope of a profile m = g/sqrt(pi), of spots that do not
+    // interact;
     // 0.72 to 0.97 of it by boundary elements of three maps, which theory and K of unloading agree with
     for (const double share : {0.003, 0.01, 0.03, 0.1}) {
         const auto found = results_of("[material]\nupper = { name = \"steel\", hardness = \"0.5 GPa\" }\n" + surface +
@@ -110,7 +110,7 @@ TEST_CASE("Heat without a conductivity, and a gap that contradicts itself, are r
     CHECK(test::contains(refusal(plain + surface + contact + "[gap]\nmedium = \"xenon\"\n"),
                          "must be one of \"air\", \"helium\""));
     CHECK(test::contains(refusal(surface + contact + "[gap]\nmedium = \"air\"\nconductivity = \"1 W/(m K)\"\n"),
-                         "gap.conductivity = \"1 W/(m K)\": must not stand beside gap.medium"));
+                         "gap.conductivity = \"1 W/(m K)\": must not be given with gap.medium"));
     CHECK(test::contains(refusal(surface + contact + "[gap]\nemissivity = 2\ntemperature = \"293 K\"\n"),
                          "gap.emissivity"));
     CHECK(test::contains(refusal(surface + contact + "[gap]\nconductivity = 1\n"),

@@ -60,7 +60,7 @@ std::string process(double hurst, const std::vector<std::string>& files) {
 
 TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of traces and more, at every decimation",
           "[long]") {
-    // 90 % are asked for; 83 to 98 were found. 100 traces tell the share to 3 %.
+    // 90 % are asked for; 83 to 98 were found. 100 traces give the share to 3 %.
     struct Case {
         double hurst, longest;  // where the spectrum turns flat: an eighth of the trace, or twice its length
     };

@@ -35,7 +35,7 @@ std::string decimated(const std::string& text, std::size_t step) {
 
 }  // namespace
 
-TEST_CASE("A trace at every 1st to 16th point has one R, D_p and gradient behind one lambda_s, within their errors") {
+TEST_CASE("A trace at every 1st to 16th point has one R, D_p and gradient with one lambda_s, within their errors") {
     const std::string file = std::string(FSTIFF_SURFACES) + "/opdx-3.txt";
     if (!std::filesystem::exists(file)) SKIP_CASE("there is no measured surface " + file);
     const std::string text = test::read(file);
@@ -81,7 +81,7 @@ TEST_CASE("The map that is measured is the one that the library filters, first l
     const auto islands = test::islands_of("--lambda-s '8 um' --lambda-c '40 um'", text);
     CHECK(same(islands["rms_height_m"], fstiff::rms_height(both)));
     CHECK(islands["lambda_c_m"] == 40e-6);
-    // behind 8 um the roll-off at 48 um leaves no half decade for D
+    // after 8 um the roll-off at 48 um leaves no half decade for D
     const auto fit = test::fitted("--lambda-s '3 um'", text);
     const auto smoothed =
         fstiff::parts::gaussian_low_pass(fstiff::parts::remove_form(map, fstiff::MapForm::plane), 3e-6);
@@ -91,7 +91,7 @@ TEST_CASE("The map that is measured is the one that the library filters, first l
     CHECK(fit["x"]["window_m"][0].get<double>() >= 3e-6 * (1 - 1e-9));
 }
 
-TEST_CASE("With none nothing is filtered, and the output says so") {
+TEST_CASE("With none nothing is filtered, and the output states it") {
     const std::string text = map_text();
     const auto map = fstiff::io::read_surface(text, "map").map();
     const auto none = test::measured("--lambda-s none --lambda-c none", text);
@@ -104,7 +104,7 @@ TEST_CASE("With none nothing is filtered, and the output says so") {
     CHECK(test::islands_of("--lambda-s none", text)["lambda_s_m"].is_null());
 }
 
-TEST_CASE("Without the options the table chooses lambda_s by the step, and the output says why") {
+TEST_CASE("Without the options the table chooses lambda_s by the step, and the output gives the reason") {
     const std::string text = map_text();  // steps of 1 um
     const auto plain = test::measured("", text), given = test::measured("--lambda-s '5 um'", text);
     CHECK(plain["surface"] == given["surface"]);
@@ -149,7 +149,7 @@ TEST_CASE("The table chooses lambda_c of Ra alone, and sigma and D are those of 
     CHECK(gaussian["lambda_c_m"] == 0.8e-3);
 }
 
-TEST_CASE("A file that is too short or too coarse for a default has none, and the output says why") {
+TEST_CASE("A file that is too short or too coarse for a default has none, and the output gives the reason") {
     const auto few = test::measured("", test::map_text(40, 1e-6, {.hurst = 0.8, .rms = 1e-6}));
     CHECK(few["lambda_s_m"].is_null());
     CHECK(test::decided(
@@ -217,7 +217,7 @@ TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
     CHECK(test::measured(gaussian, profile)["lambda_c_m"] == 80e-6);
 }
 
-TEST_CASE("A face knows the waves of a contact larger than its trace, measured now or read back") {
+TEST_CASE("A face has the waves of a contact larger than its trace, measured now or read back") {
     const test::Folder folder;
     const std::string trace =
         folder.write("trace.csv", test::profile_text(2000, 1.5e-6, {.hurst = 0.6, .rms = 0.4e-6}));
@@ -246,7 +246,7 @@ TEST_CASE("A face knows the waves of a contact larger than its trace, measured n
     CHECK(unmeasured("older.json").growth == 0);
 }
 
-TEST_CASE("The robust filter of lambda_c is that of the library, and says what it left out") {
+TEST_CASE("The robust filter of lambda_c is that of the library, and reports what it left out") {
     const std::string text = map_text();
     const auto map = fstiff::parts::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
     const auto document = test::measured("--lambda-s none --lambda-c '40 um' --filter robust", text);

@@ -52,7 +52,7 @@ TEST_CASE("alpha and R give the mean square slope, and so the rms gradient and p
     CHECK(test::relative_error(stiffness(results), stiffness(written)) < 1e-12);
 }
 
-TEST_CASE("H of a band is 2 - D, or 0.8 where D is not known, and the scene says so") {
+TEST_CASE("H of a band is 2 - D, or 0.8 where D is not known, and the scene records it") {
     const std::string moments = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 20\n";
     const auto k = [&](const std::string& more) {
         return stiffness(test::results_of(surface(moments + more) + modulus_and_law));
@@ -149,12 +149,12 @@ TEST_CASE("The band of one error in a scene has the 5 % and the 95 % of K") {
     const double s = std::sqrt(std::log1p(0.02 * 0.02)), low = at(std::exp(1.6448536 * s)),
                  high = at(std::exp(-1.6448536 * s));
     const auto& band = banded.curves[0].band.at(0);
-    // 2000 draws tell a quantile to 0.047 standard deviations, 3 % of 1.645; three of those
+    // 2000 draws give a quantile to 0.047 standard deviations, 3 % of 1.645; three of those
     CHECK(std::abs(std::log(band.low / low)) < 0.1 * std::log(high / low) / 2);
     CHECK(std::abs(std::log(band.high / high)) < 0.1 * std::log(high / low) / 2);
 }
 
-TEST_CASE("The softer body alone decides whether the peaks flow, and how much") {
+TEST_CASE("The softer body alone decides whether the peaks yield, and how much") {
     const auto results = [](const std::string& yield, const std::string& lower) {
         return test::results_of(
             "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n"
@@ -168,10 +168,10 @@ TEST_CASE("The softer body alone decides whether the peaks flow, and how much") 
     REQUIRE(soft.plasticity_index);
     CHECK(*soft.plasticity_index == *turned.plasticity_index);
     // 2.8 Y/(E g)
-    CHECK(contains(test::joined(soft.verdict), "The peaks flow at the first load (H/(E g) = 0.084 is below 0.7)"));
-    CHECK(soft.verdict == turned.verdict);
+    CHECK(contains(test::joined(soft.explanation), "The peaks yield at first loading (H/(E g) = 0.084 is below 0.7)"));
+    CHECK(soft.explanation == turned.explanation);
     CHECK(stiffness(soft) == stiffness(turned));
-    CHECK(contains(test::joined(hard.verdict), "The contact is elastic (H/(E g) = 250 is above 0.7)"));
+    CHECK(contains(test::joined(hard.explanation), "The contact is elastic (H/(E g) = 250 is above 0.7)"));
     CHECK(stiffness(soft) > stiffness(hard));
 }
 

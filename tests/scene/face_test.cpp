@@ -46,7 +46,7 @@ Face of_maps(std::vector<HeightMap<double>> maps) {
     return face;
 }
 
-/// Of the states of every shift: mean of K, and of their scatter with n - 1 beside their own errors.
+/// Statistics of the states of every shift: mean of K, and of their scatter with n - 1 in addition to their own errors.
 Estimate<double> mean_over(const std::vector<Estimate<double>>& of_shifts) {
     double mean = 0, error = 0, squares = 0;
     for (const auto& one : of_shifts) mean += one.value, error += one.error;

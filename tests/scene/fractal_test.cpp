@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// D and G of a profile or map, and what else is told of it, against the headers.
+// D and G of a profile or map, and the other results about it, against the headers.
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
@@ -172,7 +172,7 @@ TEST_CASE("Options of fit that make no sense are refused") {
     refused("--units m", {"spacing"});
 }
 
-TEST_CASE("Measured profiles give D and G with their units, or say why not") {
+TEST_CASE("Measured profiles give D and G with their units, or a reason why not") {
     const std::string folder = FSTIFF_SURFACES;
     if (!std::filesystem::exists(folder)) SKIP_CASE("there is no folder of measured surfaces " + folder);
     const auto fit = [&](const std::string& file, const std::string& options) {
@@ -182,7 +182,7 @@ TEST_CASE("Measured profiles give D and G with their units, or say why not") {
                              const std::vector<std::string>& parts) {
         test::check_sentence(test::refusal([&] { (void)fit(file, options); }), parts);
     };
-    // smooth by its tip, flat behind it, then waves: no half decade of a power law (a D of 1.85 was once read off
+    // smooth by its tip, flat after it, then waves: no half decade of a power law (a D of 1.85 was once read off
     // there)
     refused("dektak-1.csv", "--lambda-s none --lambda-c none", {"fractal dimension of the window", "a plateau"});
     const auto document = fit("opdx-3.txt", "--units m,m --lambda-s none");
@@ -197,7 +197,7 @@ TEST_CASE("Measured profiles give D and G with their units, or say why not") {
     refused("xy-4.txt", "--units um,um --tip-radius '40 nm'", {"no half decade", "tip radius"});
 }
 
-TEST_CASE("A map is fitted along x and along y, and said to be anisotropic when it is") {
+TEST_CASE("A map is fitted along x and along y, and reported as anisotropic when it is") {
     const std::string made = test::map_text(128, 1e-6, {.hurst = 0.5, .rms = 1e-6});
     const auto read = fstiff::io::read_surface(made, "map");
     const auto flat = fstiff::parts::remove_form(read.map(), fstiff::MapForm::quadratic);
@@ -229,7 +229,7 @@ TEST_CASE("A map is fitted along x and along y, and said to be anisotropic when 
     test::check_sentence(test::refusal([&] { (void)test::fitted("--detrend line", made); }), {"detrend", "plane"});
 }
 
-TEST_CASE("Tip, resolution, seed and filter do to a file what they do in the headers") {
+TEST_CASE("Tip, resolution, seed and filter act on a file as in the headers") {
     const auto profile = random_walk(4096);
     const std::string text = one_column(profile);
     const auto json = [&](const std::string& more, fstiff::scene::FractalOptions how = {}) {

@@ -52,12 +52,12 @@ TEST_CASE("The loss factor of a law is that of its tangential law") {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& curve = found.curves.front();
         const double truth = slips.cycle(law.separation(at(curve, i, pressure)), 20e-9).loss_factor;
-        CHECK(test::relative_error(at(curve, i, loss_factor), truth) < 0.03);  // K is no power of p
+        CHECK(test::relative_error(at(curve, i, loss_factor), truth) < 0.03);  // K is not a power of p
         CHECK(truth > 0.01);
     }
 }
 
-TEST_CASE("The band of the loss factor is that of K, and of flowed peaks it holds both limits") {
+TEST_CASE("The band of the loss factor is that of K, and for yielded peaks it holds both limits") {
     const std::string numbers = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n";
     const auto elastic = results_of("material = { upper = \"steel\" }\n" + numbers + contact + friction);
     const auto flowed =
@@ -82,7 +82,7 @@ TEST_CASE("The band of the loss factor is that of K, and of flowed peaks it hold
     }
 }
 
-TEST_CASE("Friction is shown where it is written, and refused where it lacks a number") {
+TEST_CASE("Friction is printed where a scene has it, and refused where it lacks a number") {
     CHECK(results_of(surface + contact).answer->curve.value_at(0, tangential_stiffness) == std::nullopt);
     const auto without = results_of(surface + contact + "[friction]\ncoefficient = 0.3\n").answer->curve;
     CHECK(without.value_at(0, tangential_stiffness));

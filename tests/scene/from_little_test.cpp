@@ -52,7 +52,7 @@ std::string number(double value) {
     return text;
 }
 
-TEST_CASE("Every name of height and gradient is the number it stands for") {
+TEST_CASE("Every name of height and gradient gives its number") {
     const std::string rest = "\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3";
     const auto written = stiffnesses("rms_height = \"0.8 um\"\nrms_gradient = 0.2" + rest);
     for (const char* height : {"Rq = \"0.8 um\"", "Sq = \"800 nm\"", "rms_height = \"0.0008 mm\""})
@@ -96,7 +96,7 @@ TEST_CASE("Height alone, and height with gradient, have K with a band by every l
     }
 }
 
-TEST_CASE("What was assumed is said, and recorded") {
+TEST_CASE("Assumptions are printed and recorded") {
     const scene::Scene little = read("Ra = \"0.8 um\"");
     REQUIRE(little.assumptions.size() == 6);
     CHECK(little.assumptions[0] == "Ra/Rq 0.8 (0.74 to 0.86), of any process");
@@ -132,18 +132,18 @@ TEST_CASE("Contradictions and extremes are refused by one sentence") {
         INFO(surface << " -> " << refusal(surface));
         CHECK(refusal(surface).find(part) != std::string::npos);
     };
-    refused("Ra = \"1 um\"\nRq = \"1 um\"", "must not stand next to surface.Rq; give one of the two");
-    refused("Ra = \"1 um\"\nrms_height = \"1 um\"", "must not stand next to surface.rms_height");
-    refused("Rq = \"1 um\"\nRdq = 0.1\nrms_gradient = 0.1", "must not stand next to surface.rms_gradient");
+    refused("Ra = \"1 um\"\nRq = \"1 um\"", "must not be given with surface.Rq; give one of the two");
+    refused("Ra = \"1 um\"\nrms_height = \"1 um\"", "must not be given with surface.rms_height");
+    refused("Rq = \"1 um\"\nRdq = 0.1\nrms_gradient = 0.1", "must not be given with surface.rms_gradient");
     refused("Rq = \"1 um\"\nRdq = 0.1\nRSm = \"40 um\"", "give one of the two");
     refused("Rdq = 0.1", "surface.rms_height: is missing; the scene needs the height of the surface");
-    refused("Rz = \"5 um\"", "s.toml:2: surface.Rz = \"5 um\": is the height of the one highest peak");
+    refused("Rz = \"5 um\"", "s.toml:2: surface.Rz = \"5 um\": is the height from the deepest valley");
     refused("Ra = 0.8", "surface.Ra = 0.8: a number without a unit");
     refused("Ra = \"0 um\"", "must be finite and greater than 0");
     refused("Rq = \"1 um\"\nRdq = 0", "must be greater than 0");
     refused("Rq = \"1 um\"\nprocess = \"cast\"", "must be one of");
-    refused("Rq = \"1 um\"\nerrors = { Ra = \"0.1 um\" }", "must stand next to surface.Ra");
-    refused("Rq = \"1 um\"\nerrors = { peak_radius = \"1 um\" }", "must stand beside surface.peak_radius");
+    refused("Rq = \"1 um\"\nerrors = { Ra = \"0.1 um\" }", "needs the value of surface.Ra");
+    refused("Rq = \"1 um\"\nerrors = { peak_radius = \"1 um\" }", "needs the value of surface.peak_radius");
 }
 
 TEST_CASE("Errors of other names are those of the numbers they make") {
@@ -208,7 +208,7 @@ TEST_CASE("The band over what is not known is that of surfaces drawn at random",
     }
 }
 
-TEST_CASE("The parts of a band are told, and what to measure") {
+TEST_CASE("The parts of a band are printed, and the advice what to measure") {
     const auto plastic = results("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
     REQUIRE(plastic.band_parts.size() == 3);
     const auto& parts = plastic.band_parts[1];
@@ -267,7 +267,7 @@ TEST_CASE("The law of the height alone is p over 0.48 sigma") {
     }
 }
 
-TEST_CASE("Every row of the priors is in order, and holds the Gaussian surface or says why not") {
+TEST_CASE("Every row of the priors is in order, and holds the Gaussian surface or gives a reason") {
     for (std::size_t i = 0; i < parts::process_priors.size(); ++i) {
         const parts::ProcessPrior& row = parts::process_priors[i];
         CHECK(row.process == static_cast<parts::Process>(i));

@@ -67,7 +67,7 @@ TEST_CASE("The unit of length does not matter to the islands") {
                                metres["peak_density_per_m2"].get<double>()) < 1e-12);
 }
 
-TEST_CASE("What holds no islands is refused, and a pair of few is doubted") {
+TEST_CASE("A map without islands is refused, and a pair from few islands is doubted") {
     const std::string text = map_text();
     CHECK(test::contains(test::islands_of("", text)["warnings"].dump(), "peaks only; their errors are rough"));
     const auto refused = [](const std::string& line, const std::string& bytes, const IslandsRequest& how = {}) {

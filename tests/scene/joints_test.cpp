@@ -112,7 +112,7 @@ TEST_CASE("The approach is 0 at the seating pressure and grows by dp/K") {
     CHECK(!has(rows, "stiffness_N_per_m"));
 }
 
-TEST_CASE("A law that does not reach the seating pressure has no approach, and says why") {
+TEST_CASE("A law that does not reach the seating pressure has no approach, with a reason") {
     const auto results = test::results_of(surface + "[contact]\npressures = [\"10 MPa\"]\nseating = \"10 TPa\"\n" +
                                           laws + "[output]\nquantities = [\"approach\", \"stiffness\"]\n" + few);
     CHECK(test::contains(test::joined(results.warnings), "law persson has no approach: "));
@@ -180,7 +180,8 @@ TEST_CASE("Two rough faces of two named materials under a force are one face of 
     }
 }
 
-TEST_CASE("A body is a name, or a section that begins from one. Both are steel without either and the scene says so") {
+TEST_CASE(
+    "A body is a name, or a section that begins from one. Both are steel without either and the scene records it") {
     const std::string contact = "[contact]\npressures = [\"10 MPa\"]\n" + laws;
     const auto steel = test::scene_of(surface + contact);
     CHECK(of_bodies(steel) == std::vector<std::string>{"both bodies steel, 210 GPa, nu 0.3"});
@@ -203,7 +204,7 @@ TEST_CASE("A body is a name, or a section that begins from one. Both are steel w
     CHECK(input_of(mixed, "material.lower.youngs_modulus").written == "3 GPa");
 }
 
-TEST_CASE("The waves of a scene take density and speeds of the named bodies, and say so") {
+TEST_CASE("The waves of a scene take density and speeds of the named bodies, and record it") {
     const std::string begin = "material = { upper = \"steel\", lower = \"aluminium\" }\n" + surface +
                               "[contact]\npressures = [\"10 MPa\"]\n" + laws + "[ultrasound]\nfrequency = \"5 MHz\"\n";
     const auto both = test::scene_of(begin);
@@ -228,7 +229,7 @@ TEST_CASE("The waves of a scene take density and speeds of the named bodies, and
     CHECK(of_bodies(like).size() == 1);
 }
 
-TEST_CASE("A surface in place of that of the built-in scene has its bodies, which it says, and not its area") {
+TEST_CASE("A surface in place of that of the built-in scene has its bodies, with a note, and not its area") {
     const test::Folder folder;
     const std::string file = folder.write("trace.csv", trace());
     const auto own = scene::read_scene(scene::builtin_scene, {.name = "built-in scene"}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The keys of a scene for the laws beside those of the paper. Truth: the library's contacts, made by hand; tests/data.
+// The keys of a scene for the laws that are not in the paper. Truth: the library's contacts, made by hand; tests/data.
 #include "scene/results.hpp"
 
 #include <fstiff/contact/hybrid_of_band.hpp>
@@ -85,7 +85,7 @@ TEST_CASE("rms_height, rms_gradient and alpha suffice for hybrid and persson") {
     CHECK(results.curves[1].states[0].contact_density.value == 0);
 }
 
-TEST_CASE("plastic laws take the hardness of the softer body, and print loading beside unloading") {
+TEST_CASE("plastic laws take the hardness of the softer body, and print loading and unloading") {
     const std::string body =
         "\n[material.lower]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\nhardness = \"9 MPa\"\n";
     const auto results =
@@ -154,7 +154,7 @@ TEST_CASE("laws of a map: its summits and boundary elements") {
     for (const auto& curve : results.curves) CHECK_FALSE(curve.theta);
     CHECK(results.curves[2].band.empty());
     CHECK_FALSE(results.curves[1].band.empty());
-    CHECK_FALSE(results.verdict.empty());
+    CHECK_FALSE(results.explanation.empty());
 }
 
 TEST_CASE("Every law of a measured surface divides by one sigma: that of the heights without their form") {
@@ -244,7 +244,7 @@ TEST_CASE("A pressure that a law does not reach leaves its other pressures and t
             // the solver begins with the pressures of the point before: equal to its tolerance
             const double k = found.states[i].stiffness.value, alone = reached.curves[1].states[i].stiffness.value;
             CHECK(test::relative_error(k, alone) < 1e-5);
-            // the band of a point is that of its pressure, whatever stands before it
+            // the band of a point is that of its pressure, whatever precedes it
             CHECK(all.curves[0].states[2 * i + 1].stiffness.value == reached.curves[0].states[i].stiffness.value);
             CHECK(all.curves[0].band[2 * i + 1].low == reached.curves[0].band[i].low);
         }
@@ -288,7 +288,7 @@ TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradien
     }
 }
 
-TEST_CASE("scenes that a law cannot be computed of are refused with what is missing") {
+TEST_CASE("scenes without the inputs of a law are refused with what is missing") {
     CHECK(refused(scene_of(moments, "\"summits\"")).find("needs a map") != std::string::npos);
     CHECK(refused(scene_of(moments, "\"boundary_elements\"")).find("needs a map") != std::string::npos);
     CHECK(refused(scene_of(moments, "\"hybrid\"", "[persson]\ngamma = 0\n")).find("persson.gamma = 0: must be") !=
@@ -306,12 +306,12 @@ TEST_CASE("scenes that a law cannot be computed of are refused with what is miss
     CHECK(refused(weak).find("needs material.upper.yield_strength") != std::string::npos);
 }
 
-TEST_CASE("Every law says what it is") {
+TEST_CASE("Every law has its description") {
     for (const scene::Law& law : scene::laws()) CHECK(!law.nature.empty());
-    CHECK(scene::find_law("fractal")->nature.starts_with("the print of the paper"));
+    CHECK(scene::find_law("fractal")->nature.starts_with("as printed in the paper"));
 }
 
-TEST_CASE("Where alpha is known and no peaks are given, they are those of an isotropic surface, but of paper laws") {
+TEST_CASE("With alpha and without given peaks, they are those of an isotropic surface, except for paper laws") {
     const std::string numbers = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 25\nfractal_dimension = 1.4";
     const std::string text = scene_of(numbers, "\"fractal\", \"hertz\"");
     CHECK(computed(text).curves.size() == 2);  // peaks that are given hold for all

@@ -149,7 +149,7 @@ TEST_CASE("A key next to surface.from replaces what was measured") {
     CHECK(test::face(summits).parameters.peak_radius.value != test::face(measured).parameters.peak_radius.value);
 }
 
-TEST_CASE("Errors of nothing make a band of no width, and none make none") {
+TEST_CASE("Zero errors give a zero-width band, and no errors give none") {
     const std::string rest = measure_test::rest + laws;
     CHECK_FALSE(contains(test::csv_of(test::results_of(numbers + rest)), "stiffness_p05"));
     // an error of 1e-9 of sigma moves K by some 1e-9 of itself
@@ -179,7 +179,7 @@ TEST_CASE("A plane and a line are refused, their rounding is not measured") {
                              {"profile of constant height", form});
 }
 
-TEST_CASE("A surface as short as its longest waves says that sigma is that of its length") {
+TEST_CASE("A surface as short as its longest waves warns that sigma is that of its length") {
     const auto measured = [](double longest) {
         return test::measured(
             "--lambda-c none",
@@ -187,7 +187,7 @@ TEST_CASE("A surface as short as its longest waves says that sigma is that of it
     };
     const auto short_one = measured(0), long_one = measured(128e-6);
     const std::string sentence =
-        " % of the mean square height are waves longer than an eighth of the profile: sigma is that of this length";
+        " % of the mean square height is from waves longer than an eighth of the profile: sigma is that of this length";
     CHECK(contains(short_one["warnings"].dump(), sentence));
     CHECK_FALSE(contains(long_one["warnings"].dump(), sentence));
     const auto error = [](const nlohmann::json& one) {
@@ -255,7 +255,7 @@ TEST_CASE("The same seed gives the same band, another seed another, and samples 
     CHECK_FALSE(contains(csv("[uncertainty]\nsamples = 0\n"), "stiffness_p05"));
 }
 
-TEST_CASE("What is no surface is refused, alone, by surface.from and from outside of the scene") {
+TEST_CASE("A file that is not a surface is refused, alone, by surface.from and from outside of the scene") {
     const test::Folder folder;
     const std::string map = folder.write("map.txt", map_text());
     test::check_sentence(refused("", "1\n2\n3\n1\n2\n"), {"standard input", "unit"});
@@ -344,12 +344,12 @@ TEST_CASE("A changed document of a measurement is refused where it was changed")
     check(changed, {"schema_version"});
 }
 
-TEST_CASE("That R and D_p of islands represent nothing is a concern of the file, its islands and every scene of it") {
+TEST_CASE("Islands densest at an end are a concern of the file, its islands and every scene of it") {
     const test::Folder folder;
     const std::string text = test::two_hills();
     const std::string options = "--units um,nm --dx '1 um' --dy '1 um'";
     const auto document = test::measured(options, text);
-    const std::string said = "represents nothing";
+    const std::string said = "must not be used as a pair";
     CHECK(contains(document["concerns"].dump(), "\"no_densest_level\""));
     CHECK(contains(document["warnings"].dump(), said));
     const auto islands = test::islands_of(options, text);

@@ -91,7 +91,7 @@ TEST_CASE("every contact of a scene gives the curve of the scene") {
     CHECK(sentence_of([&] { return contact_of(scene, 3, 0); }) == "law = 3: must be an entry of contact.laws");
 }
 
-TEST_CASE("what was measured of heights stands in place of the surface of a scene and of numbers") {
+TEST_CASE("what was measured of heights replaces the surface of a scene and of numbers") {
     const SurfaceOptions options = named_heights();
     const SurfaceInput input = surface_of_heights(options, some_map(), "a test");
     CHECK(input.sha256.size() == 64);
@@ -111,7 +111,7 @@ TEST_CASE("what was measured of heights stands in place of the surface of a scen
     }
 }
 
-TEST_CASE("heights and numbers that are none are refused in one sentence") {
+TEST_CASE("heights and numbers that are not valid are refused in one sentence") {
     HeightMap<double> map = some_map();
     map.heights(3, 4) = std::numeric_limits<double>::infinity();
     CHECK(sentence_of([&] { return surface_of_heights(named_heights(), map, "a test"); }) ==
@@ -126,7 +126,7 @@ TEST_CASE("heights and numbers that are none are refused in one sentence") {
           }).starts_with("law = \"herz\": must be one of \"fractal\""));
 }
 
-TEST_CASE("a number that may be 0 is not taken for 0 where it was not given") {
+TEST_CASE("a missing number that may be 0 is not taken for 0") {
     const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
     ContactNumbers numbers{.surface = surface, .theta = 1.0, .effective_modulus = 112.6e9, .yield_strength = 1e9};
     CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "law hertz: needs r");

@@ -23,7 +23,7 @@ using namespace fstiff;
 
 namespace {
 
-/// Options that a file needs, because it does not say its units.
+/// Options that a file needs, because it does not state its units.
 const std::map<std::string, std::string> units_of_files{
     {"nanovea_test1.txt", "mm,um"}, {"opdx-3.txt", "m,m"}, {"xy-4.txt", "um"}};
 
@@ -36,7 +36,7 @@ bool same(double a, double b) {
 #endif
 }
 
-/// Name, value and error of what every language tells of a surface; 0 for what is not known.
+/// Name, value and error of every number of a surface in every language; 0 for what is not known.
 using Numbers = std::map<std::string, Measurement<double>>;
 
 Numbers numbers_of(const Surface<double>& surface) {

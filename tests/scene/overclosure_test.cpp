@@ -38,7 +38,7 @@ double interpolated(const std::vector<Row>& rows, double overclosure) {
     return a.pressure + (b.pressure - a.pressure) * (overclosure - a.overclosure) / (b.overclosure - a.overclosure);
 }
 
-/// Of the lines of \p table, against the separations of \p contact.
+/// Error of the lines of \p table against the separations of \p contact.
 template <class Contact>
 double largest_error(const scene::PressureTable& table, const Contact& contact) {
     double worst = 0;
@@ -108,9 +108,10 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
     const auto refusal = [](const scene::PressureTableOptions& options) {
         return test::refusal([&] { (void)pressure_table(fine(), options); });
     };
-    CHECK(refusal({.law = "plastic"}) ==
-          "law = \"plastic\": is no law of the scene that gives a separation; must be one of \"fractal\", \"hertz\", "
-          "\"greenwood_williamson\"");
+    CHECK(
+        refusal({.law = "plastic"}) ==
+        "law = \"plastic\": is not a law of the scene that gives a separation; must be one of \"fractal\", \"hertz\", "
+        "\"greenwood_williamson\"");
     CHECK(refusal({.peaks = 0}) == "peaks = 0: must be between 1 and 2, as many as contact.peaks has");
     CHECK(refusal({.from = 2e6, .to = 1e6}) ==
           "until = 1000000: must be greater than from, 2e+06 Pa; the scene may have one pressure only");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values that scenes, documents and files rarely have: each is refused in one sentence that says what is allowed.
+// Values that scenes, documents and files rarely have: each is refused in one sentence that names what is allowed.
 #include "support/library.hpp"
 
 #include "scene/overclosure.hpp"
@@ -35,7 +35,7 @@ void check_replaced(const std::string& text, const std::string& from, const std:
 
 }  // namespace
 
-TEST_CASE("Every dimension shows how one of its quantities is written, where a number stands without a unit") {
+TEST_CASE("Every dimension shows how one of its quantities is written, where a number has no unit") {
     const std::string text = good + waves;
     check_replaced(text, "\"0.8 um\"", "0.8", {"surface.rms_height = 0.8", "such as \"0.8 um\""});
     check_replaced(text, "\"500 /mm^2\"", "500", {"surface.peak_density = 500", "such as \"500 /mm^2\""});
@@ -64,8 +64,8 @@ TEST_CASE("Values of a scene that are rare are refused with what is allowed") {
                    {"uncertainty.seed = -1", "must be a whole number from 0 to"});
     const std::string radius = "peak_radius = \"40 um\"\n";
     check_replaced(good, radius, radius + "errors = { fractal_dimension = 0.1 }\n",
-                   {"surface.errors.fractal_dimension", "has no value beside it"});
-    check_replaced(good, radius, radius + "r = 0.5\n", {"surface.theta: is missing", "stand side by side"});
+                   {"surface.errors.fractal_dimension", "needs the value of surface.fractal_dimension"});
+    check_replaced(good, radius, radius + "r = 0.5\n", {"surface.theta: is missing", "belong together"});
     check_replaced(good, "pressures = [\"1 MPa\"]\nlaws = [\"hertz\"]",
                    "separations = [\"1 um\"]\nlaws = [\"boundary_elements\"]", {"boundary_elements"});
     const std::size_t begin = good.find("rms"), end = good.find("[material");

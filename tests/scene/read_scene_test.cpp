@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene may say, and what is said of it: ranges of keys, values that contradict each other, values that were
-// assumed, files that are there twice.
+// Contents of a scene and their messages: ranges of keys, values that contradict each other, values that were
+// assumed, files that are listed twice.
 #include "scene/results.hpp"
 
 #include "cli/command.hpp"
@@ -111,7 +111,7 @@ TEST_CASE("What is written next to what was measured holds for the neighbours of
     CHECK(written.measured->found.rms_height.value == measured.parameters.rms_height.value);
 }
 
-TEST_CASE("Without a band nothing is measured behind other lambda_s, and all else is the same") {
+TEST_CASE("Without a band nothing is measured with other lambda_s, and all else is the same") {
     const test::Folder folder;
     const std::string from =
         "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
@@ -161,7 +161,7 @@ TEST_CASE("The options of persson and of boundary_elements are below contact, as
     for (const char* path : {"boundary_elements", "contact.boundary_elements"})
         CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).law_options.points == 64);
     CHECK(contains(refused(text_of(moments, "[persson]\ngamma = 0.5\n[contact.persson]\ngamma = 0.5\n")),
-                   "must not stand next to contact.persson"));
+                   "must not be given with contact.persson"));
     CHECK(contains(refused(text_of(moments, "persson = 3\n")), "contact.persson = 3: must be a section"));
 }
 
@@ -187,7 +187,7 @@ TEST_CASE("D, its error and the Hurst exponent stay within what a surface can ha
 TEST_CASE("The error of rms_gradient widens the band, of R and D_p too where they follow from it") {
     const std::string laws = "laws = [\"persson\", \"hertz\"]\n";
     CHECK(contains(refused(text_of(islands + "errors = { rms_gradient = 0.01 }\n")),
-                   "must stand next to surface.rms_gradient"));
+                   "needs the value of surface.rms_gradient"));
     CHECK(contains(refused(text_of(moments + "errors = { rms_gradient = -0.01 }\n")), "not negative"));
     const std::string error = "errors = { rms_gradient = 0.02 }\n";
     CHECK(read(text_of(moments + error)).face.gradient_error == 0.02);
@@ -220,7 +220,7 @@ TEST_CASE("H and alpha that were assumed are among the inputs, and those that we
     CHECK(scene::assumed(read(text_of(spectrum))).empty());  // no law takes a spectrum
 }
 
-TEST_CASE("A file that is there twice counts once, and both names are said") {
+TEST_CASE("A file that is listed twice counts once, and both names are reported") {
     const test::Folder folder;
     std::filesystem::create_directory(folder / "traces");
     const std::string a = trace(folder, "traces/a.txt", 1200), c = trace(folder, "traces/c.txt", 1200, 30);
@@ -292,7 +292,7 @@ TEST_CASE("Percents are shown without an exponent") {
     CHECK(scene::shown_percent(0.0012) == "0.12 %");
 }
 
-TEST_CASE("What is not known to a factor of two is said once") {
+TEST_CASE("What is not known to a factor of two is reported once") {
     fstiff::parts::SurfaceParameters<double> values;
     values.set(Parameter::rms_height, {1e-6, 1e-7});
     values.set(Parameter::peak_radius, {40e-6, 72e-6});

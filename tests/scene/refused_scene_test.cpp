@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is no scene is refused by file, line, key, value and what is allowed; what a scene leaves out takes its default.
+// Input that is not a scene is refused by file, line, key, value and what is allowed; missing keys take their defaults.
 #include "support/library.hpp"
 
 namespace refused_scene_test {
@@ -96,7 +96,7 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
          {"contact.separations", "one of the two"}},
         {"pressures = [\"1 MPa\"]",
          "pressures = [\"1 MPa\"]\nforce = \"1 kN\"",
-         {":13: contact.force", "must not stand beside contact.pressures"}},
+         {":13: contact.force", "must not be given with contact.pressures"}},
         {"nominal_area = \"195 mm^2\"\npressures = [\"1 MPa\"]",
          "force = [\"1 kN\"]",
          {":11: contact.force", "needs contact.nominal_area, or contact.washer"}},
@@ -113,7 +113,7 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
          {":13: contact.seating", "greater than 0"}},
         {"pressures =",
          "washer = { inner = \"8 mm\", outer = \"16 mm\" }\npressures =",
-         {":12: contact.washer", "must not stand beside contact.nominal_area"}},
+         {":12: contact.washer", "must not be given with contact.nominal_area"}},
         {"nominal_area = \"195 mm^2\"", "washer = \"M8\"", {":11: contact.washer = \"M8\"", "inner"}},
         {"nominal_area = \"195 mm^2\"",
          "washer = { inner = \"16 mm\", outer = \"16 mm\" }",
@@ -166,12 +166,12 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
         {"[material.upper]", "[material.uper]", {"material.uper", "unknown key", "\"upper\", \"lower\""}},
         {"rms_height = \"0.832 um\"\n", "", {"scene.toml:2: surface.rms_height", "missing"}},
         {"name = \"short\"", "name = 3", {":1: name = 3", "text"}},
-        {"\"0.832 um\"", "0.832 \xC2\xB5m", {":3: is no TOML", "outside quotation marks"}},
-        {"[surface]", "[}surface]", {":2: is no TOML"}},
-        {"[\"stiffness\"]", "[}\"stiffness\"]", {":17: is no TOML"}},
-        {"rms_height", "rms_h\xC3\xB6he", {":3: is no TOML", "outside quotation marks"}},
-        {"name = \"short\"", "name = \"short", {":1: is no TOML"}},
-        {"peak_radius", "rms_height", {":4: is no TOML"}},
+        {"\"0.832 um\"", "0.832 \xC2\xB5m", {":3: is not valid TOML", "outside quotation marks"}},
+        {"[surface]", "[}surface]", {":2: is not valid TOML"}},
+        {"[\"stiffness\"]", "[}\"stiffness\"]", {":17: is not valid TOML"}},
+        {"rms_height", "rms_h\xC3\xB6he", {":3: is not valid TOML", "outside quotation marks"}},
+        {"name = \"short\"", "name = \"short", {":1: is not valid TOML"}},
+        {"peak_radius", "rms_height", {":4: is not valid TOML"}},
     };
     for (const Case& c : cases) {
         INFO(c.from << " -> " << c.to);
@@ -200,7 +200,7 @@ TEST_CASE("A scene that is empty, binary or of another encoding is refused") {
     check_scene_refused("\xff\xfename", {"scene.toml:1"});
 }
 
-TEST_CASE("What a scene leaves out takes the documented default, and the inputs say so") {
+TEST_CASE("What a scene leaves out takes the documented default, and the inputs record it") {
     const std::string shortest = test::replaced(
         test::replaced(test::replaced(good.substr(0, good.find("[output]")), "laws = [\"fractal\"]\n", ""),
                        "peaks = [ { theta = \"pi/4\", r = \"exponential\" } ]\n", ""),

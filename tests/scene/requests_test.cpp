@@ -108,7 +108,7 @@ TEST_CASE("A reflection is eq. (5.1), and a curve of reflections gives the stiff
     CHECK(found.doubtful);
     CHECK(refused<domain_error>([&] {
               (void)scene::curve_of_numbers(pressures, {values.data(), 1}, {}, true, "curve");
-          }) == "curve: pressures, values and errors must be as many");
+          }) == "curve: pressures, values and errors must have the same length");
     CHECK(refused<domain_error>([&] {
               (void)scene::curve_of_numbers(values, {{1.0, -1.0}}, {}, false, "curve");
           }) == "curve:2: stiffness = -1: must be finite and greater than 0");
@@ -137,7 +137,7 @@ TEST_CASE("A density of peaks needs one source, and a curve of a contact gives i
     CHECK(test::relative_error(found.found.fits.front().found.parameters.front().value, rougher.rms_height) < 1e-8);
     CHECK(refused<scene::option_error>([] {
               (void)scene::parameters_of({.fit = {"sigma", "rms_height"}});
-          }) == "fit: \"rms_height\" is there twice; each may be named once");
+          }) == "fit: \"rms_height\" is listed twice");
 }
 
 TEST_CASE("An export has a row of the table a line, in the units of the model") {

@@ -123,7 +123,7 @@ TEST_CASE("What a scene lacks is thrown as a domain_error with its place, and no
     CHECK_THROWS_AS(scene::read_all("/no/such/file"), fstiff::file_error);
 }
 
-TEST_CASE("What is no scene is refused with the way to give it") {
+TEST_CASE("Input that is not a scene is refused with the right option") {
     const auto refusal = [](const std::string& text) {
         return test::refusal([&] { static_cast<void>(scene::read_scene(text, {.name = "f"})); });
     };
@@ -141,7 +141,7 @@ TEST_CASE("What is no scene is refused with the way to give it") {
     CHECK(refusal(text_of("") + "[sweep]\nseed = 1\n").starts_with("f:16: sweep: is a section of a grid"));
 }
 
-TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, are refused where they stand") {
+TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, are refused at their place") {
     const auto refusal = [](const std::string& from, const std::string& to) {
         const std::string text = test::replaced(text_of(""), from, to);
         return test::refusal([&] { static_cast<void>(scene::read_scene(text, {.name = "f"})); });
@@ -153,13 +153,13 @@ TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, 
           "f:3: surface.rms_height = \"0,8 um\": has a comma; the decimal mark is the point, as in 0.8");
 }
 
-TEST_CASE("The verdict and the warnings do not depend on the columns asked for") {
+TEST_CASE("The explanation and the warnings do not depend on the columns asked for") {
     const auto said = [](const std::string& quantities) {
         const std::string text = test::replaced(text_of("laws = [\"hertz\"]\n"), "195 mm^2", "0.01 mm^2");
         const std::string output = "[output]\nquantities = [" + quantities + "]\n";
         auto results = compute(scene::read_scene(text + output, {.name = "f"}));
-        results.verdict.insert(results.verdict.end(), results.warnings.begin(), results.warnings.end());
-        return results.verdict;
+        results.explanation.insert(results.explanation.end(), results.warnings.begin(), results.warnings.end());
+        return results.explanation;
     };
     const auto all = said("\"stiffness\", \"contacts\", \"real_area\"");
     CHECK(said("\"stiffness\"") == all);
@@ -184,7 +184,7 @@ TEST_CASE("All curves of a scene and its answer have one p*") {
     const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 60e-6), sigma = 1e-6;
     // R and D_p that no Gaussian surface has: those of islands
     check("500 /mm^2", "400 /mm^2", fstiff::parts::gradient_of_islands(sigma, 60e-6, 4e8).middle, 3);
-    // unless r and theta of the surface say it
+    // unless by r and theta of the surface
     check("fractal_dimension", "r = 0.5\ntheta = 0.8\nfractal_dimension", std::sqrt(2 * 0.5 * sigma * curvature), 2);
     // an isotropic surface of the alpha that rms_gradient makes: one distribution of peaks
     check("fractal_dimension", "rms_gradient = 0.05\nfractal_dimension", 0.05, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A surface behind other cut-offs: each row is the measurement, and the K, with these cut-offs.
+// A surface with other cut-offs: each row is the measurement, and the K, with these cut-offs.
 #include "support/library.hpp"
 
 #include "scene/scales.hpp"

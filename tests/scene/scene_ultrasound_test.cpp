@@ -144,7 +144,7 @@ TEST_CASE("A section ultrasound that is not whole is refused by file, line and k
     refused(test::replaced(all, "velocity = \"5900 m/s\", ", ""), {"ultrasound.upper.impedance", "missing"});
     refused(test::replaced(all, "density = \"7850 kg/m^3\", ", ""), {"ultrasound.upper.density", "missing"});
     refused(test::replaced(all, "upper = {", "upper = { impedance = \"46 MRayl\", "),
-            {"ultrasound.upper.velocity", "must not stand beside"});
+            {"ultrasound.upper.velocity", "must not be given with"});
     refused(test::replaced(all, "5900 m/s", "5900 m"), {"ultrasound.upper.velocity", "m/s"});
     refused(test::replaced(all, "shear_velocity", "shear_speed"), {"shear_speed", "unknown key", "shear_velocity"});
     refused(all + "lower = { impedance = \"17 MRayl\" }\n", {"ultrasound.lower.shear_impedance", "missing"});

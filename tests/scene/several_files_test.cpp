@@ -62,7 +62,7 @@ TEST_CASE("Parts of one trace, pooled, are the trace within the errors") {
     }
     CHECK(std::abs(pooled["surface"]["rms_height"]["value"].get<double>() / std::sqrt(square) - 1) < 1e-12);
     CHECK(std::abs(R * std::sqrt(curvature) - 1) < 1e-12);
-    // each part knows R worse than all of them do, unless they scatter by chance
+    // each part determines R worse than all of them, unless they scatter by chance
     CHECK(pooled["surface"]["peak_radius"]["error"] < pooled["files"][0]["surface"]["peak_radius"]["error"]);
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("Unlike files have the error of their scatter") {
     for (double& height : smooth) height *= 3;
     const auto document = test::measured_files(metres, {same, folder.write("b", text_of(smooth, 0, 4096))});
     const auto& sigma = document["surface"]["rms_height"];
-    CHECK(sigma["error"] > 0.5 * sigma["value"].get<double>());  // a factor of 3 between two: nothing is known
+    CHECK(sigma["error"] > 0.5 * sigma["value"].get<double>());  // a factor of 3 between two: no precision
     CHECK(std::abs(sigma["value"].get<double>() /
                        (document["files"][0]["surface"]["rms_height"]["value"].get<double>() * std::sqrt(5.0)) -
                    1) < 1e-6);
@@ -94,7 +94,7 @@ TEST_CASE("A folder, a list of files and the JSON of both are one surface to a s
                       first = csv("[\"traces/a\", \"traces/b\"]\n" + keys);
     CHECK(csv("\"traces\"\n" + keys) == first);
     CHECK(csv("\"traces.json\"\n") == first);
-    // a file that is there twice counts once
+    // a file that is listed twice counts once
     const auto twice = test::measured_files(metres, {folder / "traces/a", folder / "traces/a", folder / "traces/b"});
     CHECK(twice["files"].size() == 2);
     CHECK(test::contains(twice["warnings"].dump(), "traces/a"));

@@ -28,7 +28,7 @@ std::string map_text(std::uint64_t seed, double rms) {
 
 }  // namespace
 
-TEST_CASE("A face next to a smooth one is [surface], and the inputs say so") {
+TEST_CASE("A face next to a smooth one is [surface], and the inputs record it") {
     const auto one = test::scene_of("[surface]\n" + numbers + rest),
                same = test::scene_of("[surface.upper]\n" + numbers + rest);
     CHECK(test::csv_of(compute(one)) == test::csv_of(compute(same)));
@@ -107,7 +107,7 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
     CHECK(added.faces.at(1).parameters.rms_height.value < 0.7e-6);
 }
 
-TEST_CASE("What two faces cannot have is told in one sentence") {
+TEST_CASE("Wrong keys of two faces are reported in one sentence") {
     const auto refused = [&](const std::string& surface, const std::string& sentence, const std::string& more = "") {
         test::check_sentence(test::refused_scene(surface + rest + more), {sentence});
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Standard normal numbers that are the same with every standard library (std::normal_distribution's are not), and a walk.
+// Standard normal numbers that are the same with every standard library (std::normal_distribution's are not),
+// and a walk.
 #include <fstiff/profile/profile.hpp>
 
 #include <cmath>

@@ -20,7 +20,7 @@ TEST_CASE("Philox gives the known answers of its authors") {
           Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1});
 }
 
-TEST_CASE("A draw hangs on seed, scene and input alone, and none is 0 or 1") {
+TEST_CASE("A draw depends on seed, scene and input alone, and none is 0 or 1") {
     CHECK(uniform_draw(1, 2, 3) == uniform_draw(1, 2, 3));
     std::set<double> all;
     for (std::uint64_t seed : {0ULL, 1ULL, 1ULL << 40})

@@ -62,7 +62,7 @@ TEST_CASE("The quantity written last varies fastest, whatever its name") {
     CHECK(all.size() == 12);
 }
 
-TEST_CASE("In zip mode the first values stand together, then the second ones") {
+TEST_CASE("In zip mode the first values are combined, then the second ones") {
     const Grid grid = read_grid(grid_text("rms_height = [\"1 um\", \"2 um\"]",
                                           "pressures = [ { values = [\"1 MPa\", \"3 MPa\"] } ]", "mode = \"zip\""),
                                 "grid.toml");
@@ -80,7 +80,7 @@ TEST_CASE("A list of pressures, or a range of them, is many points of one scene 
         CHECK(read_grid(grid_text("rms_height = \"1 um\"", points), "grid.toml").axes.empty());
 }
 
-TEST_CASE("Draws stand side by side at each point of the grid, and hang on the index alone") {
+TEST_CASE("Draws at one point of the grid are adjacent and depend on the index alone") {
     const std::string surface = "rms_height = [\"1 um\", \"2 um\"]\npeak_radius = { normal = [\"40 um\", \"2 um\"] }";
     const std::string contact = "pressures = [ { lognormal = [\"10 MPa\", 0.1] } ]";
     const Grid grid = read_grid(grid_text(surface, contact, "samples = 5\nseed = 3"), "grid.toml");
@@ -110,7 +110,7 @@ TEST_CASE("A lognormal of two quantities has this mean and this standard deviati
     CHECK(std::abs(std::sqrt(squares / n - mean * mean) - 1) < 6 / std::sqrt(n));
 }
 
-TEST_CASE("What is wrong with a grid is told with line, key and value") {
+TEST_CASE("Errors of a grid are reported with line, key and value") {
     const auto surface = [](const std::string& rms) { return grid_text("rms_height = " + rms); };
     check_refused(surface("{ from = \"2 um\", to = \"1 um\", count = 3 }"),
                   "grid.toml:2: surface.rms_height.to = \"1 um\": must be greater than surface.rms_height.from");
@@ -121,14 +121,14 @@ TEST_CASE("What is wrong with a grid is told with line, key and value") {
     check_refused(surface("{ from = \"-2 um\", to = \"3 um\", count = 3, spacing = \"log\" }"),
                   "must be greater than 0");
     check_refused(surface("[\"2 um\", 3]"), "surface.rms_height[1] = 3: must be of the same kind as the first");
-    check_refused(surface("[]"), "must be a list of one value at least");
-    check_refused(surface("{ values = [] }"), "must be a list of one value at least");
+    check_refused(surface("[]"), "must be a list of at least one value");
+    check_refused(surface("{ values = [] }"), "must be a list of at least one value");
     check_refused(surface("{ normal = [\"2 um\"] }"), "must be a list of the mean and the standard deviation");
     check_refused(surface("{ lognormal = [\"2 um\", \"1 GPa\"] }"), "the standard deviation of the logarithm");
     check_refused(surface("{ lognormal = [\"2 um\", -1] }"), "the standard deviation of the logarithm");
     check_refused(surface("{ uniform = [\"2 um\", \"1 um\"] }"), "must be greater than");
     check_refused(grid_text("rms_height = \"1 um\"", "pressures = [\"1 MPa\"]", "samples = 3"),
-                  "sweep.samples = 3: must stand beside a distribution");
+                  "sweep.samples = 3: needs a distribution");
     check_refused(grid_text("rms_height = \"1 um\"", "pressures = [\"1 MPa\"]", "mode = \"all\""),
                   "must be one of \"product\", \"zip\"");
     check_refused("name = [\"a\", \"b\"]\n", "cannot be swept");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of results that are damaged are told from those that are whole.
+// Damaged lines of results are distinguished from whole ones.
 #include "sweep/rows.hpp"
 
 #include "cli/command.hpp"
@@ -63,7 +63,7 @@ TEST_CASE("Rows are read in their order, and the first that is damaged is named"
           "0.0=K 0.1 0.2=K 1.0=K ");
     CHECK(read_back("{\"index\":0,\"error\":\"no\"}\n" + line(1, "hertz")) == "1.0=K ");
     const std::string damaged =
-        " is no whole line of results, or not in its order; move the file and its .sweep away and "
+        " is not a whole line of results, or not in its order; move the file and its .sweep away and "
         "run the sweep again";
     const std::string two = line(0, "hertz") + line(1, "hertz");
     CHECK(read_back(two + "XXXXXXXX" + line(2, "hertz").substr(8)) == ":3:" + damaged);
@@ -71,7 +71,7 @@ TEST_CASE("Rows are read in their order, and the first that is damaged is named"
     CHECK(read_back(two + line(3, "hertz")) == ":3:" + damaged);
     CHECK(read_back(two + line(2, "hXXtz")) == ":3:" + damaged);
     CHECK(read_back(two + line(2, "hertz", "\"stiffXXXX_Pa_per_m\":1}")) == ":3:" + damaged);
-    CHECK(read_back("nothing\n") == ": is no file of results; must be what fstiff sweep wrote");
+    CHECK(read_back("nothing\n") == ": is not a file of results; must be what fstiff sweep wrote");
 }
 
 }  // namespace rows_test

@@ -169,7 +169,7 @@ TEST_CASE("A map that is its own form is refused as a constant one is, whatever 
                                                 : degree == 2 ? x * y - y * y
                                                               : x * x * y - y * y * y + x);
                 }
-            map.heights(0, 0) *= 1 - 1e-15;  // so that the mean is no constant before
+            map.heights(0, 0) *= 1 - 1e-15;  // so that the mean is not a constant before
             CHECK(test::refusal([&] { (void)parts::level(map, form); }).find("map of constant height once its form") ==
                   0);
             map.heights(30, 30) += 1e-9 * unit;

@@ -93,7 +93,7 @@ TEST_CASE("A good state raises no concern and unknown values are not checked") {
           parts::find_check(none, parts::Concern::above_hardness)->greatest);
 }
 
-TEST_CASE("A stiffness that underflows is no failure to converge") {
+TEST_CASE("A stiffness that underflows is not a failure to converge") {
     std::vector<ContactState<double>> tiny{state(4e-6, 1, 0, 0, 0)};
     tiny[0].stiffness.error = std::numeric_limits<double>::denorm_min();
     CHECK(parts::find_check(parts::check_curve<double>(tiny, limits()), parts::Concern::not_converged)->holds());

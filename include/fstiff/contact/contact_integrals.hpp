@@ -135,7 +135,7 @@ private:
 
 }  // namespace parts
 
-/// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as ContactIntegrator.
+/// The requested integrals at the separation \p eta; log_scale is 0. \throws as ContactIntegrator.
 template <Real T>
 [[nodiscard]] parts::ContactIntegrals<T> contact_integrals(const PeakDistribution<T>& peaks, T eta,
                                                            Quantity wanted = Quantity::all,

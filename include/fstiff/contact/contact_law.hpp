@@ -118,7 +118,7 @@ public:
     [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range) {
         detail::require_range(range);
         require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
-                "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
+                "none or effective_separation for a tabulated law (as_printed is not a function of one separation)");
         ContactLaw law;
         law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
         law.tables_.outside = range.outside;

@@ -232,9 +232,9 @@ template <Real T, class Model>
 
 }  // namespace parts
 
-/// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as [](T dimension) { return
-/// FractalLaw<T>(dimension); }. \throws domain_error for data or starting values that no model has, fewer points than
-/// parameters, and a D that is to be fitted of a law that is no DimensionalLaw.
+/// Fits parameters of a contact to \p data, from \p start. \p wanted lists them. \p law(D) makes the asperity law,
+/// such as [](T dimension) { return FractalLaw<T>(dimension); }. \throws domain_error for data or starting values that
+/// no model has, fewer points than parameters, and a D to be fitted where the law is no DimensionalLaw.
 template <Real T, class MakeLaw>
 [[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                                          const ContactParameters<T>& start, const MakeLaw& law,

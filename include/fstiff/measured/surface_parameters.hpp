@@ -106,7 +106,7 @@ void store_sums(SurfaceParameters<T>& result, const detail::Estimates<math::Accu
         result.why_no_peaks = "r = " + rounded_text(r, 4) +
                               ", must be less than 1: too near to a single sine, a straight line or a zigzag";
     else if (!(theta < numbers::pi_v<T> / 2))
-        result.why_no_peaks = "theta = pi/2, must be less: every point stands above or below both of its neighbours";
+        result.why_no_peaks = "theta = pi/2, must be less: every point is above or below both of its neighbours";
     else {
         result.r = {r, static_cast<T>(spread.error[4])};
         result.theta = {theta, static_cast<T>(spread.error[5])};

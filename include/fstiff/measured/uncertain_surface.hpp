@@ -136,7 +136,7 @@ template <Real T>
 void SurfaceParameters<T>::set(Parameter which, const Measurement<T>& measured) {
     if (index_of(which) >= surface_parameter_count)
         throw domain_error(std::string(name_of(which)) +
-                           ": is no parameter of a surface; must be one that SurfaceParameters holds");
+                           ": is not a parameter of a surface; must be one that SurfaceParameters holds");
     if (which == Parameter::fractal_dimension) fractal_dimension = measured;
     if (which == Parameter::r) r = measured;
     if (which == Parameter::theta) theta = measured;

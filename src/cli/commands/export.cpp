@@ -23,7 +23,7 @@ Report execute(const Options& options) {
     if (const std::string file = options.output.target(); !file.empty()) require_own(file);
     ExportRequest request = options.request;
     request.progress = progress_bar();
-    check(request);  // what is wrong with it is said before the scene is read
+    check(request);  // errors of the request are reported before the scene is read
     const ExportedLaw made = export_law(read_scene(options.scene), request);
     Report report{.document = made.text, .diagnostics = {}, .status = made.doubtful ? doubtful_result : success};
     for (const std::string& warning : made.warnings) report.diagnostics.push_back("warning: " + warning);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What fstiff sweep and fstiff merge say of scenes without a result.
+// Warning of fstiff sweep and fstiff merge about scenes without a result.
 
 #include "document/output.hpp"
 
@@ -14,12 +14,12 @@ namespace fstiff::cli {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Warns of the \p failed scenes in \p report, which is then doubtful; of none nothing is said.
+/// Warns of the \p failed scenes in \p report, which is then doubtful; no warning without any.
 inline void warn_of_failed_scenes(Report& report, std::uint64_t failed) {
     if (failed == 0) return;
-    report.diagnostics.push_back("warning: " + counted(failed, "scene") +
-                                 " cannot be computed, or not whole; what they lack has a line with the key "
-                                 "\"error\" in place of results");
+    report.diagnostics.push_back(
+        "warning: " + counted(failed, "scene") +
+        " cannot be computed, or only in part; a line with the key \"error\" replaces the missing results");
     report.status = doubtful_result;
 }
 

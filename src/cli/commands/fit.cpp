@@ -149,7 +149,7 @@ std::string summary(const FractalFit<double>& fit, const std::string& where = ""
 
 Report execute(const Options& options) {
     FractalOptions how = options.fractal;
-    (void)fit_options(how);  // what is wrong with them is said before the file is read
+    (void)fit_options(how);  // their errors are reported before the file is read
     SurfaceInput input = read_surface_input(how.surface);
     how.progress = progress_bar();
     if (input.surface.is_profile()) {

@@ -15,11 +15,11 @@ namespace {
 
 /// A file that some command reads.
 struct Row {
-    std::string_view name;  ///< a surface's as --input-format says it
+    std::string_view name;  ///< as --input-format names it, for a surface
     std::string_view endings, holds, recognised, asked;
 };
 
-/// The ending of a surface's file decides nothing: its first bytes and lines do.
+/// The name of a surface's file decides nothing: its first bytes and lines do.
 constexpr std::array<Row, 22> rows{{
     {"profile", ".csv .txt .dat .asc ...", "text: heights, or position and height in a line",
      "one or two columns, or --spacing or --column", "--units without a header that has them; --spacing of heights"},
@@ -39,7 +39,7 @@ constexpr std::array<Row, 22> rows{{
      "--channel, to read another than the lowest in lengths"},
     {"sur", ".sur .pro", "Digital Surf of 16 or 32 bits, one object, compressed where fstiff was built with zlib",
      "its first bytes, DIGITAL SURF or DSCOMPRESSED", "nothing"},
-    {"smd", ".smd .prf", "profile of ISO 5436-2, and its elder form of Mahr and Taylor Hobson",
+    {"smd", ".smd .prf", "profile of ISO 5436-2, and the older form of Mahr and Taylor Hobson",
      "its first line, ISO 5436, or its second, which ends with PRF", "nothing"},
     {"metropro", ".dat", "map of Zygo MetroPro", "its first bytes", "nothing"},
     {"vk4", ".vk3 .vk4 .vk6 .vk7", "map of Keyence VK; .vk6 and .vk7 where fstiff reads X3P",
@@ -89,16 +89,16 @@ std::string text() {
     std::string all = "fstiff " FSTIFF_VERSION_TEXT ": files that are read\n";
     for (const Row& row : rows)
         all += "\n" + std::string(row.name) + "  (" + std::string(row.endings) + ")\n  holds          " +
-               std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  asks for       " +
+               std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  needs          " +
                std::string(row.asked) + "\n";
     return all +
-           "\nThe first nineteen are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending "
+           "\nThe first nineteen are profiles and maps, for fit, measure, islands, peaks and run --surface. The name "
            "of\n"
-           "a file decides nothing; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
+           "a file is not used; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
            "byte\n"
-           "order mark, or of an 8-bit code page. Any other instrument's file is to be exported from its own program, "
-           "or turned\n"
-           "into X3P by a line of Python, which docs/formats.md has.\n";
+           "order mark, or of an 8-bit code page. Export files of other instruments from their own program, or "
+           "convert\n"
+           "them to X3P by a line of Python (docs/formats.md).\n";
 }
 
 Json json() {
@@ -119,7 +119,7 @@ Json json() {
 Command add_formats(CLI::App& app) {
     using namespace formats_command;
     auto options = std::make_shared<OutputOptions>();
-    Arguments command(app, "formats", "The files that are read: how they are recognised, and what is asked for");
+    Arguments command(app, "formats", "File formats: how they are recognised and which options they need");
     add_output_options(command, *options);
     command.footer("Example:\n  fstiff formats");
     return {command.app(), options.get(), [options] {

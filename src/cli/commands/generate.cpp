@@ -36,7 +36,7 @@ Command add_generate(CLI::App& app) {
     add_request_options(command, request);
     add_output_option(command, options->output);
     command.footer(
-        "The parameters and the seed stand in the first line of the CSV, on standard error for SDF.\n"
+        "The first line of the CSV has the parameters and the seed; for SDF they go to standard error.\n"
         "Example:\n"
         "  fstiff generate profile --points 8192 --spacing \"0.5 um\" --hurst 0.5 --rms \"1 um\" | fstiff fit -");
     return {command.app(), &options->output, [options] { return execute(*options); }};

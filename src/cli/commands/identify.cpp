@@ -33,7 +33,7 @@ Work work_of(const Options& options) {
     const IdentifyRequest& request = options.request;
     if (options.scene.scene == "-" && request.measured == "-")
         throw Usage("the scene and --measured are both standard input; one of them must be a file");
-    (void)parameters_of(request);  // what is wrong with them is said before the scene is read
+    (void)parameters_of(request);  // their errors are reported before the scene is read
     Work work{{}, read_scene(options.scene)};
     static_cast<Identified&>(work) = identify_scene(work.scene, request);
     return work;
@@ -49,7 +49,7 @@ std::string introduction(const Work& work) {
     text += "  measured  " + std::to_string(curve.points.size()) + " points, p " + rounded(least->pressure / 1e6) +
             " to " + rounded(most->pressure / 1e6) + " MPa, " +
             (curve.has_errors ? "weighed by their errors"
-                              : std::string("no errors: all count alike, errors from the scatter")) +
+                              : std::string("no errors: equal weights, errors from the scatter")) +
             "\n";
     if (const auto& wave = work.found.wave)
         text += "  wave      " + rounded(wave->angular_frequency / (2 * std::numbers::pi) / 1e6) + " MHz, impedances " +
@@ -172,13 +172,12 @@ Command add_identify(CLI::App& app) {
     command.footer(
         "The measured file begins with its columns and their units: pressure [MPa], stiffness [GPa/um], "
         "stiffness_error [GPa/um].\n"
-        "Without --law the laws that contact.laws names are fitted, each by itself; where it names none, plastic if "
-        "the "
-        "peaks\nflow, else hybrid. g is the rms gradient; where it or alpha is fitted, R and Dp follow. Exit code 4: "
-        "the "
-        "data cannot\ntell the parameters apart or know one to a factor of 100 at best, no convergence, no law that "
-        "describes the points,\nan outlier, a parameter 30 times its starting value, or an elastic law of peaks that "
-        "flow.\n"
+        "Without --law each law in contact.laws is fitted; if there are none, plastic if the peaks yield, else hybrid. "
+        "g is\nthe rms gradient; where it or alpha is fitted, R and Dp follow. Exit code 4: the data cannot "
+        "distinguish "
+        "the parameters\nor determine one within a factor of 100, the fit does not converge, no law describes the "
+        "points, a point is an outlier,\na parameter is 30 times its starting value, or an elastic law is fitted to "
+        "peaks that yield.\n"
         "Example:\n"
         "  printf 'pressure [MPa],stiffness [GPa/um],error [GPa/um]\\n1,0.015,0.002\\n3,0.042,0.006\\n"
         "10,0.12,0.02\\n30,0.31,0.05\\n' |\n  fstiff identify --measured - --law jackson_green --fit sigma");

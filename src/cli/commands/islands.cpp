@@ -106,9 +106,8 @@ Command add_islands(CLI::App& app) {
                    "seed of the random numbers of the draws; the default is 2014");
     add_output_options(command, options->output);
     command.footer(
-        "The CSV is the curve; the JSON holds everything. R = A_m/(2 pi h_m), of the mean island of the level at "
-        "which\n"
-        "islands are densest.\n"
+        "The CSV is the curve; the JSON holds everything. R = A_m/(2 pi h_m) of the mean island at the level\nwith the "
+        "most islands.\n"
         "Example:\n"
         "  fstiff generate map --points 512 --spacing \"0.5 um\" --hurst 0.8 --rms \"1 um\" --shortest \"8 um\" "
         "--longest "

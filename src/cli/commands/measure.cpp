@@ -30,7 +30,7 @@ struct Options {
     std::string modulus = "112.6 GPa", pressure = "10 MPa", picture;
 };
 
-/// \p file stands in a first column; empty: in none.
+/// \p file is the first column; empty: no such column.
 Rows rows_of(const MeasuredSurface& surface, const std::string& file = "") {
     std::vector<std::string> names, units, ways, shown, shown_errors, shown_units;
     std::vector<double> values, errors;
@@ -95,7 +95,7 @@ std::string table(const MeasuredSurface& surface) {
     return text;
 }
 
-/// Of several files all of them first, in rows of the file "pooled".
+/// For several files the pooled rows come first, with the file name "pooled".
 std::string csv(const MeasuredSurface& surface) {
     if (surface.parts.empty()) return rows_of(surface).csv();
     std::string text = rows_of(surface, "pooled").csv();
@@ -180,26 +180,28 @@ Command add_measure(CLI::App& app) {
         .between(2, 100000);
     command.option("--seed", measure.seed, "seed of the random numbers of the resamples; the default is 2014");
     command.flag("--scales", options->scales,
-                 "the surface behind other cut-offs too, by factors of two, and K behind each: what of it is settled");
+                 "repeat the measurement and K with the cut-offs varied by factors of two, to show their influence");
     command.option("--pressure", options->pressure, "nominal pressure of the K of --scales").show_default();
     command
         .option("--modulus", options->modulus, "effective modulus of the K of --scales; the default is steel on steel")
         .show_default();
     command
         .option("--show", options->show,
-                "something else of the file, with options of its own, which --show fit --help lists: fit (D and G), "
-                "islands (of a map), peaks (of a profile) or spectrum")
+                "another analysis of the file, with its own options (--show fit --help lists them): fit (D and G), "
+                "islands (for a map), peaks (for a profile) or spectrum")
         .one_of({"fit", "islands", "peaks", "spectrum"});
     add_picture_option(command, options->picture, "draw what --scales computes");
     add_output_options(command, options->output, Format::json);
     command.footer(
-        "For a contact all waves count but the form, which is what the maker's drawing calls form: lambda_c is none "
-        "unless "
-        "it\nis given. The table and the JSON also have the roughness parameters that a drawing names, with the "
-        "cut-offs "
-        "of their\nstandard: ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, Sq, Sk ... of a map).\n"
-        "The JSON is what run --surface and a scene's [surface] from = \"...\" read. Exit code 4: a parameter is not "
-        "known\nto a factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"
+        "All waves except the form count for a contact, so lambda_c is none unless it is given. The form is what a "
+        "drawing\n"
+        "calls form. The table and the JSON also have the roughness parameters of drawings, with the cut-offs of "
+        "their\n"
+        "standard: ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, Sq, Sk ... of a map). The JSON is "
+        "the\n"
+        "input of run --surface and of [surface] from = \"...\" in a scene. Exit code 4: a parameter is not known to "
+        "a\n"
+        "factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"
         "Example:\n"
         "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
         "      fstiff measure - --spacing \"0.5 um\" --units um | fstiff run --surface -");

@@ -50,7 +50,7 @@ Panel profile_panel(const Profile<double>& profile) {
     return panel;
 }
 
-/// The map, and the bar that tells its colours; of a large map every point shown is the mean of a block.
+/// The map and its colour bar; for a large map every point shown is the mean of a block.
 std::vector<Panel> map_panels(const HeightMap<double>& map) {
     constexpr Eigen::Index most = 400;
     const Eigen::Index step_x = (map.columns() + most - 1) / most, step_y = (map.rows() + most - 1) / most;
@@ -93,7 +93,7 @@ std::vector<Panel> map_panels(const HeightMap<double>& map) {
     return {heights, colours};
 }
 
-/// Height against the share of the surface that stands above it.
+/// Height against the share of the surface above it.
 Panel bearing_panel(std::span<const double> heights) {
     Panel panel{.title = "Bearing curve",
                 .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
@@ -109,7 +109,7 @@ Panel bearing_panel(std::span<const double> heights) {
 /// The second differences, which D and G come from, and what the fit gives for them in its window.
 void add_structure(Panel& panel, const FractalFit<double>& fit, const std::string& of) {
     const auto& s = fit.second_differences;
-    std::vector<std::size_t> shown;  // about as many as can be told apart
+    std::vector<std::size_t> shown;  // about as many as can be distinguished
     for (std::size_t k = 0; k < s.size(); ++k)
         if (shown.empty() || s.lag[k] >= 1.08 * s.lag[shown.back()]) shown.push_back(k);
     PlotLine measured = line_of(
@@ -148,7 +148,7 @@ TextRows profile_part(Page& page, const MeasuredSurface& surface) {
     TextRows peaks{{"peak statistics", "value"}};
     const Profile<double>& profile = surface.found.profile->profile;
     show(page, {profile_panel(profile)});
-    show(page, {bearing_panel(profile.heights)}, "Height against the share of the profile that stands above.");
+    show(page, {bearing_panel(profile.heights)}, "Height against the share of the profile above it.");
     if (surface.found.profile_fit) {
         Panel panel = structure_panel();
         add_structure(panel, *surface.found.profile_fit, "");
@@ -211,7 +211,7 @@ TextRows map_part(Page& page, const MeasuredSurface& surface) {
     const HeightMap<double>& map = surface.found.map->map;
     show(page, map_panels(map), "Map, and the heights of its colours.");
     show(page, {bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())})},
-         "Height against the share of the map that stands above.");
+         "Height against the share of the map above it.");
     if (surface.found.map_fit) {
         const parts::DirectionalFit<double>& fit = *surface.found.map_fit;
         Panel panel = structure_panel();
@@ -233,8 +233,8 @@ TextRows map_part(Page& page, const MeasuredSurface& surface) {
 
 }  // namespace
 
-void show(Page& page, std::vector<Panel> panels, std::string_view caption, std::vector<std::string> verdict) {
-    page.figure(narrow({.title = "", .verdict = std::move(verdict), .panels = std::move(panels)}), caption);
+void show(Page& page, std::vector<Panel> panels, std::string_view caption, std::vector<std::string> explanation) {
+    page.figure(narrow({.title = "", .explanation = std::move(explanation), .panels = std::move(panels)}), caption);
 }
 
 void measured_section(Page& page, const MeasuredSurface& surface) {

@@ -12,7 +12,8 @@
 namespace fstiff::cli {
 
 /// A figure as wide as a phone can show, with its legend below.
-void show(Page& page, std::vector<Panel> panels, std::string_view caption = "", std::vector<std::string> verdict = {});
+void show(Page& page, std::vector<Panel> panels, std::string_view caption = "",
+          std::vector<std::string> explanation = {});
 void measured_section(Page& page, const MeasuredSurface& surface);
 
 }  // namespace fstiff::cli

@@ -18,7 +18,7 @@ struct Options {
 };
 
 Report execute(const Options& options) {
-    refuse_standard_output(options.merged, "a file, beside which its description stands");
+    refuse_standard_output(options.merged, "a file, because its description is written next to it");
     sweep::require_lines(options.merged);
     require_writable(options.merged);
     const sweep::Merged merged = sweep::merge(options.files, options.merged);
@@ -41,9 +41,9 @@ Command add_merge(CLI::App& app) {
         .required();
     command.option("-o,--output", options->merged, "file of all results, lines of JSON").type_name("FILE").required();
     command.footer(
-        "Exit code 4: a shard is missing, double, not finished or of another grid, and nothing is written; each is "
-        "named, "
-        "with the\ncommand that computes it. 4 too where some scenes cannot be computed.\n"
+        "Exit code 4: a shard is missing, duplicate, unfinished or from another grid; nothing is written, and each "
+        "such shard\n"
+        "is listed with the command that computes it. Also 4 if some scenes cannot be computed.\n"
         "Example:\n  fstiff sweep --example > grid.toml; for i in 1 2; do fstiff sweep grid.toml --shard $i/2 -o "
         "part-$i.jsonl; "
         "done; fstiff merge part-*.jsonl -o all.jsonl");

@@ -183,8 +183,8 @@ Picture figure_6(Reproduction& all) {
     return {"fig6",
             "Fig. 6, from a generated profile with the D and G of Table 2: the measured one is not in the text. The "
             "longest "
-            "wave is the one that gives the σ of Table 1. D and G are fitted to the second differences, S₂, which feel "
-            "the ends of the sum of cosines less than S does.",
+            "wave is the one that gives the σ of Table 1. D and G are fitted to the second differences, S₂, which "
+            "depend less on the ends of the sum of cosines than S does.",
             figure};
 }
 
@@ -249,7 +249,7 @@ Panel stiffness_panel_of(const char* title, const std::vector<ModelCurve>& curve
     return panel;
 }
 
-/// The numbers behind the conclusions, of the models in the order of paper_curves.
+/// Numbers for the conclusions, for the models in the order of paper_curves.
 std::vector<Finding> findings_of(const Surface& surface, const std::vector<ModelCurve>& curves) {
     std::array<Bounds, measures.size()> of;
     const auto add = [&](Measure measure, double value) { of[static_cast<std::size_t>(measure)].add(value); };
@@ -272,7 +272,7 @@ std::vector<Finding> findings_of(const Surface& surface, const std::vector<Model
     return findings;
 }
 
-/// Fig. 7, 8 or 9, and the numbers behind the conclusions.
+/// Fig. 7, 8 or 9, and the numbers for the conclusions.
 Picture stiffness_figure(const Surface& surface, Reproduction& all) {
     const RoughContactOptions<double> interacting{
         .interaction = {InteractionReading::effective_separation, std::sqrt(nominal_area)}};
@@ -283,15 +283,15 @@ Picture stiffness_figure(const Surface& surface, Reproduction& all) {
     const std::string number(1, surface.figure[3]);
     return {surface.figure,
             "Fig. " + number + ": normal contact stiffness of the surface " + surface.name + ". " + no_points +
-                " The curves of plastic peaks are not in the paper: peaks that flow (H = 2.8 Y, θ = π/4, r = 0) as a "
-                "wave sees them, by unloading.",
+                " The curves of plastic peaks are not in the paper: their peaks yield (H = 2.8 Y, θ = π/4, r = 0), and "
+                "K is that of unloading, which a wave measures.",
             {.title = "Fig. " + number + ": normal contact stiffness, " + surface.name,
              .panels = {stiffness_panel_of("The interface alone", alone),
                         stiffness_panel_of("With the interaction (4.11), L = √A₀, η_old effective", with)},
              .note = "Curves of the models; the experimental points are not in the paper's text."}};
 }
 
-/// Every verdict follows from the numbers, so that a change of the model changes it.
+/// Every result follows from the numbers, so that a change of the model changes it.
 std::vector<Conclusion> judge(const std::vector<Finding>& findings) {
     std::array<Bounds, measures.size()> of;
     std::vector<double> shifts;
@@ -313,7 +313,7 @@ std::vector<Conclusion> judge(const std::vector<Finding>& findings) {
          same_factor ? "not testable: only that the models differ by a constant factor" : "the factor is not constant",
          "The two differ by (2/3)(3-D)/(2-D) at every pressure, " + range(Measure::over_elastic, 4) +
              " with D alone; Greenwood-Williamson lies lower by " + range(Measure::over_greenwood_williamson) +
-             ". That the fractal model is closer says that such a factor was missing. The experimental points are not "
+             ". The fractal model is closer because such a factor was missing. The experimental points are not "
              "in the text."},
         {2, "The stiffness is almost independent of θ.",
          slight ? "holds at equal pressure, not at equal separation" : "does not hold",
@@ -324,7 +324,7 @@ std::vector<Conclusion> judge(const std::vector<Finding>& findings) {
                               : "holds for these surfaces",
          "The shift of η at 100 MPa is " + rounded(shifts[0], 4) + " (fine), " + rounded(shifts[1], 4) + " (coarse), " +
              rounded(shifts[2], 4) +
-             " (electrical discharge): it is in proportion to the pressure and to 1/σ. The discussion says so, the "
+             " (electrical discharge): it is in proportion to the pressure and to 1/σ. The discussion states this, the "
              "conclusion the opposite."}};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The reference paper from its own parameters: surfaces, figures, conclusions and the numbers behind them.
+// The reference paper from its own parameters: surfaces, figures, conclusions and the numbers for them.
 
 #include "document/rows.hpp"
 #include "picture/plot.hpp"
@@ -21,7 +21,7 @@ namespace fstiff::cli::paper {
 inline constexpr double nominal_area = 195e-6;  // [m^2]
 inline constexpr std::uint64_t seed = 2014;
 inline constexpr const char* no_points =
-    "Experimental points are not drawn: they stand in the paper's figures and nowhere in its text or tables.";
+    "Experimental points are not drawn: they are only in the paper's figures, not in its text or tables.";
 
 /// A row of Tables 1 and 2; the scenes in data/ hold the same numbers.
 struct Surface {
@@ -44,7 +44,7 @@ struct Bounds {
     }
 };
 
-/// What the conclusions are about: the key for machines, its conclusion, and the words for people.
+/// Quantities of the conclusions: the key for machines, its conclusion, and the words for people.
 enum class Measure { over_elastic, over_greenwood_williamson, theta_at_pressure, theta_at_separation, shift };
 struct Words {
     const char *key, *text;
@@ -57,7 +57,7 @@ inline constexpr std::array<Words, 5> measures{
     Words{"theta_at_equal_separation", "K(θ = π/3) over K(θ = π/4), at equal separation, η from 0 to 3", 2},
     Words{"interaction_shift", "shift Δη of the separation (4.11), from 0.1 to 100 MPa", 3}};
 
-/// One number behind a conclusion.
+/// One number for a conclusion.
 struct Finding {
     Measure measure;
     std::string surface;
@@ -67,7 +67,7 @@ struct Finding {
 
 struct Conclusion {
     int number;
-    std::string paper, verdict, because;
+    std::string paper, result, because;
 };
 
 struct Picture {

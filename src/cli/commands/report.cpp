@@ -9,8 +9,8 @@
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
 #include "scene/answer.hpp"
+#include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
-#include "scene/verdict.hpp"
 #include "surface/documents.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -53,11 +53,11 @@ std::string range_of(double low, double high, int digits = 3) {
     return low == high ? rounded(low, digits) : rounded(low, digits) + " to " + rounded(high, digits);
 }
 
-constexpr std::ptrdiff_t first_warnings = 5;  ///< that stand in the answer; the others under Validity
+constexpr std::ptrdiff_t first_warnings = 5;  ///< shown in the answer; the others are under Validity
 
 void validity_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Validity");
-    TextRows rows{{"check", "value", "holds where", "verdict"}};
+    TextRows rows{{"check", "value", "holds where", "result"}};
     if (const auto* gaussian = parts::find_check(results.surface_checks, parts::Concern::gaussian_surface))
         rows.push_back({"σ R D_p, that an isotropic Gaussian surface can have", rounded(gaussian->least, 3),
                         "at least " + rounded(gaussian->limit, 3),
@@ -93,7 +93,7 @@ std::string body(const Material<double>& material) {
     return "E = " + with_unit(material.youngs_modulus, "Pa", 4) + ", ν = " + rounded(material.poisson_ratio, 3);
 }
 
-/// What the bodies are made of, and whether anybody said so.
+/// Materials of the bodies, and whether they were assumed.
 std::string material_sentence(const Scene& scene) {
     const bool assumed = scene.file == "built-in scene";
     const bool alike = scene.upper.youngs_modulus == scene.lower.youngs_modulus &&
@@ -106,7 +106,7 @@ std::string material_sentence(const Scene& scene) {
     if (std::any_of(scene.inputs.begin(), scene.inputs.end(), same))
         text += " (the lower is assumed to be as the upper)";
     text += scene.yield_strength ? ", yield strength " + with_unit(*scene.yield_strength, "Pa", 4)
-                                 : "; no yield strength is given, so that yielding is not judged";
+                                 : "; no yield strength is given, so yielding is not checked";
     return text + (assumed ? ". Give your own in a scene, section [material]." : ".");
 }
 
@@ -144,7 +144,7 @@ TextRows quantity_rows(const Scene& scene, const Results& results, CurveQuantity
     return rows;
 }
 
-/// What follows from K and is asked for.
+/// Quantities that follow from K and are asked for.
 void tables_after_stiffness(Page& page, const Scene& scene, const Results& results) {
     const auto show_rows = [&](bool asked, CurveQuantity quantity, const char* heading) {
         if (asked) page.table(quantity_rows(scene, results, quantity, heading));
@@ -185,11 +185,11 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     page.paragraph(material_sentence(scene));
     if (results.answer) page.table(answer_table(scene, results));
     const std::size_t count = results.warnings.size();
-    page.begin(count == 0 ? "div class=\"verdict\"" : "div class=\"verdict warned\"");
-    page.paragraph(count == 0         ? "Verdict: no warning; what speaks against K is in its band."
-                   : results.doubtful ? "Verdict: doubtful. Read the warnings before any of these numbers is used."
-                                      : "Verdict: computed, but not all assumptions of the model hold.");
-    page.list(results.verdict);
+    page.begin(count == 0 ? "div class=\"result\"" : "div class=\"result warned\"");
+    page.paragraph(count == 0         ? "Result: no warnings; the band of K includes the known uncertainties."
+                   : results.doubtful ? "Result: doubtful. Read the warnings before using any of these numbers."
+                                      : "Result: computed, but not all assumptions of the model hold.");
+    page.list(results.explanation);
     const std::ptrdiff_t shown = std::min(static_cast<std::ptrdiff_t>(count), first_warnings);
     page.list({results.warnings.begin(), results.warnings.begin() + shown});
     if (static_cast<std::ptrdiff_t>(count) > shown)
@@ -206,7 +206,7 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     Panel picture = stiffness_panel(scene, results);
     picture.y.unit = units.stiffness;
     const std::string some = left_out(results);
-    show(page, {std::move(picture)}, some.empty() ? some : some + ".", results.short_verdict);
+    show(page, {std::move(picture)}, some.empty() ? some : some + ".", results.short_explanation);
     page.end("div");
 }
 
@@ -250,7 +250,7 @@ void inputs_section(Page& page, const Scene& scene) {
     page.heading("Inputs");
     TextRows inputs{{"key", "value", "as written"}};
     for (const Input& input : scene.inputs)
-        if (!input.key.ends_with("(measured)"))  // those stand under Measured surface
+        if (!input.key.ends_with("(measured)"))  // those are under Measured surface
             inputs.push_back({input.key, input.value ? with_unit(*input.value, input.unit) : "", input.written});
     page.table(inputs);
     if (measured_faces(scene).empty())
@@ -268,18 +268,18 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
                        " GPa from both bodies. Rms curvature of the peaks by (4.10). Interaction " +
                        (scene.reading == InteractionReading::none ? "left out" : "by (4.11)") + ".";
     if (scene.ultrasound)
-        rest += " Reflection by (5.1); shear waves see the tangential stiffness, " + rounded(results.tangential_ratio) +
-                " K by Mindlin.";
+        rest += " Reflection by (5.1); shear waves depend on the tangential stiffness, " +
+                rounded(results.tangential_ratio) + " K by Mindlin.";
     if (has_band(results)) rest += " The band is of seed " + std::to_string(scene.seed) + ".";
     page.paragraph(rest);
     page.paragraph(
-        "The numbers of the equations are those of R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness "
+        "Equation numbers refer to R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness "
         "of fractal rough surfaces, Arch. Mech. 66 (2014). K is the stiffness per nominal area, 1 GPa/µm = 1e15 Pa/m.");
     page.paragraph("Normal contact stiffness, computed by fstiff " FSTIFF_VERSION_TEXT " from " + scene.file +
                    ", SHA-256 " + scene.sha256 + ".");
 }
 
-/// The surface behind other cut-offs, and K by them at the middle point of the scene.
+/// The surface with other cut-offs, and its K at the middle point of the scene.
 void scales_section(Page& page, const Scene& scene, const Results& results, const MeasuredSurface& surface) {
     if (!surface.how || surface.how->input.file == "-" || scene.at_separations) return;
     const scene::ScalesOptions how{
@@ -319,7 +319,7 @@ Report execute(const Options& options) {
     require_own(file);
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
-    // of a map a report shows the truth beside the laws
+    // for a map the report shows boundary elements next to the laws
     const scene::Law& elements = scene::find_law(LawName::boundary_elements);
     if (!scene.best && refusal_of(elements, scene).empty() && !scene.at_separations &&
         std::find(scene.laws.begin(), scene.laws.end(), &elements) == scene.laws.end())
@@ -357,7 +357,7 @@ Report execute(const Options& options) {
 Command add_report(CLI::App& app) {
     using namespace report_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "report", "A scene and all that follows from it as one HTML file");
+    Arguments command(app, "report", "Report of a scene as one HTML file");
     add_scene_options(
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",

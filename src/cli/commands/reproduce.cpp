@@ -51,7 +51,7 @@ Rows surface_rows() {
     return rows;
 }
 
-/// The numbers behind all conclusions, or behind the one of \p number.
+/// Numbers for all conclusions, or for the one of \p number.
 Rows finding_rows(const Reproduction& all, int number = 0) {
     Rows rows = Rows::under({{.key = "conclusion", .shown = "conclusion", .json = false},
                              {"surface", "surface"},
@@ -59,12 +59,12 @@ Rows finding_rows(const Reproduction& all, int number = 0) {
                              {"quantity", "quantity"},
                              {"least", "least", 1, 4},
                              {"greatest", "greatest", 1, 4},
-                             {.key = "verdict", .json = false}});
+                             {.key = "result", .json = false}});
     for (const Finding& f : all.findings) {
         const auto& [key, text, conclusion] = f.words();
         if (number == 0 || number == conclusion)
             rows.add_row({conclusion, f.surface, key, text, f.range.low, f.range.high,
-                          all.conclusions[static_cast<std::size_t>(conclusion - 1)].verdict});
+                          all.conclusions[static_cast<std::size_t>(conclusion - 1)].result});
     }
     return rows;
 }
@@ -79,19 +79,19 @@ std::string page(const Reproduction& all) {
     page.table(surface_rows().table());
     page.paragraph("E₁ = E₂ = 205 GPa, ν = 0.3, Y = 400 MPa, A₀ = 195 mm².");
     page.heading("Conclusions");
-    TextRows rows{{"conclusion", "the paper", "verdict", "numbers"}};
+    TextRows rows{{"conclusion", "the paper", "result", "numbers"}};
     for (const Conclusion& c : all.conclusions)
-        rows.push_back({std::to_string(c.number), c.paper, c.verdict, c.because});
+        rows.push_back({std::to_string(c.number), c.paper, c.result, c.because});
     page.table(rows);
     page.paragraph(remark);
-    page.heading("The numbers behind them");
+    page.heading("Numbers for the conclusions");
     page.table(finding_rows(all).table());
     page.heading("Figures");
     for (const Picture& picture : all.pictures) page.figure(picture.figure, picture.caption);
     page.heading("Generated surfaces against the paper");
     page.table(all.generated.table());
     page.heading("Errata");
-    page.paragraph("Where fstiff departs from the print; in full in errata.md beside this page.");
+    page.paragraph("Differences between fstiff and the printed paper; errata.md next to this page has the details.");
     page.list(errata());
     return page.str();
 }
@@ -99,10 +99,10 @@ std::string page(const Reproduction& all) {
 std::string table(const Reproduction& all, const std::vector<std::string>& files) {
     std::string text = "fstiff " FSTIFF_VERSION_TEXT
                        ": Buczkowski, Kleiber, Starzyński, Arch. Mech. 66 (2014), reproduced\n\nTables 1 and 2\n" +
-                       surface_rows().text() + "\nNumbers behind the conclusions\n" + finding_rows(all).text() +
+                       surface_rows().text() + "\nNumbers for the conclusions\n" + finding_rows(all).text() +
                        "\nGenerated surfaces\n" + all.generated.text() + "\n";
     for (const Conclusion& c : all.conclusions)
-        text += "conclusion " + std::to_string(c.number) + ": " + c.paper + "\n  verdict: " + c.verdict + "\n  " +
+        text += "conclusion " + std::to_string(c.number) + ": " + c.paper + "\n  result: " + c.result + "\n  " +
                 c.because + "\n";
     text += std::string(remark) + "\n\n" + no_points + "\n\nErrata (in full in errata.md)\n";
     for (const std::string& title : errata()) text += "  " + title + "\n";
@@ -127,7 +127,7 @@ std::string json(const Reproduction& all, const std::vector<std::string>& files)
         finding_rows(all, c.number).append_to(numbers);
         conclusions.push_back({{"number", c.number},
                                {"paper", c.paper},
-                               {"verdict", c.verdict},
+                               {"result", c.result},
                                {"because", c.because},
                                {"numbers", numbers}});
     }

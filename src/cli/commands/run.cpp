@@ -7,8 +7,8 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/panels.hpp"
+#include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
-#include "scene/verdict.hpp"
 #include "surface/documents.hpp"
 
 #include <memory>
@@ -83,7 +83,7 @@ Command add_run(CLI::App& app) {
     add_picture_option(command, options->picture, "draw K(p)");
     command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
     command.footer(
-        "A scene says what is in contact; run --example > my.toml is one to change. Exit code 4: a real area above the "
+        "A scene describes the contact; run --example > my.toml writes one to edit. Exit code 4: a real area above the "
         "nominal one,\nno convergence, a point that a law does not reach, or a measured parameter that is not known to "
         "a "
         "factor of two.\n"

@@ -4,8 +4,8 @@
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "scene/answer.hpp"
+#include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
-#include "scene/verdict.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -59,14 +59,14 @@ std::string answered(const Scene& scene, const Results& results) {
     std::string text;
     for (const std::size_t causes : {2u, 1u, 0u})  // as many as the page has room for
         if (causes == 2 || width_of(text) > widest) text = TextTable(answer_table(scene, results, causes)).str();
-    for (const std::string& sentence : results.verdict) text += in_text(sentence);
+    for (const std::string& sentence : results.explanation) text += in_text(sentence);
     if (scene.approach)
         text += in_text("Approach: how far the faces have closed since p was " + with_unit(scene.seating, "Pa") +
                         " (contact.seating).");
     return text + in_text(outside_band(scene, results));
 }
 
-/// What the answer takes of the surface.
+/// Surface parameters that the answer uses.
 std::vector<std::string> surface_of_answer(const Scene& scene, const Results& results) {
     std::vector<std::string> parts{"sigma " + shown_length(scene.face.parameters.rms_height.value, 3)};
     if (const auto& g = results.answer->curve.rms_gradient) parts.push_back("rms gradient " + rounded(*g, 3));
@@ -170,7 +170,7 @@ std::string introduction(const Scene& scene, const Results& results) {
     return text + bodies_text(scene, results);
 }
 
-/// What the symbols of the tables mean, and where a band comes from.
+/// Meaning of the symbols in the tables, and origin of a band.
 std::string explanations(const Scene& scene, const Results& results) {
     std::string text;
     if (scene.stiffness) text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
@@ -224,7 +224,7 @@ public:
             };
             const auto middle = value(Statistic::value), low = value(Statistic::p05), high = value(Statistic::p95);
             if (!middle || !band || !low || !high) return middle ? rounded(*middle) : "-";
-            const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // as many as tell the ends apart
+            const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // enough to distinguish the ends
             return rounded(*middle, 3) + " (" + rounded(*low, digits) + "–" + rounded(*high, digits) + ")";
         });
     }

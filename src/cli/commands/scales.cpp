@@ -65,7 +65,7 @@ Rows scales_rows(const Scales& scales) {
 }
 
 std::string scales_text(const Scales& scales, const ScalesOptions& how) {
-    std::string text = "\nbehind other cut-offs (* chosen), K by " + scales.law + " at " + rounded(how.pressure / 1e6) +
+    std::string text = "\nwith other cut-offs (* chosen), K by " + scales.law + " at " + rounded(how.pressure / 1e6) +
                        " MPa, effective modulus " + rounded(how.modulus / 1e9) + " GPa\n\n" +
                        scales_rows(scales).text() + "\n";
     for (const std::string& sentence : what_is_settled(scales)) text += "  " + sentence + "\n";

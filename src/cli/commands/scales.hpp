@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The table and the picture of a surface behind other cut-offs: fstiff measure --scales, and the report.
+// The table and the picture of a surface with other cut-offs: fstiff measure --scales, and the report.
 
 #include "document/document.hpp"
 #include "picture/plot.hpp"
@@ -14,7 +14,7 @@ namespace fstiff::cli {
 [[nodiscard]] Rows scales_rows(const Scales& scales);
 /// The same for people, with what of K is settled.
 [[nodiscard]] std::string scales_text(const Scales& scales, const ScalesOptions& how);
-/// sigma, gradient, R, D_p and K over those behind the chosen cut-offs, against lambda_s and against lambda_c.
+/// sigma, gradient, R, D_p and K over those with the chosen cut-offs, against lambda_s and against lambda_c.
 [[nodiscard]] std::vector<Panel> scales_panels(const Scales& scales);
 
 }  // namespace fstiff::cli

@@ -146,7 +146,7 @@ Command add_spectrum(CLI::App& app) {
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw the curves");
     command.footer(
-        "Of a map: C(q) over all directions, and the mean of its sections along x and along y. The CSV holds every "
+        "For a map: C(q) over all directions, and the mean of its sections along x and along y. The CSV holds every "
         "value.\n"
         "Example:\n"
         "  fstiff generate map --points 256 --spacing \"0.5 um\" --hurst 0.8 --rms \"1 um\" --shortest \"4 um\" |\n"

@@ -100,9 +100,8 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
         table.add(std::move(cells));
     }
     return "\n" + table.str() +
-           "\nS is the share of the variance of K that an input has alone (Sobol', first order), rank its correlation "
-           "of "
-           "ranks\nwith K, rest what inputs have together; of " +
+           "\nS is the share of the variance of K due to one input alone (Sobol', first order), rank its rank "
+           "correlation\nwith K, rest the share due to inputs together; from " +
            std::to_string(rows.front().draws) + " draws, S within " +
            rounded(1 / std::sqrt(static_cast<double>(rows.front().draws)), 1) +
            (rows.front().places > 1
@@ -110,7 +109,7 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
                 : "\n");
 }
 
-/// What is computed of the results of the whole grid. One view that shows nothing leaves the other alone.
+/// Views of the results of the whole grid. A view without content does not affect the other.
 void add_views(Report& report, const Options& options, const sweep::Grid& grid, const std::string& file) {
     const auto add = [&](const auto& view) {
         try {
@@ -158,7 +157,7 @@ Report execute(const Options& options) {
     }
     if (options.grid.empty() || options.results.empty())
         throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
-    refuse_standard_output(options.results, "a file, so that a run that was interrupted goes on");
+    refuse_standard_output(options.results, "a file, so that an interrupted run can continue");
     const sweep::Shard shard = sweep::parse_shard(options.shard);
     require_views(options, shard);
     const std::string file = results_file(options, shard);
@@ -190,7 +189,7 @@ Report execute(const Options& options) {
         results.finish();
         if (started < wanted)
             report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +
-                                         " computed; the system has no room for more");
+                                         " ran; the system has no room for more");
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     report.diagnostics.push_back(first == end
@@ -213,9 +212,8 @@ Command add_sweep(CLI::App& app) {
     command.option("grid", options->grid, "scene file (TOML) with swept quantities; - is standard input");
     command
         .option("-o,--output", options->results,
-                "file of results, one JSON object a line; {shard} in its name is the number of the shard. A "
-                "run that was "
-                "interrupted goes on with the same arguments")
+                "file of results, one JSON object a line; {shard} in its name is the number of the shard. An "
+                "interrupted run continues with the same arguments")
         .type_name("FILE");
     command.option("--threads", options->threads, "threads that compute; the default is one for each core")
         .between(1, 4096);
@@ -228,7 +226,8 @@ Command add_sweep(CLI::App& app) {
     command.flag("--example", options->example, "print a grid with comments, to begin one of your own");
     command.footer(
         "A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as "
-        "{ normal = [\"5 um\", \"0.2 um\"] }.\nExit code 4: some scenes cannot be computed, and their lines say why.\n"
+        "{ normal = [\"5 um\", \"0.2 um\"] }.\nExit code 4: some scenes cannot be computed; their lines give the "
+        "reason.\n"
         "Example:\n  fstiff sweep --example > grid.toml; fstiff sweep grid.toml -o results.jsonl");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }

@@ -89,20 +89,21 @@ Command add_truth(CLI::App& app) {
     command.option("file", options->truth.surface.file, "map of any form; - is standard input").required();
     add_surface_options(command, options->truth.surface);
     command.option("--scene", options->scene,
-                   "scene whose material and pressures are taken; the default is the built-in scene");
-    command.option("--pressures", options->pressures, "nominal pressures in place of those, such as \"1 MPa,10 MPa\"");
-    command.option("--modulus", options->modulus, "effective modulus in place of that of the material");
+                   "scene that gives material and pressures; the default is the built-in scene");
+    command.option("--pressures", options->pressures, "nominal pressures instead, such as \"1 MPa,10 MPa\"");
+    command.option("--modulus", options->modulus, "effective modulus instead of that of the material");
     command.option("--hardness", options->hardness, "hardness at which pressures are cut; the default is elastic");
     command
         .option("--points", options->truth.points,
-                "points along the longer side that the map is made coarser to; the default is 256")
+                "points along the longer side after coarsening the map; the default is 256")
         .between(16, 4096);
     command.option("--edges", options->truth.edges,
-                   "how the map goes on beyond its edges: mirrored (default) or periodic");
+                   "continuation of the map beyond its edges: mirrored (default) or periodic");
     add_output_options(command, options->output);
     command.footer(
-        "The error of K is its change from a grid half as fine. Exit code 4: it is above a fifth of K, no convergence, "
-        "or at some\npressures all points of the map are in contact, so that there is no K.\n"
+        "The error of K is its difference from a grid half as fine. Exit code 4: it is above a fifth of K, there is "
+        "no\n"
+        "convergence, or all points of the map are in contact at some pressures, so that there is no K.\n"
         "Example:\n  fstiff generate map --hurst 0.8 --rms \"1 um\" --spacing \"1 um\" | fstiff truth - --pressures "
         "\"10 MPa\"");
     return {command.app(), &options->output, [options] { return execute(*options); }};

@@ -62,10 +62,11 @@ Command add_ultrasound(CLI::App& app) {
     add_request_options(command, request);
     add_output_options(command, options->output);
     command.footer(
-        "A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. Shear waves: "
-        "give "
-        "the\nimpedances of shear waves; the stiffness is then the tangential one. Exit code 4: rows whose R no "
-        "stiffness gives.\n"
+        "A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. For shear waves "
+        "give\n"
+        "the impedances of shear waves; the stiffness is then the tangential one. Exit code 4: some rows have an R "
+        "that\n"
+        "belongs to no stiffness.\n"
         "Example:\n  fstiff ultrasound --stiffness \"1.764 GPa/um\" --frequency \"7 MHz\" --impedance \"46 MRayl\"");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }

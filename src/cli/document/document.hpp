@@ -12,13 +12,13 @@
 
 namespace fstiff::cli {
 
-/// A document in all of its forms, of which one is made. Warnings stand at the end of the table, as the last key of the
-/// JSON, and on standard error beside CSV and JSON.
+/// A document in all of its forms, of which one is made. Warnings are at the end of the table, as the last key of the
+/// JSON, and on standard error for CSV and JSON.
 struct Document {
     std::function<std::string()> table, csv;
     std::function<Json()> json;
     std::vector<std::string> warnings{};
-    std::vector<std::string> csv_notes{};  ///< on standard error beside the CSV
+    std::vector<std::string> csv_notes{};  ///< on standard error with the CSV
     Status status = success;
     bool json_warnings = true;  ///< whether the JSON has the key
 };

@@ -30,7 +30,7 @@ namespace os = scene::os;
     throw file_error(file, "cannot be written: " + std::generic_category().message(reason) + wanted);
 }
 
-/// Whether \p text is in \p stream whole; if not, errno tells why.
+/// Whether \p text is in \p stream whole; if not, errno has the reason.
 bool written(const std::string& text, std::FILE* stream) {
     errno = 0;
     return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
@@ -58,7 +58,7 @@ extern "C" void remove_partials_and_end(int signal) {
     std::raise(signal);
 }
 
-/// What is not complete yet: removed when this ends before keep(), be it by an exception or by Ctrl-C and the like.
+/// Files that are not complete yet: removed when this ends before keep(), by an exception or by Ctrl-C and the like.
 class Partials {
 public:
     Partials(std::vector<fs::path> files, std::vector<fs::path> folders) {
@@ -201,7 +201,7 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder) {
     if (!folder.empty()) {
         fs::create_directories(path_of(folder), error);
         if (!fs::is_directory(path_of(folder)))
-            throw file_error(folder, "is no folder and cannot be made one: " +
+            throw file_error(folder, "is not a folder and cannot be made one: " +
                                          (error ? error : std::make_error_code(std::errc::not_a_directory)).message());
     }
     for (std::size_t i = 0; i < files.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
+// Result of a subcommand and its output: one document, with numbers that are independent of the locale and never NaN.
 
 #include "document/file.hpp"
 #include "document/rows.hpp"
@@ -53,14 +53,14 @@ struct OutputOptions {
 /// \throws Usage where \p output is "-" and cannot be: it must be \p wanted.
 void refuse_standard_output(const std::string& output, std::string_view wanted);
 
-/// The one document of a subcommand, what else there is to say (on standard error), and how it ended.
+/// The one document of a subcommand, its diagnostics (on standard error), and how it ended.
 struct Report {
     std::string document;
     std::vector<std::string> diagnostics;
     Status status = success;
 };
 
-/// Puts a line about each of \p files before what else is said.
+/// Puts a line about each of \p files before the other diagnostics.
 void say_written(Report& report, const std::vector<std::string>& files);
 
 /// A file to write, and what goes into it.
@@ -71,15 +71,15 @@ struct OutputFile {
 /// Writes \p document to \p file, or to standard output when \p file is empty.
 /// \throws file_error as below, domain_error for standard output, with the reason that the system gives.
 void deliver(const std::string& document, const std::string& file);
-/// Writes all of \p files or none: beside their targets first, then renamed. \p folder, where it is given, holds them
+/// Writes all of \p files or none: next to their targets first, then renamed. \p folder, where it is given, holds them
 /// all and is made when it is missing; files of others in it are not replaced (require_own).
 /// \throws file_error naming the file that cannot be written, and the reason that the system gives.
 void deliver(const std::vector<OutputFile>& files, const std::string& folder = "");
 
-/// For a file that nobody named, such as one beside a picture, and for a law that may lie beside a model. \throws
-/// file_error where \p file holds something and its first line does not say that fstiff made it.
+/// For a file that nobody named, such as one next to a picture, and for a law that may lie next to a model. \throws
+/// file_error where \p file holds something and its first line does not name fstiff as its maker.
 void require_own(const std::string& file);
-/// What the command line names besides its outputs: files, as far as they are there.
+/// Inputs that the command line names: files, as far as they exist.
 void name_inputs(std::vector<std::string> texts);
 /// Before anything is read: this process is going to write \p file, which is none of the inputs, whatever the names
 /// that lead to it. \throws file_error where it is one, or was to be written before.
@@ -90,7 +90,7 @@ void require_no_output(const std::string& input);
 /// protected from writing.
 void require_writable(const std::string& file);
 
-/// First line of a page that `require_own` knows again.
+/// First line of a page that `require_own` recognises.
 inline constexpr const char* page_mark = "<!-- fstiff made this page and replaces it when it is asked for again -->\n";
 
 }  // namespace fstiff::cli

@@ -60,7 +60,7 @@ std::string suggestion(const std::string& wrong, const std::vector<std::string>&
     return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
 }
 
-/// Of all commands, or of those that --help lists.
+/// Names of all commands, or of those that --help lists.
 std::vector<std::string> command_names(const CLI::App& program, bool listed = false) {
     std::vector<std::string> names;
     for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
@@ -75,11 +75,11 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return names;
 }
 
-/// The sentence about a word that is no subcommand of \p program.
+/// The sentence about a word that is not a subcommand of \p program.
 Usage no_command(const CLI::App& program, const std::string& word) {
     std::string names;
     for (const std::string& name : command_names(program, true)) names += (names.empty() ? "" : ", ") + name;
-    return Usage(word + ": is no subcommand or option; must be one of " + names +
+    return Usage(word + ": is not a subcommand or option; must be one of " + names +
                  suggestion(word, word.starts_with("-") ? option_names(program) : command_names(program)) + "; see " +
                  program.get_name() + " --help");
 }
@@ -115,7 +115,7 @@ void refuse_empty(const std::vector<std::string>& words) {
                     (option_alone ? word
                      : i > 0      ? "after " + words[i - 1]
                                   : "") +
-                    " is empty; it must be left out or hold something");
+                    " is empty; leave it out or give a value");
     }
 }
 

@@ -22,7 +22,7 @@ class Option;
 
 namespace fstiff::cli {
 
-/// What else is said of one option.
+/// Further properties of one option.
 class Option {
 public:
     explicit Option(CLI::Option* option) : option_(option) {}
@@ -36,7 +36,7 @@ public:
     Option& between(std::uint64_t least, std::uint64_t greatest);
     /// Several values in one argument, with \p separator between them.
     Option& delimiter(char separator);
-    /// The help tells what the target holds now.
+    /// Shows the present value of the target as the default in the help.
     Option& show_default();
 
 private:
@@ -78,7 +78,7 @@ private:
     CLI::App* app_;
 };
 
-/// What the options of \p command were given that take any text, but for its outputs: files among it.
+/// Values of the options of \p command that take any text, except its outputs; files are among them.
 [[nodiscard]] std::vector<std::string> given_texts(const CLI::App& command);
 
 /// The command line of the program, all of its subcommands.
@@ -109,7 +109,7 @@ private:
     void add_help();
     /// The words of the command line with forwarded commands in place of the others.
     void redirect(std::vector<std::string>& words) const;
-    /// \throws Usage where \p word is no command.
+    /// \throws Usage where \p word is not a command.
     void require_command(const std::string& word) const;
     /// The manual page or the script of completion that was asked for.
     void print_help() const;

@@ -10,7 +10,7 @@ namespace fstiff::cli {
 namespace {
 
 /// \p text as roff prints it, letter by letter; a line must not begin with what roff takes for a command, and a list
-/// without blanks may be broken behind each comma.
+/// without blanks may be broken after each comma.
 std::string roff(const std::string& text) {
     static constexpr std::string_view letters = "\\-^~`'", names[] = {"e", "-", "(ha", "(ti", "(ga", "(aq"};
     std::string out = text.starts_with('.') ? "\\&" : "";

@@ -5,7 +5,7 @@
 
 namespace fstiff::cli {
 
-/// A bar with the time left, on the terminal of standard error; empty, and never called, where that is no terminal.
+/// A bar with the time left, on the terminal of standard error; empty, and never called, where that is not a terminal.
 /// It is wiped when the hook and its copies are gone: keep them no longer than the work lasts. \p with_rate: it also
 /// shows how many are done in a second.
 ProgressHook progress_bar(bool with_rate = false);

@@ -12,7 +12,7 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
 }
 
 void add_picture_option(Arguments& arguments, std::string& picture, const std::string& draws) {
-    arguments.option("--plot", picture, draws + " into FILE (.svg or .html); its numbers (.plot.csv) go beside it")
+    arguments.option("--plot", picture, draws + " into FILE (.svg or .html); its numbers go to .plot.csv next to it")
         .type_name("FILE");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The scene of a subcommand: its options, its reading, and how it stands in documents.
+// The scene of a subcommand: its options, its reading, and its form in documents.
 
 #include "document/output.hpp"
 #include "input/arguments.hpp"
@@ -19,7 +19,7 @@ struct SceneOptions {
 /// Adds the scene, and --surface unless \p surface_help is empty.
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& scene_help,
                        const std::string& surface_help = "");
-/// Adds --plot; \p draws says what is drawn.
+/// Adds --plot; \p draws describes the picture.
 void add_picture_option(Arguments& arguments, std::string& picture, const std::string& draws);
 
 /// \throws Usage when both files are standard input, domain_error as fstiff::scene::read_scene.

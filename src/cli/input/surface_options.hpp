@@ -18,7 +18,7 @@ void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::stri
 /// Adds every option of the table but those of an estimate. Not the file itself.
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
 
-/// What was decided about the file as lines of a table, each behind \p indent.
+/// Decisions about the file as lines of a table, each after \p indent.
 [[nodiscard]] std::string source_lines(const SurfaceInput& input, std::string_view indent);
 
 }  // namespace fstiff::cli

@@ -150,7 +150,7 @@ bool Drawing::covers(const PlotLine& upper, const PlotLine& lower) const {
     return 2 * hidden > seen;
 }
 
-/// Of lines that lie on one another each is drawn wider and paler than those above it.
+/// Overlapping lines: each is drawn wider and paler than those above it.
 void Drawing::tell_apart() {
     for (std::size_t upper = 1; upper < lines.size(); ++upper)
         for (std::size_t lower = upper; lower-- > 0;) {

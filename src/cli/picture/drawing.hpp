@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A panel made ready to be drawn: colours settled, scales chosen, curves that lie on one another told apart, and the
+// A panel made ready to be drawn: colours settled, scales chosen, overlapping curves marked, and the
 // lines of its legend.
 
 #include "picture/plot.hpp"
@@ -32,7 +32,7 @@ inline Colour colour_of(int colour) {
 /// Points within this many pixels are at one place: a line through them cannot be seen.
 inline constexpr double one_place = 12;
 
-/// One sample and its text, of which the lines stand below one another.
+/// One sample and its text, whose lines are below one another.
 struct Entry {
     const PlotLine* line;      ///< with its band, or
     const PlotWindow* window;  ///< a shaded window

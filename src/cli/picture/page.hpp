@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One HTML page with its pictures inside: opens without a network, a script or a file beside it.
+// One HTML page with its pictures inside: opens without a network, a script or another file.
 
 #include "picture/plot.hpp"
 
@@ -34,7 +34,7 @@ public:
     /// A part of the page, such as <div class="answer">, until end("div").
     void begin(std::string_view tag) { body_ += "<" + std::string(tag) + ">\n"; }
     void end(std::string_view tag) { body_ += "</" + std::string(tag) + ">\n"; }
-    /// What is read when it is opened, and printed when it is open; until end("details").
+    /// Content that is shown and printed when it is open; until end("details").
     void begin_details(std::string_view summary) { body_ += "<details><summary>" + escaped(summary) + "</summary>\n"; }
     void figure(const Figure& figure, std::string_view caption) {
         body_ += "<figure>\n" + svg(figure);
@@ -64,8 +64,8 @@ public:
                ".wide{overflow-x:auto;margin:.8rem 0}\n"
                "figure{margin:1rem 0}figcaption{font-size:13px}svg{max-width:100%;height:auto}\n"
                "h1{margin:.5rem 0;font-size:1.6rem}h2{margin-top:2rem;border-bottom:1px solid #c9c9d0}\n"
-               ".verdict{border-left:4px solid #1b7f54;padding-left:.8rem}.verdict.warned{border-color:#b06000}"
-               ".verdict li{margin:.2rem 0}summary{cursor:pointer;font-weight:600}\n"
+               ".result{border-left:4px solid #1b7f54;padding-left:.8rem}.result.warned{border-color:#b06000}"
+               ".result li{margin:.2rem 0}summary{cursor:pointer;font-weight:600}\n"
                "@media screen and (min-width:60rem){.answer,.pair{display:grid;grid-template-columns:1fr 1fr;gap:0 "
                "1.5rem}}\n.answer>div,.pair>*{min-width:0}.answer>div>:first-child,.answer figure{margin-top:0}\n"
                "@media screen and (max-width:40rem){body{margin:.5rem auto;padding:0 .7rem}.fstiff text{font-size:16px "

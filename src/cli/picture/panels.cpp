@@ -50,8 +50,8 @@ std::vector<std::vector<const Curve*>> by_law(const Results& results) {
     return laws;
 }
 
-/// Those that are drawn: all, or of every law the same joint distributions, spread over the list, so that all can be
-/// told apart.
+/// Curves that are drawn: all, or of every law the same joint distributions, spread over the list, so that all can be
+/// distinguished.
 std::vector<Chosen> drawn(const Results& results) {
     const auto laws = by_law(results);
     std::size_t most = 1, longest = 1;
@@ -74,7 +74,7 @@ std::vector<Chosen> drawn(const Results& results) {
     return chosen;
 }
 
-/// K that a wave of the scene's frequency tells from a weld and from a gap.
+/// K that a wave of the scene's frequency can distinguish from a weld and from a gap.
 std::optional<PlotWindow> ultrasonic_window(const Scene& scene) {
     if (!scene.ultrasound) return std::nullopt;
     const Waves& waves = *scene.ultrasound;
@@ -238,7 +238,7 @@ Figure results_figure(const Scene& scene, const Results& results) {
     if (!scene.needs_stiffness())
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
     Figure figure{.title = "Contact stiffness: " + scene.name,
-                  .verdict = results.short_verdict,
+                  .explanation = results.short_explanation,
                   .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
     for (Panel& panel : panels_after_stiffness(scene, results)) figure.panels.push_back(std::move(panel));

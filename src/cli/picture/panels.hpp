@@ -26,14 +26,14 @@ Panel stiffness_panel(const Scene& scene, const Results& results);
 /// One panel of a quantity of the states against the pressure, with \p ends of its band where it is given.
 Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
                      const Ends& ends = {});
-/// "8 of 30 curves are drawn": more cannot be told apart; empty where all are.
+/// "8 of 30 curves are drawn": more cannot be distinguished; empty where all are.
 std::string left_out(const Results& results);
 /// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].
 std::vector<Panel> reflection_panels(const Scene& scene, const Results& results);
-/// What follows from K and is asked for: loss factor and conductances, each with its band.
+/// Panels of quantities that follow from K and are asked for: loss factor and conductances, each with its band.
 std::vector<Panel> panels_after_stiffness(const Scene& scene, const Results& results);
 
-/// What `run --plot` draws. \throws domain_error when the scene asks for no stiffness.
+/// Picture of `run --plot`. \throws domain_error when the scene asks for no stiffness.
 Figure results_figure(const Scene& scene, const Results& results);
 
 }  // namespace fstiff::cli

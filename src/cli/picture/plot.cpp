@@ -52,7 +52,7 @@ PictureFiles::PictureFiles(const std::string& file) : picture(file) {
     const std::filesystem::path path = path_of(file);
     if (path.extension() != ".svg" && path.extension() != ".html")
         throw Usage("--plot = \"" + file +
-                    "\": must end in .svg or .html; the numbers (.plot.csv) are written beside it");
+                    "\": must end in .svg or .html; the numbers (.plot.csv) are written next to it");
     table = name_of_path(std::filesystem::path(path).replace_extension(".plot.csv"));
 }
 

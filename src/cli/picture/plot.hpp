@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Pictures of curves as SVG that needs nothing else: no script, no font, no file beside it. Colours follow the reader's
+// Pictures of curves as SVG that needs nothing else: no script, no font, no other file. Colours follow the reader's
 // light or dark setting. The same figure is written as CSV. The same figure gives the same bytes.
 //
 // svg.cpp draws it; scale.hpp chooses its ticks, drawing.hpp its colours and legend; raster.cpp makes maps.
@@ -28,7 +28,7 @@ struct Axis {
 enum class Stroke { solid, dashed, dotted, none };
 enum class Marker { none, circle, square, triangle, diamond, cross };
 
-/// Colours 0 to 7 tell curves apart; `neutral` is the grey of what curves are compared with.
+/// Colours 0 to 7 distinguish curves; `neutral` is the grey of references.
 inline constexpr int neutral = -1, next_colour = -2;
 
 /// Points, a line through them, and a band about it when low and high are given. On a logarithmic axis a point that is
@@ -84,10 +84,10 @@ struct Panel {
 
 struct Figure {
     std::string title;
-    std::vector<std::string> verdict = {};  ///< short sentences below the title
-    std::vector<Panel> panels;              ///< from top to bottom
-    std::string note = {};                  ///< below, small
-    bool legend_below = false;              ///< else at the right
+    std::vector<std::string> explanation = {};  ///< short sentences below the title
+    std::vector<Panel> panels;                  ///< from top to bottom
+    std::string note = {};                      ///< below, small
+    bool legend_below = false;                  ///< else at the right
 };
 
 /// The values of every axis in the unit that fits their size, named in its label.
@@ -95,7 +95,7 @@ Figure in_units(Figure figure);
 
 /// A file of its own, or an element inside a page.
 std::string svg(const Figure& given);
-/// Of the panel in a picture of its own, in pixels.
+/// Size of the panel in a picture of its own, in pixels.
 double height_of(const Panel& panel);
 /// The figure with plots as wide as a telephone shows, and the legends below them.
 Figure narrow(Figure figure);
@@ -117,14 +117,14 @@ struct PictureFiles {
 };
 
 /// Before anything is read: no input may be one of the files.
-/// \throws Usage for another ending, file_error for a file beside the picture that fstiff did not make.
+/// \throws Usage for another ending, file_error for a file next to the picture that fstiff did not make.
 void keep_for_picture(const std::string& file);
 /// The figure as \p file (.svg or .html), and its numbers (.plot.csv).
 std::vector<OutputFile> figure_files(const Figure& figure, const std::string& file);
 /// Writes both. \returns their names. \throws file_error for a file that cannot be written.
 std::vector<std::string> write_figure(const Figure& figure, const std::string& file);
 
-/// What a band is, unbroken, for a legend.
+/// Description of a band, unbroken, for a legend.
 inline constexpr const char* shown_band = "5\u00A0to\u00A095\u00A0%";
 /// "8 of 30 curves are drawn"; empty where all are.
 std::string some_of(std::size_t some, std::size_t all);

@@ -24,7 +24,7 @@ Scale::Scale(const Axis& axis, const Range& range) : logarithmic_(axis.logarithm
     const double low = axis.low.value_or(found ? range.low : logarithmic_ ? 1 : 0);
     const double high = axis.high.value_or(found ? range.high : logarithmic_ ? 10 : 1);
     low_ = place(low), high_ = place(high);
-    // at least two numbers stand on a logarithmic axis, and seven digits tell those of a linear one apart
+    // at least two numbers are on a logarithmic axis, and seven digits distinguish those of a linear one
     const double least = logarithmic_ ? 0.7 : std::max(1e-6 * std::max(std::abs(low), std::abs(high)), 1e-300);
     if (!(high_ - low_ >= least)) {
         const double middle = (low_ + high_) / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// An axis with its range: where a value stands on it, and its ticks, all written in one style.
+// An axis with its range: the place of a value on it, and its ticks, all written in one style.
 
 #include "picture/plot.hpp"
 
@@ -28,7 +28,7 @@ struct Tick {
 
 class Scale {
 public:
-    /// Of \p axis, for the values of \p range. Close values get room about them.
+    /// Scale of \p axis for the values of \p range. Close values get room about them.
     Scale(const Axis& axis, const Range& range);
     bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
     /// 0 at the lower end, 1 at the upper one.
@@ -37,13 +37,13 @@ public:
     double high() const { return logarithmic_ ? std::pow(10.0, high_) : high_; }
 
     std::vector<Tick> ticks() const { return logarithmic_ ? decades() : steps(); }
-    /// The label of the axis, with the power of ten that stands before every number.
+    /// The label of the axis, with the power of ten that multiplies every number.
     std::string label() const;
 
 private:
     double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
     double step() const;
-    /// Of a linear axis: the power of ten that its numbers leave out, 0 where they need none.
+    /// Power of ten that the numbers of a linear axis leave out, 0 where they need none.
     int power() const;
     std::vector<Tick> decades() const;
     std::vector<Tick> steps() const;

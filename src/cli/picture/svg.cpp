@@ -121,7 +121,7 @@ std::string style() {
     return "<style>" + light + "@media screen and (prefers-color-scheme:dark){" + dark + "}</style>\n";
 }
 
-/// What lies behind the lines: an image, shaded windows, the grid.
+/// Background of the lines: an image, shaded windows, the grid.
 std::string background(const Drawing& d) {
     const Panel& panel = d.panel;
     const double width = panel.width, height = panel.height;
@@ -259,7 +259,7 @@ std::string draw(const std::vector<Entry>& legend, double x, double y) {
     return out;
 }
 
-/// What a panel takes, with its legend.
+/// Size of a panel with its legend.
 struct Size {
     double width, height;
 };
@@ -281,7 +281,7 @@ std::string draw(const Panel& panel, double top, bool legend_below) {
     std::string out;
     if (!panel.title.empty()) out += text_at(left, top + 16, panel.title, "font-weight=\"600\"");
     const double plot_top = top + (panel.title.empty() ? 12 : title_height);
-    // what may reach beyond the frame stands in an inner picture, which cuts it off there
+    // what may reach beyond the frame is in an inner picture, which cuts it off there
     out += "<svg x=\"" + px(left) + "\" y=\"" + px(plot_top) + "\" width=\"" + px(panel.width) + "\" height=\"" +
            px(panel.height) + "\"" + data_range("x", d.x_scale.low(), d.x_scale.high(), 6) +
            data_range("y", d.y_scale.low(), d.y_scale.high(), 6) + " overflow=\"hidden\">\n" + background(d) + bands(d);
@@ -323,12 +323,12 @@ std::string svg(const Figure& given) {
     };
     const double large = figure.legend_below ? 9 : 7.3;  // a telephone shows the letters of a narrow picture larger
     const auto title = lines_of(figure.title, 8.4), note = lines_of(figure.note, 6.3);
-    std::vector<std::string> verdict;
-    for (const std::string& sentence : figure.verdict)
-        for (std::string& line : lines_of(sentence, large)) verdict.push_back(std::move(line));
+    std::vector<std::string> explanation;
+    for (const std::string& sentence : figure.explanation)
+        for (std::string& line : lines_of(sentence, large)) explanation.push_back(std::move(line));
     const auto height_of_lines = [](const auto& lines) { return line_height * static_cast<double>(lines.size()); };
     const double below_title = title.empty() ? 8 : 24 + height_of_lines(title);
-    const double first = verdict.empty() ? below_title : below_title + 8 + height_of_lines(verdict);
+    const double first = explanation.empty() ? below_title : below_title + 8 + height_of_lines(explanation);
     std::string panels;
     double top = first;
     for (const Panel& panel : figure.panels) {
@@ -340,7 +340,7 @@ std::string svg(const Figure& given) {
            "\" width=\"" + px(width) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name +
            "\">\n<title>" + name + "</title>\n" + style() + rectangle("back", 0, 0, width, height) +
            paragraph_at(left, 27, title, "class=\"title\"") +
-           paragraph_at(left, below_title + 10, verdict, "class=\"brief\"") + panels +
+           paragraph_at(left, below_title + 10, explanation, "class=\"brief\"") + panels +
            paragraph_at(left, top + 8, note, "class=\"small\"") + "</svg>\n";
 }
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 constexpr std::uint64_t most_places = 200, most_lines = 8;
 
-/// What can stand on the horizontal axis or tell lines apart: an axis of the grid, or the points of a scene.
+/// Candidates for the horizontal axis or for separate lines: an axis of the grid, or the points of a scene.
 struct Dimension {
     std::size_t axis = none;  ///< none: the points
     std::uint64_t count = 1;
@@ -43,7 +43,7 @@ bool is_drawn(std::uint64_t place, std::uint64_t count, std::uint64_t most) {
 
 using CurveKey = std::tuple<std::string, std::optional<double>, std::optional<double>>;
 
-/// What is drawn of a grid.
+/// Layout of the picture of a grid.
 struct Layout {
     std::optional<Dimension> x, lines;
     std::uint64_t points = 1;

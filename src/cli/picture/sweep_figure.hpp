@@ -8,8 +8,8 @@
 
 namespace fstiff::cli {
 
-/// Of the results \p file of the whole \p grid. Where nothing is swept but distributions, at one point, the share of
-/// the scenes below K. \throws domain_error where the results have no K.
+/// Picture of the results \p file of the whole \p grid. Where nothing is swept but distributions, at one point, the
+/// share of the scenes below K. \throws domain_error where the results have no K.
 Figure sweep_figure(const sweep::Grid& grid, const std::string& file);
 
 /// "rms height" of "surface.rms_height", for people.

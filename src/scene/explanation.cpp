@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/verdict.hpp"
+#include "scene/explanation.hpp"
 
 #include "document/shown_unit.hpp"
 #include "scene/answer.hpp"
@@ -29,29 +29,29 @@ std::string_view words_of(parts::Cause cause) {
     return "";
 }
 
-/// Which of the stiffnesses K is, and who feels it.
+/// The kind of stiffness that K is, and where it applies.
 std::vector<std::string> nature(const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     const std::optional<double>& ratio = answer.relative_hardness;
     const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, 2) : "",
                       limit = rounded(parts::flowing_hardness);
-    const std::string flow = "The peaks flow at the first load " + number + " is below " + limit + ")";
+    const std::string flow = "The peaks yield at first loading " + number + " is below " + limit + ")";
     if (answer.flows)
-        return {flow + ": K is the stiffness of unloading.",
-                "A vibration and a wave feel K; a static load that rises for the first time feels the loading K/A0."};
+        return {flow + ": K is the unloading stiffness.",
+                "Vibration and waves depend on K; the first static loading depends on the loading K/A0."};
     if (ratio && *ratio < parts::flowing_hardness)
-        return {flow + ", but K is that of an elastic contact: a vibration or a wave feels a higher one."};
+        return {flow + ", but K is that of an elastic contact; for vibration and waves it is higher."};
     if (ratio)
         return {"The contact is elastic " + number + " is above " + limit +
-                "): a load, a vibration and a wave feel the same K."};
+                "): K is the same for loading, vibration and waves."};
     if (const auto& g = answer.curve.rms_gradient)
         return {"No hardness is given, so K is elastic: below H = " +
                 with_unit(parts::flowing_hardness * results.modulus * *g, "Pa", 2) +
-                " the peaks flow and waves feel a higher K."};
+                " the peaks yield, and K is higher for waves."};
     return {};
 }
 
-/// What the names of the laws do not say of where K comes from, and where it ends; empty where there is nothing.
+/// Source and range of K beyond the names of the laws; may be empty.
 std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     const Curve& curve = answer.curve;
     const auto solved = [](const Law* law) { return law->which == LawName::boundary_elements; };
@@ -63,15 +63,16 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
         text = "K is computed from the numbers of the map: " + missing;
     else if (count > 0)
         text = "Boundary elements solve the map itself" +
-               (count == curve.by.size() ? "" : " where " + least + " points touch; elsewhere K is that of its peaks");
+               (count == curve.by.size() ? ""
+                                         : " where " + least + " points touch; elsewhere K is computed from its peaks");
     else if (map && scene.face.spectrum_of_map)
         text = "K is computed from the map's summits and bearing curve";
     else if (scene.has_lay)
-        text = "The profile repeats itself, as one across a lay does: K may be up to " + rounded(parts::lay_factor) +
-               " times higher, and only a map shows it";
+        text = "The profile repeats itself, like one across a lay: K may be up to " + rounded(parts::lay_factor) +
+               " times higher; only a map shows this";
     if (const auto greatest = closed_above(scene, curve))
         text += (text.empty() ? "Above " : "; above ") + with_unit(*greatest, "Pa", 3) +
-                " the contact is closed, and the bulk carries";
+                " the contact is closed and the bulk carries the load";
     return text.empty() ? text : text + ".";
 }
 
@@ -107,7 +108,7 @@ std::string outside_band(const Scene& scene, const Results& results) {
     for (const auto& [name, face] : rough_faces(scene))
         if (!face->measured && face->process == parts::Process::unknown && face->is_open(parts::Unknown::skewness))
             return text +
-                   "; of a worn or honed face K may be several times higher (give process, or skewness and "
+                   "; for a worn or honed face K may be several times higher (give process, or skewness and "
                    "kurtosis).";
     return text + ".";
 }
@@ -138,23 +139,23 @@ std::string origin_of_band(const Scene& scene) {
     if (scene.best) return "the 90 % band of the answer";
     std::string text;
     if (scene.face.has_measured_errors())
-        text = "; " + rounded(scene.samples) + " surfaces drawn by the errors, seed " + std::to_string(scene.seed);
+        text = "; " + rounded(scene.samples) + " surfaces sampled from the errors, seed " + std::to_string(scene.seed);
     if (!scene.face.neighbours.empty()) text += "; the choice of lambda_s";
-    if (!scene.face.priors.empty()) text += "; what is not known of the surface";
+    if (!scene.face.priors.empty()) text += "; unknown parameters of the surface";
     return text.substr(std::min<std::size_t>(2, text.size()));
 }
 
-Verdict verdict(const Scene& scene, const Results& results) {
+Explanation explanation(const Scene& scene, const Results& results) {
     if (!results.answer) return {};
     const StiffnessAnswer& answer = *results.answer;
-    Verdict all{nature(results), {}};
+    Explanation all{nature(results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
     const std::optional<double>& hardness = answer.relative_hardness;
-    all.shorter = {answer.flows                          ? "The peaks flow: K is that of unloading."
+    all.shorter = {answer.flows                          ? "The peaks yield: K is that of unloading."
                    : !hardness                           ? "Taken as elastic: no hardness is given."
-                   : *hardness < parts::flowing_hardness ? "The peaks flow, and K is that of an elastic contact."
+                   : *hardness < parts::flowing_hardness ? "The peaks yield, but K is that of an elastic contact."
                                                          : "The contact is elastic."};
-    if (scene.has_lay) all.shorter = {"A profile across a lay does not tell K."};
+    if (scene.has_lay) all.shorter = {"A profile across a lay does not determine K."};
     return all;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The answer in words: which stiffness it is, which law gave it, and what makes its band.
+// Explanation of the answer: kind of stiffness, its law and the causes of its band.
 
 #include "scene/results.hpp"
 
@@ -9,21 +9,21 @@
 
 namespace fstiff::scene {
 
-struct Verdict {
+struct Explanation {
     std::vector<std::string> sentences;  ///< three at most; none where nothing answers
     std::vector<std::string> shorter;    ///< for a picture: two at most
 };
-[[nodiscard]] Verdict verdict(const Scene& scene, const Results& results);
+[[nodiscard]] Explanation explanation(const Scene& scene, const Results& results);
 
 /// The greatest pressure of \p curve, where those of \p scene that it misses are above it.
 [[nodiscard]] std::optional<double> closed_above(const Scene& scene, const Curve& curve);
 /// The \p most greatest causes of the band of \p reason that are a tenth of it or more: "law 62 %, cut-offs 30 %".
 [[nodiscard]] std::string shown_causes(const AnswerReason& reason, std::size_t most = 2);
-/// What the band of \p results does not hold, in one line.
+/// Effects outside the band of \p results, in one line.
 [[nodiscard]] std::string outside_band(const Scene& scene, const Results& results);
 /// The measurement that narrows the band of the middle point most, and how much; empty where none does by a twentieth.
 [[nodiscard]] std::string measure_next(const Scene& scene, const Results& results);
-/// What the ends of the bands of \p scene are of.
+/// Origin of the bands of \p scene.
 [[nodiscard]] std::string origin_of_band(const Scene& scene);
 
 }  // namespace fstiff::scene
