@@ -80,7 +80,7 @@ TEST_CASE("The comments give the source of the table and its range") {
           ": contact law for calculix, pressure against overclosure; its slope is -dp/dd, which is K of law hertz\n",
           "(built-in scene), SHA-256 ",
           "hertz, theta = 1.0472, r = ", "mm, N, MPa; pressure [MPa] against overclosure [mm]", "0.1 to 100 MPa",
-          "tolerance 5 %", "faces drawn in touch have overclosure 0", "the pressure stays what it is"}) {
+          "tolerance 5 %", "faces drawn in contact have overclosure 0", "the pressure stays constant"}) {
         INFO(part);
         CHECK(test::contains(text, part));
     }

@@ -166,7 +166,7 @@ TEST_CASE("The summary shows every law that is named at decades of the pressure,
         CHECK(test::relative_error(std::stod(row[k]) * 1e15, K) < 1e-4);
         CHECK(test::relative_error(std::stod(ratios[k]), K / csv.number(10 * k, "stiffness_Pa_per_m")) < 5e-3);
     }
-    for (const char* part : {"fractal is the print of the paper", "hertz is elastic", "K has no band", "--full"}) {
+    for (const char* part : {"fractal is as printed in the paper", "hertz is elastic", "K has no band", "--full"}) {
         INFO(part);
         CHECK(test::contains(outcome.out, part));
     }
@@ -323,7 +323,7 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
         INFO(attempt);
         const Outcome some = shell(in + "sweep g.toml -o k.jsonl --plot sweep.svg");
         CHECK(some.status == 4);
-        CHECK(contains(some.err, "3 scenes cannot be computed, or not whole"));
+        CHECK(contains(some.err, "3 scenes cannot be computed, or only in part"));
     }
     const std::vector<std::string> rows = lines(read(folder / "k.jsonl"));
     REQUIRE(rows.size() == 3 * 2 * 2);

@@ -251,7 +251,7 @@ TEST_CASE("Bad text is refused with the line and the cell") {
     CHECK(has(refusal(gwyddion + "1 1 1 1\n1 1 1 1\n"), "constant height"));
     CHECK(has(refusal(gwyddion + "1 2 3 4\n"), "at least 2 a side"));
     CHECK(has(refusal(""), "is empty"));
-    CHECK(has(refusal("# Width: 1 um\n"), "no row of numbers"));
+    CHECK(has(refusal("# Width: 1 um\n"), "not a row of numbers"));
     CHECK(has(refusal(std::string("1 2\0 3\n", 7)), "NUL"));
     CHECK(has(refusal("# Width: -3 um\n# Height: 1 um\n" + matrix(" ")), "must be greater than 0"));
     CHECK(has(refusal("# Width: 3 um\n# Width: 4 um\n" + matrix(" ")), "disagrees with line 1"));
@@ -334,7 +334,7 @@ TEST_CASE("Zygo's XYZ text has its pixel in line 8 and heights in um", "[zygo]")
     std::string unknown = text;
     unknown.replace(unknown.find("5.5e-05"), 7, "0      ");
     CHECK(has(refusal(unknown), "line 8: states no size of a pixel"));
-    CHECK(has(refusal(head.substr(0, head.size() - 2)), "no row of numbers"));
+    CHECK(has(refusal(head.substr(0, head.size() - 2)), "not a row of numbers"));
 }
 
 }  // namespace map_text_test

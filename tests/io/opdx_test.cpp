@@ -52,7 +52,7 @@ TEST_CASE("Files of Dektak that cannot be meant are refused with item, value and
     CHECK(contains(refusal(with("2D_Data", 0, "\x33")), "of the type 51; must be a known one"));
     CHECK(contains(refusal(with("2D_Data", 1, "\3")), "has a length of 3 bytes in \"2D_Data\"; must be 1, 2 or 4"));
     CHECK(contains(refusal(with("2D_Data", 2, little(65535, 2))), "ends within 2D_Data"));
-    CHECK(contains(refusal(with("Raw", 2, little(700, 2))), "that ends behind its folder"));
+    CHECK(contains(refusal(with("Raw", 2, little(700, 2))), "that ends after its folder"));
     CHECK(contains(refusal(with("Dimension1Points", 1, little(4, 4))), "declares 4 x 4 heights, but has 56 bytes"));
     CHECK(contains(refusal(with("Dimension1Points", 1, little(2, 4))), "declares 4 x 2 points over a matrix of 4 x 3"));
     const std::string profile = test::sample("opdx/profile.opdx");

@@ -57,7 +57,7 @@ TEST_CASE("A .vk6 holds a .vk4 in an archive at its end") {
         return test::refusal([&] { (void)io::read_vk4(bytes, "file", unzipped); });
     };
     CHECK(contains(damaged("VK7" + std::string(9, '\0')), "has no zip archive after its picture"));
-    CHECK(contains(damaged(put(whole, whole.size() - 6, little(5000, 4))), "not where its end says"));
+    CHECK(contains(damaged(put(whole, whole.size() - 6, little(5000, 4))), "not where its end states"));
     if (io::reads_x3p()) {
         test::check_known(whole, io::SurfaceFormat::vk4);
         test::check_known("VK7" + std::string(7, ' ') + whole.substr(9), io::SurfaceFormat::vk4);

@@ -53,7 +53,7 @@ TEST_CASE("A profile is written as a file of one profile, a long side as version
     CHECK(back.map.dx == 1e-7);
 }
 
-TEST_CASE("What a file cannot hold is not written") {
+TEST_CASE("Data that a file cannot hold are not written") {
     HeightMap<double> map = test::rough_map();
     std::ostringstream output;
     const auto refused = [&](const io::SdfOptions& options) {
@@ -62,7 +62,7 @@ TEST_CASE("What a file cannot hold is not written") {
     CHECK(has(refused({.manufacturer = "elevenchars"}), "at most 10"));
     CHECK(has(refused({.date = "today"}), "12 digits"));
     map.heights(0, 0) = std::numeric_limits<double>::lowest();
-    CHECK(has(refused({}), "stands for a missing point"));
+    CHECK(has(refused({}), "marks a missing point"));
     map.heights(0, 0) = std::numeric_limits<double>::infinity();
     CHECK(has(refused({}), "infinite"));
     CHECK(output.str().empty());

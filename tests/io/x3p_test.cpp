@@ -185,7 +185,7 @@ TEST_CASE("Every damaged archive is refused with a sentence") {
     CHECK(has(refusal(stored), "is damaged"));
     CHECK(has(refusal(zipped({{"other.xml", ""}})), "holds no main.xml"));
     CHECK(has(refusal(zipped({{"a/main.xml", ""}, {"b/main.xml", ""}})), "more than one main.xml"));
-    CHECK(has(refusal(zipped({{"main.xml", "<a"}})), "no XML"));
+    CHECK(has(refusal(zipped({{"main.xml", "<a"}})), "not valid XML"));
     CHECK(has(refusal(zipped({{"main.xml", "<a/>"}})), "Record1 and Record3"));
 }
 

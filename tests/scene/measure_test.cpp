@@ -315,7 +315,7 @@ TEST_CASE("An option of a surface that makes no sense is refused in the words it
     test::check_sentence(refused("", document), {"standard input: is JSON that fstiff printed", "run --surface"});
     std::string rise;
     for (int i = 0; i < 600; ++i) rise += i < 300 ? "0\n" : "1\n";
-    test::check_sentence(refused("--units um " + step, rise), {"or of one step", "told from the rounding"});
+    test::check_sentence(refused("--units um " + step, rise), {"or of one step", "distinguished from rounding"});
 }
 
 TEST_CASE("A changed document of a measurement is refused where it was changed") {
