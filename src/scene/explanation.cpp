@@ -45,9 +45,9 @@ std::vector<std::string> nature(const Results& results) {
         return {"The contact is elastic " + number + " is above " + limit +
                 "): K is the same for loading, vibration and waves."};
     if (const auto& g = answer.curve.rms_gradient)
-        return {"No hardness is given, so K is elastic: below H = " +
+        return {"No hardness is given, so K is elastic; if H < " +
                 with_unit(parts::flowing_hardness * results.modulus * *g, "Pa", 2) +
-                " the peaks yield, and K is higher for waves."};
+                ", peaks yield and K for vibration is higher."};
     return {};
 }
 

@@ -167,9 +167,9 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
         found = parts::find_spikes(part, sure, false).removed;
     }
     if (found > 0)
-        hints.push_back((found == 1 ? "1 point is" : std::to_string(found) + " points are") +
-                        " 30 sigma away, like spikes; " + options.name("spikes") +
-                        (options.prefix.empty() ? " = 20" : " 20") + " takes " + (found == 1 ? "it out" : "them out"));
+        hints.push_back((found == 1 ? "1 point deviates" : std::to_string(found) + " points deviate") +
+                        " by over 30 sigma, like spikes; " + options.name("spikes") +
+                        (options.prefix.empty() ? " = 20" : " 20") + " removes " + (found == 1 ? "it" : "them"));
     return hints;
 }
 

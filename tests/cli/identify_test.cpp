@@ -151,7 +151,7 @@ TEST_CASE("identify: parameters that the data cannot distinguish end with exit c
     const auto product = identify(folder, scene(), data, "--fit R,Dp,offset", 4);
     const std::string warning = product["warnings"][0];
     INFO(warning);
-    CHECK(test::contains(warning, "cannot tell R and Dp apart"));
+    CHECK(test::contains(warning, "cannot distinguish R and Dp"));
     CHECK(test::contains(warning, "E Dp sqrt(R)"));
     CHECK(product["fits"][0]["status"] == "singular");
     CHECK(!product["fits"][0].contains("covariance"));
@@ -166,7 +166,7 @@ TEST_CASE("identify: parameters that the data cannot distinguish end with exit c
     const auto csv = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
                                       "' --fit R,Dp --format csv");
     CHECK(test::Csv(csv.out).text(1, "value").empty());
-    CHECK(test::contains(csv.err, "cannot tell R and Dp apart"));
+    CHECK(test::contains(csv.err, "cannot distinguish R and Dp"));
 }
 
 TEST_CASE("identify reports a parameter at the end of its range, or hardly known") {

@@ -370,7 +370,7 @@ TEST_CASE("Results of another grid, shard or unknown origin are refused") {
     refused(sweep(), "holds results of another grid");
     folder.write("grid.toml", grid);
     std::filesystem::rename(out + ".sweep", out + ".kept");
-    refused(sweep(), "out.sweep that belongs to it is missing");
+    refused(sweep(), "out.sweep that names its grid and shard is missing");
     std::filesystem::rename(out + ".kept", out + ".sweep");
     folder.write("out", whole + "x");
     CHECK(contains(sweep().err, "was changed since it was finished"));
@@ -450,7 +450,7 @@ TEST_CASE("Merging names a shard that is missing, duplicate, unfinished or of an
           {"shard 2/4 is missing; run: fstiff sweep " + file + " --shard 2/4 -o part-2.jsonl",
            "shard 3/4 is missing; run: fstiff sweep " + file + " --shard 3/4 -o part-3.jsonl"});
     sweep("3/4", "again.jsonl");
-    check("part-*.jsonl again.jsonl", {"shard 3/4 is listed twice"});
+    check("part-*.jsonl again.jsonl", {"shard 3/4 is given twice"});
     sweep("1/2", "half.jsonl");
     check("part-*.jsonl half.jsonl", {"half.jsonl is shard 1/2 and part-1.jsonl is shard 1/4"});
     const Outcome itself = shell("cd '" + folder / "" + "' && fstiff merge half.jsonl -o half.jsonl");
@@ -472,7 +472,7 @@ TEST_CASE("Merging names a shard that is missing, duplicate, unfinished or of an
     std::filesystem::remove(folder / "part-2.jsonl.sweep");
     const Outcome lost = shell("cd '" + folder / "" + "' && fstiff merge part-*.jsonl -o all.jsonl");
     CHECK(lost.status == 3);
-    CHECK(contains(lost.err, "part-2.jsonl.sweep that belongs to it is missing"));
+    CHECK(contains(lost.err, "part-2.jsonl.sweep that names its grid and shard is missing"));
 }
 
 }  // namespace sweep_test

@@ -265,7 +265,7 @@ TEST_CASE("Advice about holes, spikes, a lay and waviness can be followed") {
                               of.file},
                              why);
     }
-    for (const char* words : {"fill = true next to", "takes it out", "only a map shows this"}) {
+    for (const char* words : {"fill = true next to", "removes it", "only a map shows this"}) {
         INFO(said << "\nmissing: " << words);
         CHECK(test::contains(said, words));
     }

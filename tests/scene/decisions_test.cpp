@@ -214,8 +214,8 @@ TEST_CASE("Spikes are hinted at from 30 standard deviations on, and taken out fr
         return rows;
     };
     const std::string how = "--units um --spacing '1 um' --lambda-s none --lambda-c none";
-    CHECK(contains(test::measured(how, text(90))["warnings"].dump(), "--spikes 20 takes "));
-    CHECK(contains(test::measured(how, text(25))["warnings"].dump(), "--spikes 20 takes "));
+    CHECK(contains(test::measured(how, text(90))["warnings"].dump(), "--spikes 20 removes "));
+    CHECK(contains(test::measured(how, text(25))["warnings"].dump(), "--spikes 20 removes "));
     CHECK_FALSE(contains(test::measured(how, text(1))["warnings"].dump(), "--spikes"));
     CHECK(test::decided(test::measured(how + " --spikes 20", text(90)), "spikes: 1 of 400 points became missing"));
 }
