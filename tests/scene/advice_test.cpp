@@ -102,7 +102,7 @@ const std::vector<Advice>& table() {
          }},
         {R"(fill = true next to surface\.from)",
          [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "fill = true"); }},
-        {R"((?:--)?spikes (= )?20 takes (it|them) out)",
+        {R"((?:--)?spikes (= )?20 removes (it|them))",
          [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "spikes = 20"); }},
         {R"(surface\.fractal_dimension: is missing)", [](const std::string& text, const std::smatch&) {
              return with_line(text, "[surface]", "fractal_dimension = 1.5");

@@ -54,11 +54,11 @@ TEST_CASE("A mask, spikes and filling are done in this order, and reported with 
     const test::Folder folder;
     const std::string how = "--units um --spacing '1 um'";
     const auto struck = measured(how, wave(true));
-    CHECK(test::contains(struck.dump(), "--spikes 20 takes "));
+    CHECK(test::contains(struck.dump(), "--spikes 20 removes "));
     const auto clean = measured(how + " --spikes 5 --fill", wave(true));
     CHECK(test::decided(clean, "spikes: 1 of 400 points became missing"));
     CHECK(test::decided(clean, "fill: 1 of 400 points filled by straight lines, the largest hole 1"));
-    CHECK_FALSE(test::contains(clean.dump(), "--spikes 20 takes "));
+    CHECK_FALSE(test::contains(clean.dump(), "--spikes 20 removes "));
     CHECK(test::decided(measured(how + " --spikes 5.5", wave(true)), "beyond 5.5 standard deviations"));
     const double rms = measured(how, wave(false))["surface"]["rms_height"]["value"];
     CHECK(std::abs(clean["surface"]["rms_height"]["value"].get<double>() / rms - 1) < 0.01);
