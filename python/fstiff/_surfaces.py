@@ -83,7 +83,7 @@ def metres(value: Any, name: str) -> float:
 class Surface:
     """Heights of a surface [m]: a profile (1-D) of equal spacing, or a map (2-D, rows along y).
 
-    spacing is the distance of neighbouring points, of a map a number or (dx, dy). NaN and masked points are missing.
+    spacing is the distance between neighbouring points, of a map a number or (dx, dy). NaN and masked points are missing.
     """
 
     def __init__(

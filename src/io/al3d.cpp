@@ -38,7 +38,7 @@ public:
         Record record;
         const std::string program = printable(text("CreatingApplication"), 40);
         record.say("form", "Alicona (.al3d)" + (program.empty() ? "" : ", written by " + program));
-        record.say("units", "m, heights of 32 bits of floating point");
+        record.say("units", "m, 32-bit floating-point heights");
         record.say("spacing", "from PixelSizeXMeter and PixelSizeYMeter");
         record.say_points(map);
         return {std::move(map), std::move(record)};

@@ -3,7 +3,7 @@
 /// \file
 /// Numbers in the bytes of a file, of either byte order on every host.
 ///
-/// Valid       1 to 8 bytes; of numbers of floating point (IEEE 754) 4 or 8
+/// Valid       1 to 8 bytes; of floating-point numbers (IEEE 754) 4 or 8
 
 #include <bit>
 #include <cstdint>
@@ -17,7 +17,7 @@ std::uint64_t unsigned_at(std::string_view bytes, bool big);
 /// The same of two's complement.
 std::int64_t signed_at(std::string_view bytes, bool big);
 
-/// The number of floating point that the 4 or 8 \p bytes are.
+/// The floating-point number in the 4 or 8 \p bytes.
 double real_at(std::string_view bytes, bool big);
 
 /// The unsigned integer in the first sizeof(T) bytes, the least significant first.

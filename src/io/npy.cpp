@@ -18,7 +18,7 @@ struct NpyHeader {
     std::string unit;          // of the heights
     std::string size_from;     // where the spacings come from
     std::size_t trailer{};     // bytes after the heights
-    double resolution{};       // step in which integers count [m]; 0 of numbers of floating point
+    double resolution{};       // step in which integers count [m]; 0 of floating-point numbers
 };
 
 Record record_of(const NpyHeader& file, const RawMap& map) {

@@ -5,7 +5,7 @@
 ///
 /// A magic string, the version (2 bytes), the length of the header (2 bytes, 4 from version 2.0, least significant
 /// first), the header, a dictionary such as {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }, and the
-/// numbers. Read are integers (i1, i2, i4, i8, u1, u2, u4, u8) and numbers of floating point (f4, f8) of either byte
+/// numbers. Read are integers (i1, i2, i4, i8, u1, u2, u4, u8) and floating-point numbers (f4, f8) of either byte
 /// order, in the order of C or of Fortran. The file holds neither units nor steps: they are given. NaN is a missing
 /// point, and so are the numbers that the options name. Sizes are compared with the bytes that are there before memory
 /// is taken.

@@ -16,7 +16,7 @@ Record record_of(const FileBytes& file, const RawMap& map, std::uint64_t layers)
     Record record;
     record.say("form", "Sensofar (.plu), measured " + printable(file.words(0, 128, "the date"), 40));
     if (layers > 1) record.say("other layers", std::to_string(layers - 1) + ", not read");
-    record.say("units", "um, heights of 32 bits of floating point");
+    record.say("units", "um, 32-bit floating-point heights");
     record.say("spacing", "from the steps of x and y in the header");
     record.say_points(map);
     return record;

@@ -79,7 +79,7 @@ private:
     Record record_of(const RawMap& map, const std::string& data) const {
         Record record;
         const std::string date = printable(text_at("DATE"), 40);
-        record.say("form", "Sensofar (.plux), heights of 32 bits of floating point from " + shown_cell(data) +
+        record.say("form", "Sensofar (.plux), 32-bit floating-point heights from " + shown_cell(data) +
                                (date.empty() ? "" : ", measured " + date));
         if (layers_ > 1) record.say("other layers", std::to_string(layers_ - 1) + ", not read");
         record.say("units", "um");

@@ -27,7 +27,7 @@ struct X3pHeader {
     double increment = 1;  // of the z axis, as the file states it
     bool applied = true;   // the heights are times the increment
 
-    /// Heights of floating point with an increment that changes them: two readings are possible.
+    /// Floating-point heights with an increment that changes them: two readings are possible.
     [[nodiscard]] bool doubtful() const { return (data_type == 'F' || data_type == 'D') && increment != 1; }
 };
 
@@ -55,7 +55,7 @@ Record record_of(const X3pHeader& file, const RawMap& map, const OptionNames& na
     if (file.side_files != 0) record.say("other files in the archive", std::to_string(file.side_files) + ", not read");
     if (file.doubtful())
         record.warnings.push_back(
-            "the heights are numbers of floating point, and the file also states an increment of " + increment + ": " +
+            "the heights are floating-point numbers, and the file also states an increment of " + increment + ": " +
             (file.applied ? "they were taken times the increment; where they are metres already, the other reading is "
                           : "they were taken as metres, without the increment; the other reading is ") +
             of_words(names, "x3p_increment") + names.equals + (file.applied ? "ignore" : "apply"));

@@ -67,7 +67,7 @@ struct GenerateRequest {
         take("points", points, "number of points of the profile (default 4096) or of a row of the map (default 256)",
              side);
         take("rows", rows, "number of rows of the map; the default is the number of points", side);
-        take("spacing", spacing, "distance of neighbouring points, such as \"0.5 um\"");
+        take("spacing", spacing, "distance between neighbouring points, such as \"0.5 um\"");
         take("dimension", dimension, "fractal dimension D of a wm profile, between 1 and 2");
         take("roughness", roughness, "fractal roughness G of a wm profile, such as \"12 nm\"");
         take("gamma", gamma, "ratio of neighbouring wavelengths of a wm profile; default 1.5");

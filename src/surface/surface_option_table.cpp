@@ -37,9 +37,10 @@ constexpr SurfaceOptionRow rows[] = {
      "metropro, vk4, opd, al3d, plu, plux, stl, netcdf or opdx",
      {.flag = "input-format", .json = "input_format"}},
     {"units", file, &Of::units, always,
-     "units of lengths and heights of a text, .npy or .stl, such as um,nm, or one for both; replace those of the file"},
+     "units of lengths and heights in a text, .npy or .stl file, such as um,nm, or one for both; they replace "
+     "those of the file"},
     {"spacing", step_of_profile, &Of::spacing, always,
-     "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file"},
+     "distance between neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file"},
     {"column", file_of_profile, &Of::column, always,
      "column of the heights of a profile, counted from 1; default the last of one or two",
      {.low = 1, .high = most_columns}},
@@ -47,18 +48,18 @@ constexpr SurfaceOptionRow rows[] = {
      "column of the positions of a profile, counted from 1; default the first that does not number the points",
      {.low = 1, .high = most_columns}},
     {"dx", step_of_map, &Of::dx, always,
-     "distance of neighbouring columns of a matrix or .npy; replaces the one in the file"},
-    {"dy", step_of_map, &Of::dy, always, "distance of neighbouring rows of a matrix or .npy"},
+     "distance between neighbouring columns of a matrix or .npy file; replaces that of the file"},
+    {"dy", step_of_map, &Of::dy, always, "distance between neighbouring rows of a matrix or .npy file"},
     {"width", file_of_map, &Of::width, always,
-     "width of a matrix or .npy (number of columns times dx), instead of --dx"},
+     "width of a matrix or .npy file (number of columns times dx), instead of --dx"},
     {"height", file_of_map, &Of::height, always,
-     "height of a matrix or .npy (number of rows times dy), instead of --dy"},
+     "height of a matrix or .npy file (number of rows times dy), instead of --dy"},
     {"detrend", form, &Of::detrend, always,
-     "form in the sense of the maker's drawing, removed before anything is computed; of a profile none, mean, line "
-     "(default), parabola or gaussian; of a map none, mean, plane (default), quadratic or cubic",
-     {.help_of_profile = "form in the sense of the maker's drawing, removed before anything is computed; of a profile "
-                         "none, mean, line (default), parabola or gaussian",
-      .help_of_map = "form in the sense of the maker's drawing, removed before anything is computed; of a map none, "
+     "form, as a drawing defines it, removed before anything is computed; for a profile none, mean, line "
+     "(default), parabola or gaussian; for a map none, mean, plane (default), quadratic or cubic",
+     {.help_of_profile = "form, as a drawing defines it, removed before anything is computed; for a profile none, "
+                         "mean, line (default), parabola or gaussian",
+      .help_of_map = "form, as a drawing defines it, removed before anything is computed; for a map none, "
                      "mean, plane (default), quadratic or cubic",
       .words = words_of_form}},
     {"cutoff", form_of_profile, &Of::cutoff, always,
@@ -72,36 +73,37 @@ constexpr SurfaceOptionRow rows[] = {
     {"window", estimate, &Of::window, always,
      "shortest and longest lag that give D, such as \"1 um,100 um\"; the default is chosen automatically"},
     {"missing", file, &Of::missing, if_not_default,
-     "number or word that marks missing points of a text or .npy, such as -9999; none: every number is a "
+     "number or word that marks missing points in a text or .npy file, such as -9999; none: every number is a "
      "height",
      {.form = TextForm::or_number}},
     {"resample", file_of_profile, &Of::resample, if_not_default,
      "resample a profile with unequal steps at the same number of equal steps"},
     {"x3p_increment", file, &Of::x3p_increment, if_not_default,
-     "of X3P with heights of floating point: apply the increment of z (default) or ignore it"},
+     "for X3P files with floating-point heights: apply the increment of z (default) or ignore it"},
     {"lambda_s", filter, &Of::lambda_s, if_not_default,
      "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
      "them once the form is removed; auto (default) takes the standards' index of five steps; none keeps all"},
     {"lambda_c", filter, &Of::lambda_c, if_not_default,
-     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) keeps all, and takes that of the "
-     "standards' table for Ra, Rq and the like of a profile; none keeps all for these too"},
+     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) keeps all, but for Ra, Rq "
+     "and the like of a profile takes the value of the standards' table; none keeps all for these too"},
     {"filter", filter, &Of::filter, if_not_default,
-     "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line is not drawn towards "
-     "grooves and spikes"},
+     "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line is not pulled "
+     "towards grooves and spikes"},
     {"crop", cleaning, &Of::crop, if_not_default,
-     "part that is kept: \"x0,x1\" of a profile, \"x0,x1,y0,y1\" of a map, such as \"0,1 mm,0,1 mm\"",
+     "part that is kept: \"x0,x1\" for a profile, \"x0,x1,y0,y1\" for a map, such as \"0,1 mm,0,1 mm\"",
      {.help_of_profile = "part that is kept: \"x0,x1\", such as \"0,1 mm\""}},
     {"mask", cleaning, &Of::mask, if_not_default,
-     "file of 0 and 1 with the shape of the surface, text or .npy: points of 0 become missing",
+     "text or .npy file of zeros and ones, as large as the surface: points with 0 become missing",
      {.form = TextForm::file}},
     {"spikes", cleaning, &Of::spikes, if_not_default,
-     "points farther than so many robust standard deviations, such as 5, from the median of their neighbours "
+     "points farther from the median of their neighbours than this many robust standard deviations, such as 5, "
      "become missing",
      {.low = parts::min_spike_limit, .high = parts::max_spike_limit}},
     {"fill", cleaning, &Of::fill, if_not_default,
      "fill missing points: by straight lines in a profile, by Laplace's equation in a map"},
     {"channel", file, &Of::channel, if_not_default,
-     "of a Gwyddion file (.gwy): number or title of the channel; default the lowest in lengths"},
+     "for Gwyddion files (.gwy): number or title of the channel; the default is the lowest number whose values "
+     "are lengths"},
 };
 // clang-format on
 

@@ -21,7 +21,7 @@ TEST_CASE("Integers of either byte order are those that their bytes spell") {
     CHECK(little_endian<std::uint16_t>("\x34\x12\xFF"sv) == 0x1234);
 }
 
-TEST_CASE("Numbers of floating point of either byte order are those of IEEE 754") {
+TEST_CASE("Floating-point numbers of either byte order are those of IEEE 754") {
     // 118.625 = 1.110110101 (binary) times 2^6; 1/3 = 1.0101... times 2^-2
     CHECK(real_at("\xC2\xED\x40\0"sv, true) == -118.625);
     CHECK(real_at("\0\x40\xED\xC2"sv, false) == -118.625);

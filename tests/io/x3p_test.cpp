@@ -206,7 +206,7 @@ TEST_CASE("Descriptions that cannot be read are refused with element, value and 
     CHECK(has(refusal(Main{}, infinite), "height 1 is infinite"));
 }
 
-TEST_CASE("An increment with heights of floating point is reported and may be ignored") {
+TEST_CASE("An increment with floating-point heights is reported and may be ignored") {
     const std::string bytes = zipped({{"main.xml", Main().text()}, {"bindata/data.bin", heights<double>()}});
     const auto reading = [&](io::X3pIncrement increment) {
         return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment});

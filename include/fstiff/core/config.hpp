@@ -44,8 +44,8 @@
 #define FSTIFF_COLD_OUT_OF_LINE
 #endif
 
-// libc++ has to_chars of floating point since LLVM 14, from_chars since LLVM 20, both in its shared library: on Apple's
-// systems the oldest system that the program is built for decides. It does not define __cpp_lib_to_chars.
+// libc++ has to_chars for floating-point numbers since LLVM 14 and from_chars since LLVM 20, in its shared library.
+// On macOS the deployment target decides whether they are available. libc++ does not define __cpp_lib_to_chars.
 #ifndef FSTIFF_HAS_FLOAT_FROM_CHARS
 #if defined(_LIBCPP_VERSION)
 #if _LIBCPP_VERSION >= 200000 && (!defined(_LIBCPP_AVAILABILITY_HAS_FROM_CHARS_FLOATING_POINT) || \

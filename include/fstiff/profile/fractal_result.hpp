@@ -46,7 +46,7 @@ struct MeasuredStructureFunction {
     T rms_height{};          ///< of the profiles [m], the saturation of S2; 0: not known
     std::size_t points{};    ///< of one profile, missing ones included
     T profiles = T(1);       ///< number of profiles in the means
-    T apart{};  ///< distance of neighbouring profiles [spacings]: below half the lag they have the same waves;
+    T apart{};  ///< distance between neighbouring profiles [spacings]: below half the lag they have the same waves;
                 ///< 0: they are independent
     /// ln S2 at the given steps (rows) for resamples (columns), for the errors; may be empty. ln S2 in any unit.
     std::function<Eigen::Matrix<math::Accumulator<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>

@@ -201,7 +201,7 @@ Command add_measure(CLI::App& app) {
         "the\n"
         "input of run --surface and of [surface] from = \"...\" in a scene. Exit code 4: a parameter is not known to "
         "a\n"
-        "factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"
+        "factor of two, or the island density of a map has no maximum. The example makes a random walk.\n"
         "Example:\n"
         "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
         "      fstiff measure - --spacing \"0.5 um\" --units um | fstiff run --surface -");
