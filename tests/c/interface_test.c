@@ -652,7 +652,8 @@ static void test_refusals(void) {
     REFUSES(FSTIFF_BAD_ARGUMENT, "contact", fstiff_contact_at_pressures(NULL, some, 7, &points));
     REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_contact_at_pressures(hertz, NULL, 7, &points));
     REFUSES(FSTIFF_BAD_ARGUMENT, "at least one", fstiff_contact_at_pressures(hertz, some, 0, &points));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "must fit into memory", fstiff_contact_at_pressures(hertz, some, SIZE_MAX / 2, &points));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "must fit into memory",
+            fstiff_contact_at_pressures(hertz, some, SIZE_MAX / 2, &points));
     REFUSES(FSTIFF_BAD_ARGUMENT, "points", fstiff_contact_at_pressures(hertz, some, 7, NULL));
     REFUSES(FSTIFF_REFUSED, "pressure = nan", fstiff_contact_at_pressures(hertz, some, 7, &points));
     const int wanted[] = {FSTIFF_OK,           FSTIFF_REFUSED,      FSTIFF_REFUSED, FSTIFF_REFUSED,
@@ -719,7 +720,8 @@ static void test_refusals(void) {
     REFUSES(FSTIFF_BAD_ARGUMENT, "heights", fstiff_measure_profile(NULL, 400, 1e-6, NULL, &surface));
     REFUSES(FSTIFF_BAD_ARGUMENT, "at least one", fstiff_measure_profile(heights, 0, 1e-6, NULL, &surface));
     REFUSES(FSTIFF_REFUSED, "spacing", fstiff_measure_profile(heights, 400, (double)NAN, NULL, &surface));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "must fit into memory", fstiff_measure_map(heights, SIZE_MAX, 2, 1, 1, NULL, &surface));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "must fit into memory",
+            fstiff_measure_map(heights, SIZE_MAX, 2, 1, 1, NULL, &surface));
     REFUSES(FSTIFF_REFUSED, "dx", fstiff_measure_map(heights, 20, 20, -1, 1, NULL, &surface));
     options.resamples = -3;
     REFUSES(FSTIFF_REFUSED, "resamples", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
