@@ -48,15 +48,15 @@ Units units_of(const Scene& scene, const Results& results) {
 
 Heading heading_of(const Column& column, const Units& units) {
     const std::string_view si = column.row().unit, symbol = column.row().symbol;
-    const ShownUnit unit = si == "Pa"      ? units.pressure
-                           : si == "m"     ? units.height
-                           : si == "1/m^2" ? units.density
-                           : si == "Pa/m"  ? units.stiffness
-                           : si == "N"     ? units.force
-                           : si == "N/m"   ? units.joint_stiffness
-                           : si == "S/m^2" ? ShownUnit{"S/m²"}
-                           : si.empty()    ? ShownUnit{}
-                                           : ShownUnit{"W/(m² K)"};
+    const ShownUnit unit = si == "Pa"          ? units.pressure
+                           : si == "m"         ? units.height
+                           : si == "1/m^2"     ? units.density
+                           : si == "Pa/m"      ? units.stiffness
+                           : si == "N"         ? units.force
+                           : si == "N/m"       ? units.joint_stiffness
+                           : si == "S/m^2"     ? ShownUnit{"S/m²"}
+                           : si == "W/(m^2 K)" ? ShownUnit{"W/(m² K)"}
+                                               : ShownUnit{si};
     switch (column.statistic) {
         case Statistic::value: return {column.key(), unit.heading(symbol), unit.factor};
         case Statistic::error:  // the others have that of K

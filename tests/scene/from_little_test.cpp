@@ -173,8 +173,8 @@ TEST_CASE("A surface of R and D_p that no Gaussian surface has takes them for th
     }
 }
 
-/// 5 and 95 % of K at every point, over surfaces with every unknown but the shape drawn at random, ln K normal about the
-/// middle by halves.
+/// 5 and 95 % of K at every point, over surfaces with every unknown but the shape drawn at random, ln K normal about
+/// the middle by halves.
 std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
     scene.samples = 0;
     std::vector<std::vector<double>> all(scene.points.size());
