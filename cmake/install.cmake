@@ -8,7 +8,7 @@
 include(CMakePackageConfigHelpers)
 
 set(fstiff_package_dir ${CMAKE_INSTALL_DATADIR}/cmake/fstiff)
-# The folder is written down too: before CMake 3.23, find_package() knows no sets of headers.
+# The folder is given too: find_package() accepts sets of headers from CMake 3.23 on.
 install(TARGETS fstiff EXPORT fstiff-targets ${fstiff_file_sets} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT fstiff-targets NAMESPACE fstiff:: DESTINATION ${fstiff_package_dir} COMPONENT dev)
 configure_package_config_file(
@@ -23,7 +23,7 @@ install(
     COMPONENT dev)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/fstiff COMPONENT dev)
 
-# For pkg-config, beside nothing that depends on a processor. It finds the headers from where it lies itself.
+# For pkg-config, in a folder for files of any processor. It finds the headers relative to its own place.
 set(fstiff_pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 file(RELATIVE_PATH fstiff_pc_prefix ${CMAKE_INSTALL_PREFIX}/${fstiff_pc_dir} ${CMAKE_INSTALL_PREFIX})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/fstiff.pc.in ${PROJECT_BINARY_DIR}/fstiff.pc @ONLY)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Target site: the pages of docs/ and the reference of include/ as HTML, by Doxygen, any warning an error. Where Doxygen is
-# missing the target says so and fails.
+# missing the target reports this and fails.
 find_program(FSTIFF_DOXYGEN doxygen)
 set(fstiff_site ${PROJECT_BINARY_DIR}/site)
 if(FSTIFF_DOXYGEN)

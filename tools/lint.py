@@ -234,7 +234,8 @@ def glossary(root):
 
 
 PROSE = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "paper/*.md", "include/**/*.h*", "src/**/*.[hc]pp",
-         "python/**/*.py", "python/**/*.cpp", "tools/*.py", "tests/**/*.[hc]pp", "bench/**/*.[hc]pp", "examples/**/*.[hc]pp")
+         "python/**/*.py", "python/**/*.cpp", "tools/*.py", "tests/**/*.[hc]pp", "bench/**/*.[hc]pp", "examples/**/*.[hc]pp",
+         "CMakeLists.txt", "*[!d]/CMakeLists.txt", "src/*/CMakeLists.txt", "tests/*/CMakeLists.txt", "cmake/*.cmake", "tests/**/*.cmake")
 COMMENT = re.compile(r"""//[^\n]*|/\*.*?\*/|(?:^[ \t]*|(?<=  ))\#[ ][^\n]*|\"{3}.*?\"{3}|"(?:\\.|[^"\\\n])*\"""", re.S | re.M)
 NO_PROSE = re.compile(r"^```.*?^```$|`[^`\n]+`|\]\([^)]*\)|^(?: {4,}|\t)[^\n]*$", re.S | re.M)  # of a document
 
@@ -248,7 +249,7 @@ def prose(path, name):
         return
     for found in COMMENT.finditer(text):
         if found[0][0] == '"' and found[0][:3] != '"""' and name.startswith(("tests/", "bench/", "examples/", "tools/")):
-            if not text[:found.start()].endswith("TEST_CASE("):
+            if not text[:found.start()].endswith(("TEST_CASE(", "NAME ", "_test(")):
                 continue
         yield found.start(), re.sub(r"`[^`\n]+`|\\p \w+|\b\w+\(\)?|\w*[_/]\w*", lambda code: " " * len(code[0]), found[0])
 

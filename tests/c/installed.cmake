@@ -30,7 +30,7 @@ run(${CMAKE_COMMAND} -S ${WORK}/user -B ${WORK}/build -G ${GENERATOR} -D CMAKE_C
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/user)
 
-# beside the headers it is a component of fstiff
+# with the headers it is a component of fstiff
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component dev)
 file(WRITE ${WORK}/component/CMakeLists.txt
      "cmake_minimum_required(VERSION 3.22)\nproject(component LANGUAGES C CXX)\nfind_package(fstiff REQUIRED COMPONENTS dev c)\n"

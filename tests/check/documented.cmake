@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Every type and every enumeration of the headers in SOURCE/include has a comment that DOXYGEN finds. With REFUSES a header
-# without one is put beside them, which must be told.
+# without one is added, which must be reported.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${WORK})
@@ -11,7 +11,9 @@ if(REFUSES)
     string(APPEND input " ${WORK}/bare.hpp")
 endif()
 # doxygen does not know namespaces such as fstiff::inline v0_1::parts
-file(WRITE ${WORK}/Doxyfile "INPUT = ${input}\nFILTER_PATTERNS = \"*.hpp=sed -E s/::inline.v[0-9_]+//\"\nEXCLUDE_PATTERNS = */fstiff/double/*\nRECURSIVE = YES\nFILE_PATTERNS = *.hpp *.h\nOUTPUT_DIRECTORY = ${WORK}\nGENERATE_HTML = NO
+file(WRITE ${WORK}/Doxyfile "INPUT = ${input}\n"
+     "FILTER_PATTERNS = \"*.hpp=sed -E s/::inline.v[0-9_]+//\"\n"
+     "EXCLUDE_PATTERNS = */fstiff/double/*\nRECURSIVE = YES\nFILE_PATTERNS = *.hpp *.h\nOUTPUT_DIRECTORY = ${WORK}\nGENERATE_HTML = NO
 GENERATE_LATEX = NO\nGENERATE_XML = YES\nEXCLUDE_SYMBOLS = *::detail *::detail::* *::parts *::parts::* *::math *::math::*\nQUIET = YES\nHAVE_DOT = NO\n")
 execute_process(COMMAND ${DOXYGEN} ${WORK}/Doxyfile ERROR_VARIABLE warnings OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]*(Compound|enumeration)[^\n]* is not documented[^\n]*" bare "${warnings}")

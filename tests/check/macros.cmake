@@ -32,14 +32,14 @@ file(WRITE ${WORK}/macros.hpp "// windef.h, minwindef.h, rpcndr.h, objbase.h, wi
 #define G 6.6743e-11
 ")
 
-# compile(before after): the headers \p before the macros and the text \p after them; sets result and said.
+# compile(before after): the headers \p before the macros and the text \p after them; sets result and error.
 function(compile before after)
     file(WRITE ${WORK}/macros.cpp "${before}\n#include \"macros.hpp\"\n${after}\n")
     execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wsign-conversion
                             -Wdouble-promotion -Werror -I${INCLUDE} -isystem ${EIGEN} ${WORK}/macros.cpp
-                    RESULT_VARIABLE result ERROR_VARIABLE said)
+                    RESULT_VARIABLE result ERROR_VARIABLE error)
     set(result ${result} PARENT_SCOPE)
-    set(said "${said}" PARENT_SCOPE)
+    set(error "${error}" PARENT_SCOPE)
 endfunction()
 
 # Standard headers and those of other libraries come first, as they do with windows.h.
@@ -56,12 +56,12 @@ list(REMOVE_DUPLICATES others)
 list(JOIN others "\n" others)
 compile("${others}" "${own}")
 if(NOT result EQUAL 0)
-    message(SEND_ERROR "${said}")
+    message(SEND_ERROR "${error}")
 endif()
 
 compile("#include <algorithm>\n#include <limits>" "inline int right(int a) { return (std::max)(a, (std::numeric_limits<int>::min)()); }")
 if(NOT result EQUAL 0)
-    message(SEND_ERROR "refused: ${said}")
+    message(SEND_ERROR "refused: ${error}")
 endif()
 foreach(wrong IN ITEMS "return std::max(a, 1);" "return a + std::numeric_limits<int>::min();" "int near = a; return near;"
                        "int far = a; return far;" "int small = a; return small;" "const int E = a; return E;"

@@ -19,8 +19,8 @@ function(eigen version)
         ${folder}/Eigen3ConfigVersion.cmake VERSION ${version} COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 endfunction()
 
-# configure(name expected [option...]): expected is a regular expression for what is said; one that begins with "refused:"
-# is for what is said when the project is refused, as it must be.
+# configure(name expected [option...]): expected is a regular expression for the output; one that begins with "refused:"
+# is for the output of a project that must be refused.
 function(configure name expected)
     set(build ${WORK}/${name})
     execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${build} -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} ${ARGN}
@@ -50,7 +50,7 @@ foreach(version IN ITEMS 3.3.9 3.4.0 5.0.1 6.0.0)
     endforeach()
 endforeach()
 
-# The project's own target stands for Eigen: nothing is searched, and nothing of fstiff is installed unless it is asked for.
+# The project's own target replaces Eigen: nothing is searched, and fstiff is installed only on request.
 set(own -DOWN_EIGEN=${EIGEN} -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
 configure(own "Eigen of fstiff: -- " ${source} ${own})
 configure(own-installed "Eigen of fstiff: -- " ${source} ${own} -DFSTIFF_INSTALL=ON)

@@ -13,7 +13,7 @@ if(NOT conan)
 endif()
 file(REMOVE_RECURSE ${WORK})
 set(ENV{CONAN_HOME} ${WORK}/home)
-# A copy, because Conan builds the program of test_package beside its recipe.
+# A copy, because Conan builds the program of test_package next to its recipe.
 foreach(file IN ITEMS CMakeLists.txt LICENSE cmake include src/io packaging/conan/conanfile.py packaging/conan/test_package/CMakeLists.txt
                       packaging/conan/test_package/conanfile.py tests/consumer/main.cpp)
     cmake_path(GET file PARENT_PATH folder)

@@ -49,7 +49,7 @@ if(NOT DEB IN_LIST kinds)
     message("SKIPPED: there is no dpkg-deb, dpkg-shlibdeps or file; the .tar.gz was checked")
     return()
 endif()
-# fields(package depends): version and Depends of a package, which is then unpacked beside the others.
+# fields(package depends): version and Depends of a package, which is then unpacked next to the others.
 function(fields package depends)
     file(GLOB deb ${WORK}/${package}_*.deb)
     foreach(field IN ITEMS Package Version Depends)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the consumers of ../consumer with what pkg-config says of fstiff, which was installed elsewhere and moved to PREFIX.
+# Builds the consumers of ../consumer with the flags that pkg-config prints for fstiff, which was installed elsewhere and moved to PREFIX.
 cmake_minimum_required(VERSION 3.25)
 if(NOT PKG_CONFIG)
     message("SKIPPED: there is no pkg-config")

@@ -15,7 +15,7 @@ if(NOT licence_lines EQUAL 1 OR NOT includes STREQUAL once OR includes MATCHES "
     message(FATAL_ERROR "${HEADER}: ${licence_lines} licence lines, includes ${includes}")
 endif()
 
-# The one source includes the one header, and nothing of fstiff.
+# The one source includes the one header, and no other header of fstiff.
 file(STRINGS ${SOURCE_OF_IO} licences REGEX "SPDX-License-Identifier")
 file(STRINGS ${SOURCE_OF_IO} includes REGEX "^ *# *include [^<]")
 list(LENGTH licences licence_lines)

@@ -7,7 +7,7 @@ file(COPY ${SOURCE}/LICENSE DESTINATION ${WORK})
 set(head "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n")
 file(WRITE ${WORK}/include/fstiff/core/version.hpp "${head}#include <cmath>\n#define FSTIFF_VERSION_TEXT \"1.2.3\"\n")
 
-# header(text): what the script makes of a header of this text; error holds what it says, empty when all is well.
+# header(text): what the script makes of a header of this text; error holds its message, empty without one.
 function(header text)
     file(WRITE ${WORK}/include/fstiff/fstiff.hpp "${text}")
     execute_process(COMMAND ${PYTHON} ${WORK}/tools/make_single_header.py fstiff/fstiff.hpp fstiff/core/version.hpp

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# packaging/vcpkg without vcpkg: vcpkg.json has the fields that it must and features that the portfile knows (recipes.py compares the rest); and
-# the portfile runs, with stand-ins for the functions of vcpkg that configure and install by CMake itself.
+# packaging/vcpkg without vcpkg: vcpkg.json has the fields that it must and features that the portfile accepts (recipes.py compares the rest); and
+# the portfile runs, with substitutes for the functions of vcpkg that configure and install by CMake itself.
 cmake_minimum_required(VERSION 3.25)
 set(port ${SOURCE}/packaging/vcpkg/fstiff)
 file(REMOVE_RECURSE ${WORK})
