@@ -5,10 +5,10 @@
 ///
 /// A magic string, the version (2 bytes), the length of the header (2 bytes, 4 from version 2.0, least significant
 /// first), the header, a dictionary such as {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }, and the
-/// numbers. Read are integers (i1, i2, i4, i8, u1, u2, u4, u8) and floating-point numbers (f4, f8) of either byte
-/// order, in the order of C or of Fortran. The file holds neither units nor steps: they are given. NaN is a missing
-/// point, and so are the numbers that the options name. Sizes are compared with the bytes that are there before memory
-/// is taken.
+/// numbers. The reader takes integers (i1, i2, i4, i8, u1, u2, u4, u8) and floating-point numbers (f4, f8) of either
+/// byte order, in the order of C or of Fortran. The file holds neither units nor steps: they are given. NaN is a
+/// missing point, and so are the numbers that the options name. Sizes are compared with the bytes that are there before
+/// memory is taken.
 ///
 /// Reference   NumPy manual, numpy.lib.format (format versions 1.0, 2.0, 3.0)
 /// Units       map in m; SurfaceOptions::units are the file's

@@ -3,8 +3,8 @@
 /// \file
 /// Reads surface data files (SDF), text and binary.
 ///
-/// Read are the versions ISO-1.0, ISO-2.0 and their forerunner BCR-1.0, and all eight data types in each of them. The
-/// trailer is not looked at; rows keep the order of the file. Heights are number times Zscale. Missing points are "BAD"
+/// The reader takes the versions ISO-1.0, ISO-2.0 and their forerunner BCR-1.0, with all eight data types. It ignores
+/// the trailer; rows keep the order of the file. Heights are number times Zscale. Missing points are "BAD"
 /// (or "NaN") in text; in binary files, and in the text of BCR-1.0, the numbers that the version reserves:
 ///
 ///     type        ISO                        BCR
