@@ -292,7 +292,7 @@ def compare(folder):
         if error > 1e-9:
             print(f"{at}: {expected[at]} in the table, {found[at]} now")
     print(f"{len(found)} of {len(expected)} rows, the worst off by {max(errors.values()):.1e}")
-    return max(errors.values()) > 1e-9
+    return bool(max(errors.values()) > 1e-9)  # sys.exit prints a bool of numpy
 
 
 places = [pathlib.Path(word) for word in sys.argv[1:] if word != "--check"] or [None]
