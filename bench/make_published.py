@@ -15,9 +15,9 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools"))
-from generated import ROOT, between_markers, table, write_or_check
+from generated import ROOT, Axis, Picture, between_markers, table, write_or_check
 
-DOCUMENT, DATA = ROOT / "docs/published.md", ROOT / "tests/data/published"
+DOCUMENT, PICTURE, DATA = ROOT / "docs/published.md", ROOT / "docs/published.svg", ROOT / "tests/data/published"
 MEDIA = {"silicone oil": 'conductivity = "0.14 W/(m K)"'}  # others by name
 INCONEL_HAYNES = ('[material]\nupper = { youngs_modulus = "200 GPa", poisson_ratio = 0.29, thermal_conductivity = "11.4 W/(m K)" }\n'
                   'lower = { youngs_modulus = "225 GPa", poisson_ratio = 0.3, thermal_conductivity = "9.4 W/(m K)" }\n')
@@ -166,8 +166,7 @@ def tables_of_joints(judge):
     for row, height, pressure, h, gap, (value, low, high) in judge.joints():
         covers = low <= 1 <= high
         inside += covers
-        joint = f'{row["upper"]} on {row["lower"]}, {row["process"]}, {row["medium"]}'.replace("_", " ")
-        lines.append([joint, number(height), number(pressure), number(h), number(gap), f"{value:.2f}", span(low, high),
+        lines.append([joint_of(row), number(height), number(pressure), number(h), number(gap), f"{value:.2f}", span(low, high),
                       "yes" if covers else "no"])
     head = ["joint", "roughness [µm]", "p [MPa]", "h measured", "of it the gap", "answer/measured", "90 % band", "covers"]
     fluids = [[medium, number(h), number(gap), f"{value:.2f}", span(low, high), "yes" if low <= 1 <= high else "no", told]
@@ -241,6 +240,39 @@ def tables_of_metals(judge):
                      table(["σ [µm]", "law", "K answer, band [GPa/µm]", "K/hertz", "K/greenwood_williamson", "the same over 2.2"], lines)).rstrip()
 
 
+def joint_of(row):
+    return f'{row["upper"]} on {row["lower"]}, {row["process"]}, {row["medium"]}'.replace("_", " ")
+
+
+def picture(judge):
+    """The laws and the band over the simulated stiffness, and the answer over each measured conductance."""
+    laws = {"hybrid": ("#1d1d1f", "#ececf1", "circle"), "persson": ("#c25700", "#ffb074", "square"),
+            "hertz": ("#b3261e", "#ff8a80", "triangle")}
+    out = Picture(900, 860, "Computed over simulated stiffness, and over measured conductance", list(laws.values()))
+    one = {value: str(value) for value in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20)}
+    simulated = list(judge.gfmd_stiffness())
+    out.text(80, 28, "Stiffness of a Gaussian surface: law over simulation", 'class="title"')
+    place = out.frame(80, 48, 600, 260, Axis("p* = p/(E g), pressure over modulus times rms gradient", 0.0009, 0.75,
+                                             {p: str(p) for p in (0.001, 0.01, 0.03, 0.1, 0.3, 0.6)}),
+                      Axis("K over K of the simulation", 0.05, 2.5, {value: text for value, text in one.items() if value < 5}), strong=1)
+    out.polygon("band m0", [place(row[0], row[-1]) for row in simulated] + [place(row[0], row[-2]) for row in simulated[::-1]])
+    for i, law in enumerate(laws):
+        out.curve(i, [place(row[0], row[2 + i]) for row in simulated])
+        out.sample(i, 704, 66 + 26 * i, law)
+    out.text(704, 66 + 26 * len(laws), "shade: 90 % band")
+
+    joints = list(judge.joints())
+    out.text(80, 396, "Conductance of metal joints: answer over measurement, with its 90 % band", 'class="title"')
+    place = out.frame(420, 416, 440, 20 * len(joints), Axis("h over measured h; orange: the band does not contain the measurement", 0.05, 30, one),
+                      Axis("", len(joints), 0, {}, logarithmic=False), strong=1)
+    for i, (row, _, pressure, *_, (value, low, high)) in enumerate(joints):
+        middle, look = i + 0.5, 0 if low <= 1 <= high else 1
+        out.text(412, place(1, middle)[1] + 4, f"{joint_of(row)}, {number(pressure)} MPa", 'text-anchor="end" class="small"')
+        out.curve(look, [place(low, middle), place(high, middle)], markers=False)
+        out.markers(look, [place(value, middle)])
+    return out
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--command", default=ROOT / "build/release/bin/fstiff")
@@ -249,7 +281,7 @@ def main():
     judge = Judge(options.command)
     text = between_markers(DOCUMENT, simulation=tables_of_simulation(judge), joints=tables_of_joints(judge), air=tables_in_air(judge),
                            rock=tables_of_rock(judge), metals=tables_of_metals(judge))
-    return write_or_check({DOCUMENT: text}, "../bench/make_published.py", options.check)
+    return write_or_check({DOCUMENT: text, PICTURE: picture(judge)}, "../bench/make_published.py", options.check, 0.11)
 
 
 if __name__ == "__main__":
