@@ -47,7 +47,7 @@ std::vector<Tick> Scale::decades() const {
             if (at < low_ - 1e-9 || at > high_ + 1e-9) continue;
             const bool numbered = m == 1       ? k % every == 0
                                   : span < 0.8 ? m < 6 || m == 7
-                                               : span < 1.6 && (m == 2 || m == 5);
+                                               : span < 2 && (m == 2 || m == 5);
             if (m > 1 && !numbered && span > 4.5) continue;
             const double value = m * std::pow(10.0, k);
             result.push_back({value, !numbered ? ""
