@@ -4,6 +4,7 @@
 #include "document/file.hpp"
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/io/quantity.hpp>
 #include <fstiff/io/units.hpp>
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/rows.hpp"
 
+#include "document/file.hpp"
 #include "scene/law.hpp"
 
 #include <fstiff/core/error.hpp>

@@ -4,8 +4,6 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/tangential_law.hpp>
 
-#include <Eigen/LU>
-
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/paper.hpp"
@@ -330,16 +328,16 @@ TEST_CASE("friction is refused where its theorem does not hold, and for numbers 
     const Law plastic = Law::tabulate(
         RoughContact(fine, PeakDistribution<double>(0, std::numbers::pi / 4), FractalLaw<double>(1.62), modulus),
         {1e5, 1e8});
-    CHECK_THROWS_WITH(Friction(plastic, mu, ratio), Catch::Contains("must be elastic"));
-    CHECK_THROWS_WITH(Friction(Law(), mu, ratio), Catch::Contains("law = empty"));
-    CHECK_THROWS_WITH(Friction(hertz(), 0, ratio), Catch::Contains("friction"));
-    CHECK_THROWS_WITH(Friction(hertz(), mu, -1), Catch::Contains("ratio"));
+    CHECK(test::refused_for("must be elastic", [&] { (void)Friction(plastic, mu, ratio); }));
+    CHECK(test::refused_for("law = empty", [&] { (void)Friction(Law(), mu, ratio); }));
+    CHECK(test::refused_for("friction", [&] { (void)Friction(hertz(), 0, ratio); }));
+    CHECK(test::refused_for("ratio", [&] { (void)Friction(hertz(), mu, -1); }));
     const Friction friction(hertz(), mu, ratio);
-    CHECK_THROWS_WITH(friction.first_slip(1e-6, -1e-9), Catch::Contains("slip"));
-    CHECK_THROWS_WITH(friction.cycle(1e-6, std::nan("")), Catch::Contains("amplitude"));
+    CHECK(test::refused_for("slip", [&] { (void)friction.first_slip(1e-6, -1e-9); }));
+    CHECK(test::refused_for("amplitude", [&] { (void)friction.cycle(1e-6, std::nan("")); }));
     SlipState<double, 2> state{.separation = 1e-6};
-    CHECK_THROWS_WITH(friction.step(state, std::nan(""), {0, 0}, state), Catch::Contains("separation"));
-    CHECK_THROWS_WITH(friction.step(state, 1e-6, {0, std::nan("")}, state), Catch::Contains("slip"));
+    CHECK(test::refused_for("separation", [&] { (void)friction.step(state, std::nan(""), {0, 0}, state); }));
+    CHECK(test::refused_for("slip", [&] { (void)friction.step(state, 1e-6, {0, std::nan("")}, state); }));
     CHECK(state.count == 0);
     CHECK(friction.step(state, 1, {1, 1}, state).traction.norm() < 1e-200);  // far apart
     CHECK(friction.step(state, 1e-6, {1, 0}, state).traction.allFinite());   // a metre of slip

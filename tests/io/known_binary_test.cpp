@@ -2,6 +2,7 @@
 // Binary files are called by their names; endless ones are refused at their first block.
 #include <fstiff/io/surface_file.hpp>
 
+#include "io/lines.hpp"
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 

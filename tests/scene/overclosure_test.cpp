@@ -7,6 +7,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/files.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace test {
 
@@ -35,6 +36,12 @@ std::string refusal(const Call& call) {
         return error.what();
     }
     return {};
+}
+
+/// Whether the call is refused in a sentence that holds \p words.
+template <class Call>
+bool refused_for(std::string_view words, const Call& call) {
+    return refusal(call).find(words) != std::string::npos;
 }
 
 }  // namespace test

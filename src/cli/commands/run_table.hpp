@@ -2,6 +2,7 @@
 #pragma once
 // The table of fstiff run: the answer first, what it was computed of, and the laws that are named.
 
+#include "document/output.hpp"
 #include "scene/results.hpp"
 
 #include <string>
