@@ -257,7 +257,10 @@ MeasuredCurve read_measured_curve(const std::string& file) {
 
 MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<const double> values,
                                std::span<const double> errors, bool is_reflection, const std::string& name) {
-    MeasuredCurve curve{.name = name, .sha256 = {}, .is_reflection = is_reflection, .has_errors = !errors.empty()};
+    MeasuredCurve curve;
+    curve.name = name;
+    curve.is_reflection = is_reflection;
+    curve.has_errors = !errors.empty();
     if (pressures.empty()) throw domain_error(name + ": has no point; at least one is needed");
     if (values.size() != pressures.size() || (curve.has_errors && errors.size() != pressures.size()))
         throw domain_error(name + ": pressures, values and errors must have the same length");

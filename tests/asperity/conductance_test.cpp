@@ -13,7 +13,7 @@
 namespace conductance_test {
 
 TEST_CASE("One circular spot conducts 2 k a, as two bodies in series of 4 k a each") {
-    for (const auto [k1, k2] : {std::pair{50.0, 50.0}, {50.0, 0.2}, {400.0, 1e-9}, {1e300, 1e-300}}) {
+    for (const auto& [k1, k2] : {std::pair{50.0, 50.0}, {50.0, 0.2}, {400.0, 1e-9}, {1e300, 1e-300}}) {
         const double a = 3e-6, E = 112e9, K = 2 * E * a;
         const double series = 1 / (1 / (4 * k1 * a) + 1 / (4 * k2 * a));
         CHECK(test::relative_error(fstiff::spot_conductance(K, fstiff::joint_conductivity(k1, k2), E), series) < 1e-15);

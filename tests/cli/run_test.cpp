@@ -71,7 +71,7 @@ void check_screen(const test::Outcome& outcome) {
     const auto lines = test::lines(outcome.out);
     CHECK(lines.size() <= 20);
     std::string page = outcome.out;  // without the folders of this machine, whose length is not the command's
-    for (const std::string folder : {std::string(FSTIFF_SURFACES), std::string(FSTIFF_SCENES)})
+    for (const std::string& folder : {std::string(FSTIFF_SURFACES), std::string(FSTIFF_SCENES)})
         for (std::size_t at = page.find(folder); at != std::string::npos; at = page.find(folder))
             page.erase(at, folder.size());
     CHECK(widest_line(page) <= 100);

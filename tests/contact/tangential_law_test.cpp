@@ -41,6 +41,8 @@ struct Sphere {
                           .separation = {d, 0},
                           .pressure = {std::pow(x, 1.5), 0},
                           .stiffness = {k, 0},
+                          .real_area_fraction = {},
+                          .contact_density = {},
                           .loading_stiffness = {k, 0}}};
     }
     ContactPoint<double> point_at_pressure(double p, Quantity wanted) const {

@@ -152,7 +152,8 @@ TEST_CASE("H of two faces is the mean over their slopes") {
 TEST_CASE("K over the shifts of two maps is their mean, with the scatter of one shift as its error") {
     const Face sum = sum_of_faces(of_maps({noise(24, 24, 1e-8, 5)}), of_maps({noise(24, 24, 1e-8, 6)}), 4, 11);
     const scene::Law& law = *scene::find_law("summits");
-    scene::ContactInputs inputs{.surface = sum.roughness(), .effective_modulus = 1e11, .options = {.mutual = false}};
+    scene::ContactInputs inputs{.surface = sum.roughness(), .effective_modulus = 1e11};
+    inputs.options.mutual = false;
     inputs.map = sum.map.get();
     const std::vector<double> pressures{2e6, 2e7};
     const auto all = law.contact(inputs)->at_pressures(pressures, Quantity::stiffness | Quantity::separation);
