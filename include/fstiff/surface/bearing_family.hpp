@@ -96,8 +96,8 @@ struct FittedJohnson {
 template <Real T>
 [[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis, T steepness, T t) {
     const auto off = [&](T log_steepness, T bend) {
-        const T steepness = std::exp(log_steepness);
-        const auto m = normal_moments<T>([&](T z) { return johnson(bounded, steepness, bend, z); });
+        const T slope = std::exp(log_steepness);
+        const auto m = normal_moments<T>([&](T z) { return johnson(bounded, slope, bend, z); });
         return std::array<T, 2>{m[2] - skewness, m[3] - kurtosis};
     };
     const auto size = [](const std::array<T, 2>& r) { return r[0] * r[0] + r[1] * r[1]; };
