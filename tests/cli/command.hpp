@@ -23,7 +23,7 @@ inline Outcome shell(const std::string& script, const std::string& input = "") {
     folder.write("in", input);
     const std::string whole = "fstiff() { '" FSTIFF_COMMAND "' \"$@\"; }\n" + script + "\n";
     folder.write("script", whole);
-    const int code = std::system(("timeout 60 sh '" + folder / "script" + "' <'" + folder / "in" + "' >'" +
+    const int code = std::system(("timeout 300 sh '" + folder / "script" + "' <'" + folder / "in" + "' >'" +
                                   folder / "out" + "' 2>'" + folder / "err" + "'")
                                      .c_str());
     return {WIFEXITED(code) ? WEXITSTATUS(code) : 1000 + WTERMSIG(code), read(folder / "out"), read(folder / "err")};

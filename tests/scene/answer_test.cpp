@@ -153,10 +153,10 @@ TEST_CASE(
     const auto own = [&](const Answered& one, const std::string& grid) {
         const auto solved = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact + grid));
         const auto& K = solved.curves[0].states[0].stiffness;
-        const double whole =
+        const double high =
             one.results.answer->reasons[0].causes[static_cast<std::size_t>(fstiff::parts::Cause::law)].high;
-        CHECK(whole > K.error / K.value);
-        return std::sqrt(whole * whole - std::pow(K.error / K.value, 2));
+        CHECK(high > K.error / K.value);
+        return std::sqrt(high * high - std::pow(K.error / K.value, 2));
     };
     CHECK(test::relative_error(own(coarser, coarse), own(whole, "")) < 1e-6);
 }

@@ -70,10 +70,10 @@ TEST_CASE("A bearing curve of skewness and kurtosis has them, and no impossible 
         CHECK(std::abs(m[3] - kurtosis) < 3e-3);
     }
     // the lognormal with (q - 1)(q + 2)^2 = 1 is between both families
-    const double q = 1.1, s = std::sqrt(std::log(q)), skewness = (q + 2) * std::sqrt(q - 1);
+    const double q = 1.1, sigma = std::sqrt(std::log(q)), skewness = (q + 2) * std::sqrt(q - 1);
     const auto curve = parts::bearing_of_moments(skewness, q * q * q * q + 2 * q * q * q + 3 * q * q - 3 + 1e-6);
     for (const double z : {-2.0, 0.0, 2.0})
-        CHECK(std::abs(curve.height(z) - (std::exp(s * z) / std::sqrt(q) - 1) / std::sqrt(q - 1)) < 1e-3);
+        CHECK(std::abs(curve.height(z) - (std::exp(sigma * z) / std::sqrt(q) - 1) / std::sqrt(q - 1)) < 1e-3);
     // next to a Gaussian and to the lognormal of the same skewness there is a curve everywhere
     for (const double s : {0.0, 1e-6, 1e-3, 0.02, 0.1, 0.4, 1.6, 2.5})
         for (const double excess : {-0.1, -0.01, -1e-3, -1e-5, 0.0, 1e-5, 1e-3, 0.01, 0.1}) {
