@@ -22,6 +22,7 @@ TRACE = "generate profile --points 16384 --spacing '0.5 um' --hurst 0.4 --rms '0
 MAP = "generate map --points 256 --spacing '0.5 um' --hurst 0.8 --rms '0.5 um' --longest '32 um' --shortest '4 um' --seed 1 -o map.csv"
 # Name of each picture, and the commands that draw it, in a folder with copies of docs, data and two folders of examples.
 PICTURES = {
+    "built_in": ("run data/built_in.toml",),
     "stiffness": ("run docs/stiffness.toml",),
     "first_curve": ("run first-curve.toml",),
     "trace_scales": (TRACE, "measure trace.csv --scales"),

@@ -8,7 +8,7 @@
 ///     W = (4 mu^2/k) [(p + p*) D - 2 (E - E*)],   D = d* - d       lost in a cycle between -s and s; E: energy of d
 ///     q = k sum (u_b - u_a)/(x_b - x_a) [p(x_a) - p(x_b)]         any history: level x is dragged by u (slip_path.hpp)
 ///
-/// Reference   Jaeger, Arch. Appl. Mech. 65 (1995) 478; Ciavarella, J. Mech. Phys. Solids 46 (1998) 2349; levels as
+/// Reference   Jaeger, Arch. Appl. Mech. 65 (1995) 478; Ciavarella, J. Appl. Mech. 65 (1998) 998; levels as
 ///             springs: Popov, Hess (2015), ch. 5; derivation: docs/theory.md, section 12
 /// Units       d, s [m], p, q [Pa], E, W [J/m^2], tangents [Pa/m]
 /// Valid       bodies of like elastic constants, Coulomb friction, a law whose K is -dp/dd: no peaks that flow

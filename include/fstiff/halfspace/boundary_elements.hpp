@@ -8,8 +8,8 @@
 ///
 /// u[p] is that of an elastic half space that repeats or mirrors the map. Derivation: docs/theory.md, section 11.
 /// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206;
-///             sets: Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist et al., J. Mech.
-///             Phys. Solids 55 (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
+///             sets: Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist, Sahlin,
+///             Larsson, Glavatskih, Tribol. Int. 40 (2007) 574, by Dai, Fletcher, Math. Program. 106 (2006) 403.
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
 /// Accuracy    of the equations on the grid: tolerance, 1e-8 by default; of the surface: halfspace/truth.hpp. Against
