@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds what it costs to compile, in CPU seconds as multiples of those of a file with Eigen alone, so that neither the machine nor
-what else it does matters much.
+"""What it costs to compile, as multiples of a file with Eigen alone.
 
     tools/check_cost.py program --compiler g++ --eigen /usr/include/eigen3
             the README's first program, compiled in turns with the file, the least of each; and the size of its object file.
             Measured with Eigen 3.4 at -O2: 2.7 times and 194 kB with g++ 12, 2.4 times and 210 kB with clang++ 14; the bounds are
             between that and twice that
-    tools/check_cost.py build build/release/compile_seconds.txt
-            the README's two commands: all compilations of the command, and of everything with the tests that ctest has run
-            before this one, by the mean of what the file took at several moments of the same build (docs/development.md)"""
+    tools/check_cost.py code build/release
+            the README's two commands, by what does not depend on the machine or its load: translation units, and bytes of code
+            and constants in their objects, of the command and of everything
+    tools/check_cost.py seconds
+            the same two commands in CPU seconds, with their tests, in a fresh clone. On demand, because CPU seconds scatter by a
+            tenth with the load of the machine (docs/development.md)"""
 import argparse
-import os
+import json
 import pathlib
-import re
 import resource
 import statistics
 import subprocess
@@ -25,12 +26,13 @@ EIGEN_ALONE = """#include <Eigen/Core>
 double f(const double* p) { Eigen::Map<const Eigen::ArrayXd> a(p, 100); return (a * a + 1.0).sum(); }
 """
 COMMAND = ("fstiff_io", "fstiff_instances", "fstiff_scene", "fstiff_scene_computing", "fstiff_sweep", "fstiff_cli")
-YARDSTICK = "fstiff_eigen_alone_"  # and what it was compiled after
+# Of the command and of everything, a tenth above what g++ 12 makes.
+CODE_UNITS, CODE_MB = (10, 275), (5.0, 29.0)
 
 
-def cpu_seconds(command):
+def cpu_seconds(command, cwd=None):
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    subprocess.run(command, check=True)
+    subprocess.run(command, check=True, cwd=cwd)
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 
@@ -56,65 +58,56 @@ def of_program(options):
         yield f"{size} bytes are more than {options.bytes}"
 
 
-def seconds_of(text):
-    minutes, rest = re.fullmatch(r"(\d+)m([\d.]+)s", text).groups()
-    return 60 * int(minutes) + float(rest)
+def of_code(options):
+    commands = json.loads(subprocess.run(["ninja", "-C", options.build, "-t", "compdb"], capture_output=True, check=True).stdout)
+    objects = [one for one in {command["output"] for command in commands if command["output"].endswith(".o")}
+               if (options.build / one).exists()]
+    groups = {"the command": [one for one in objects if any(f"/{name}.dir/" in one for name in COMMAND)], "everything": objects}
+    for (what, parts), units, megabytes in zip(groups.items(), options.units, options.megabytes, strict=True):
+        size = subprocess.run(["size", "--totals", *parts], cwd=options.build, capture_output=True, text=True, check=True).stdout
+        found = int(size.splitlines()[-1].split()[0]) / 1e6
+        print(f"{what}: {len(parts)} translation units, {found:.2f} MB of code and constants")
+        if len(parts) > units:
+            yield f"{len(parts)} translation units are more than {units} for {what}"
+        if found > megabytes:
+            yield f"{found:.2f} MB are more than {megabytes:g} for {what}"
 
 
-def tests_before(page):
-    """CPU seconds of the tests that ctest has run, by /proc, without those that the test of the page noted in a file: it compiles
-    the command once more by Emscripten. 0 where /proc is not available."""
-    stat = pathlib.Path(f"/proc/{os.getppid()}/stat")
-    if not stat.exists() or "(ctest)" not in (text := stat.read_text(encoding="utf-8")):
-        return 0
-    fields = text.rsplit(")", 1)[1].split()
-    ctest, seconds = page.read_text(encoding="utf-8").split() if page.exists() else ("", "0")
-    spared = float(seconds) if ctest == str(os.getppid()) else 0
-    return (int(fields[13]) + int(fields[14])) / os.sysconf("SC_CLK_TCK") - spared  # cutime and cstime
-
-
-def of_build(options):
-    last = {}  # of each object the last compilation
-    for line in options.log.read_text(encoding="utf-8").splitlines() if options.log.exists() else []:
-        target, name, user, system = line.split()
-        last[target, name] = seconds_of(user) + seconds_of(system)
-    by_target, yardsticks = {}, []
-    for (target, _), cpu in last.items():
-        (yardsticks if target.startswith(YARDSTICK) else by_target.setdefault(target, [])).append(cpu)
-    missing = [name for name in COMMAND if name not in by_target] + ["a file with Eigen alone"] * (not yardsticks)
-    if missing:
-        print(f"SKIPPED: {options.log} does not have {', '.join(missing)}")
-        return
-    unit = statistics.mean(yardsticks)
-    command = sum(sum(by_target[name]) for name in COMMAND)
-    compiled, tested = sum(sum(found) for found in by_target.values()), tests_before(options.log.parent / "page_seconds.txt")
-    print(f"a file with Eigen alone: {unit:.2f} CPU seconds, {min(yardsticks):.2f} to {max(yardsticks):.2f} at {len(yardsticks)} moments")
-    print(f"the command: {command:.0f} CPU seconds, {command / unit:.0f} times that")
-    print(f"everything: {compiled:.0f} CPU seconds to compile, {tested:.0f} to test, {(compiled + tested) / unit:.0f} times")
-    for name, cpu in sorted(by_target.items(), key=lambda item: -sum(item[1])):
-        print(f"  {name}: {sum(cpu) / unit:.1f} times in {len(cpu)} files")
-    for cost, limit, what in ((command, options.command, "the command"), (compiled + tested, options.all, "everything")):
-        if cost > limit * unit:
-            yield f"{cost / unit:.0f} times is more than {limit:g} for {what}"
+def of_seconds(options):
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(["git", "clone", "--quiet", ROOT, folder], check=True)
+        source = pathlib.Path(folder, "build", "eigen.cpp")
+        source.parent.mkdir()
+        source.write_text(EIGEN_ALONE, encoding="utf-8")
+        eigen = [options.compiler, "-std=c++20", "-O2", "-isystem", options.eigen, "-c", source, "-o", source.with_suffix(".o")]
+        for preset, limit in (("run", options.command), ("test", options.all)):
+            before = cpu_seconds(eigen)
+            cost = cpu_seconds(["cmake", "--workflow", "--preset", preset], cwd=folder)
+            unit = statistics.mean((before, cpu_seconds(eigen)))
+            print(f"preset {preset}: {cost:.0f} CPU seconds, {cost / unit:.0f} times a file with Eigen alone ({unit:.2f})")
+            if cost > limit * unit:
+                yield f"{cost / unit:.0f} times is more than {limit:g} for preset {preset}"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parts = parser.add_subparsers(dest="part", required=True)
-    program = parts.add_parser("program")
-    program.add_argument("--compiler", default="g++")
-    program.add_argument("--eigen", default="/usr/include/eigen3", help="include folders, divided by semicolons")
+    program, code, seconds = (parts.add_parser(name) for name in ("program", "code", "seconds"))
+    for part in (program, seconds):
+        part.add_argument("--compiler", default="g++")
+        part.add_argument("--eigen", default="/usr/include/eigen3", help="include folders, divided by semicolons")
     program.add_argument("--flags", default="-O2")
     program.add_argument("--rounds", type=int, default=2)
     program.add_argument("--program", type=pathlib.Path, help="a file in place of the README's program")
     program.add_argument("--ratio", type=float, default=4.5, help="greatest multiple of the CPU seconds of Eigen alone")
     program.add_argument("--bytes", type=int, default=300000, help="greatest size of the object file")
-    build = parts.add_parser("build")
-    build.add_argument("log", type=pathlib.Path)
-    build.add_argument("--command", type=float, default=160, help="greatest multiple of the command")
-    build.add_argument("--all", type=float, default=1350, help="greatest multiple of everything, tests run")
+    code.add_argument("build", type=pathlib.Path, help="the build folder of ninja")
+    code.add_argument("--units", type=int, nargs=2, default=CODE_UNITS, help="of the command, of everything")
+    code.add_argument("--megabytes", type=float, nargs=2, default=CODE_MB, help="of the command, of everything")
+    seconds.add_argument("--command", type=float, default=160, help="greatest multiple of the command")
+    seconds.add_argument("--all", type=float, default=1350, help="greatest multiple of everything, tests run")
     options = parser.parse_args()
-    if refusals := list((of_program if options.part == "program" else of_build)(options)):
+    if refusals := list({"program": of_program, "code": of_code, "seconds": of_seconds}[options.part](options)):
         sys.exit("\n".join(refusals))
 
 

@@ -5,10 +5,8 @@
     page.py --source . --build build/release --fstiff build/release/bin/fstiff
 """
 import argparse
-import atexit
 import functools
 import http.server
-import os
 import pathlib
 import re
 import shutil
@@ -275,12 +273,6 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
         self.asked.append(self.path)
 
 
-def note_seconds(file):
-    """Writes which ctest ran this test and the CPU seconds it took: tools/check_cost.py does not count those of Emscripten."""
-    took = os.times()
-    file.write_text(f"{os.getppid()} {sum(took[:4]):.2f}\n", encoding="utf-8")
-
-
 def main():
     options = argparse.ArgumentParser()
     for name in ("source", "build", "fstiff", "screenshots"):
@@ -289,7 +281,6 @@ def main():
     if not shutil.which("em++") or not browser.find():
         print("SKIPPED: needs Emscripten and Chromium (Debian: emscripten chromium)")
         return
-    atexit.register(note_seconds, given.build / "page_seconds.txt")
     subprocess.run(["cmake", "--build", given.build, "--target", "web"], check=True, stdout=subprocess.DEVNULL)
     site, figures = given.build.resolve() / "web", {}
     with tempfile.TemporaryDirectory() as folder:
