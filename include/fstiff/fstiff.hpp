@@ -151,6 +151,7 @@
 #include <fstiff/measured/measure.hpp>
 #include <fstiff/measured/measure_options.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/measured/plain_form.hpp>
 #include <fstiff/measured/pooled_surface.hpp>
 #include <fstiff/measured/prepare.hpp>
 #include <fstiff/measured/sampled_band.hpp>

@@ -68,8 +68,8 @@ int write(const MeasuredSurface& surface, fstiff_surface& written) {
     to.lambda_s = from.cut_offs.lambda_s.value_or(0);
     to.lambda_c = from.cut_offs.lambda_c.value_or(0);
     put(to.rms_height, from.rms_height);
-    put(to.peak_radius, from.peak_radius);
-    put(to.peak_density, from.peak_density);
+    if (from.find(fstiff::Parameter::peak_radius)) put(to.peak_radius, from.peak_radius);
+    if (from.find(fstiff::Parameter::peak_density)) put(to.peak_density, from.peak_density);
     if (from.fractal_dimension) put(to.fractal_dimension, *from.fractal_dimension);
     if (from.r) put(to.r, *from.r);
     if (from.theta) put(to.theta, *from.theta);

@@ -30,10 +30,11 @@ SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const Spe
 /// Whether sigma, R and D_p of \p face are those that were measured.
 bool is_as_measured(const Face& face) {
     if (!face.measured) return false;
-    return std::all_of(
-        parts::parameter_table.begin(), parts::parameter_table.begin() + 3, [&](const parts::ParameterRow& row) {
-            return face.parameters.find(row.parameter)->value == face.measured->found.find(row.parameter)->value;
-        });
+    return std::all_of(parts::parameter_table.begin(), parts::parameter_table.begin() + 3,
+                       [&](const parts::ParameterRow& row) {
+                           const std::size_t i = parts::index_of(row.parameter);
+                           return face.parameters.values()[i] == face.measured->found.values()[i];
+                       });
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ std::string gradient_warning(const Face& face, double r) {
     const bool measured = face.measured && face.measured->found.heights && face.rms_gradient &&
                           face.measured->found.rms_gradient.value == *face.rms_gradient;
     if (face.has_own_gradient()) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
-    if (!is_as_measured(face)) {
+    if (face.has_radius_and_density() && !is_as_measured(face)) {
         const auto [of_density, of_height] = parts::implied_gradients(face.roughness(), r);
         add(of_density, "implied by peak_radius and peak_density");
         if (!face.has_own_gradient()) add(of_height, "implied by rms_height and peak_radius");
@@ -120,9 +121,10 @@ std::string gradient_warning(const Face& face, double r) {
 
 SpectralMoments<double> spectral_moments(const Face& face) {
     const Roughness<double> of = face.roughness();
-    SpectralMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
     if (face.rms_gradient && face.alpha)
         return parts::moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
+    SpectralMoments<double> moments{of.rms_height * of.rms_height, 0, 0};
+    if (face.has_radius_and_density()) moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
     if (face.rms_gradient) moments.m2 = *face.rms_gradient * *face.rms_gradient / 2;
     if (face.alpha) moments.m2 = of.rms_height * std::sqrt(moments.m4 / *face.alpha);
     return moments;
@@ -145,6 +147,8 @@ std::string no_spectrum(const Face& face) {
                : face.map->summits.front().summits.empty() ? "no point of the map is above its eight neighbours"
                                                            : "";
     }
+    if (!face.has_radius_and_density() && !(face.rms_gradient && face.alpha))
+        return "R and D_p of the surface are not known: " + face.parameters.why_no_density;
     const SpectralMoments<double> moments = spectral_moments(face);
     const double alpha = moments.bandwidth();
     for (const double of : {moments.m0, moments.m2, moments.m4, alpha})
@@ -253,8 +257,10 @@ Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double
     if (upper.hurst || lower.hurst) face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
     const parts::HeightShape<double> shape = parts::sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
     face.set_shape(parts::counted_shape(shape.skewness, shape.kurtosis, 1.0));
-    for (const Face* one : {&upper, &lower})
+    for (const Face* one : {&upper, &lower}) {
+        if (!one->parameters.why_no_density.empty()) face.parameters.why_no_density = one->parameters.why_no_density;
         face.priors.insert(face.priors.end(), one->priors.begin(), one->priors.end());
+    }
     return face;
 }
 

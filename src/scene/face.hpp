@@ -56,6 +56,10 @@ struct Face {
     [[nodiscard]] std::optional<double> value(Parameter which) const;
     /// D, where it is known.
     [[nodiscard]] std::optional<double> dimension() const { return value(Parameter::fractal_dimension); }
+    /// Whether R and D_p are known.
+    [[nodiscard]] bool has_radius_and_density() const {
+        return parameters.find(Parameter::peak_radius) && parameters.find(Parameter::peak_density);
+    }
     /// Whether r and theta are known.
     [[nodiscard]] bool has_peaks() const { return parameters.r && parameters.theta; }
     /// Waves longer than the measurement that a nominal contact with the \p side (root of its area, [m]) has: none

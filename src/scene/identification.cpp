@@ -282,15 +282,17 @@ std::string flow_of(const Scene& scene, const Fit& fit, const std::vector<Parame
     const ContactParameters<double>& x = fit.found.all;
     Scene fitted = lean_scene(scene, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);
-    const double psi = parts::plasticity_index(fitted.face.roughness(), x.effective_modulus,
-                                               hardness / parts::hardness_over_yield_strength<double>);
+    const double psi = fitted.face.has_radius_and_density()
+                           ? parts::plasticity_index(fitted.face.roughness(), x.effective_modulus,
+                                                     hardness / parts::hardness_over_yield_strength<double>)
+                           : 0;
     const std::optional<double> g = gradient(fitted);
     const double relative = g ? hardness / (x.effective_modulus * *g) : std::numeric_limits<double>::quiet_NaN();
     if (!(g ? relative < parts::flowing_hardness : psi > parts::max_elastic_plasticity_index<double>)) return "";
     const bool has_plastic = refusal_of(find_law(LawName::plastic), scene).empty();
     return "the peaks of the fitted surface yield (" +
-           (g ? "H/(E g) = " + rounded(relative, 2) + ", below " + rounded(parts::flowing_hardness) + "; " : "") +
-           "plasticity index " + rounded(psi, 3) +
+           (g ? "H/(E g) = " + rounded(relative, 2) + ", below " + rounded(parts::flowing_hardness) : "") +
+           (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +
            "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
            (has_plastic ? "plastic" : "jackson_green");
 }

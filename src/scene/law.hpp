@@ -155,6 +155,9 @@ struct Law {
     bool has_quick_form = false;  ///< without LawOptions::mutual, for the shape of a band
     bool varies = true;           ///< can be computed of surfaces drawn about the measured one, for a band, and fitted
     PlasticRange range{};         ///< of a law whose contact has means_at
+
+    /// Whether it is over a distribution of peaks, of which R and D_p are known.
+    [[nodiscard]] bool needs_radius() const { return !holds_when_crowded && !needs_map; }
 };
 
 /// All laws, in the order in which choices are listed.

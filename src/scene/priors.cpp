@@ -109,7 +109,7 @@ std::string assumed_phrase(const std::string& name, const PriorRange& range, con
 }
 
 void fill_unknown(Face& face, bool shape_known) {
-    if (face.measured && !(face.parameters.peak_radius.value > 0 && face.parameters.peak_density.value > 0)) return;
+    if (face.measured && !face.has_radius_and_density() && !(face.rms_gradient && face.alpha)) return;
     fill_spectrum(face);
     face.follow();
     fill_hurst(face);

@@ -196,6 +196,12 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
         if (std::erase_if(chosen, lacks) > 0)
             scene.warnings.push_back("no fractal law is computed, because D is not known");
     }
+    const auto lacks_radius = [&](const Law* law) {
+        return law->needs_radius() && !scene.face.has_radius_and_density();
+    };
+    if (!std::all_of(chosen.begin(), chosen.end(), lacks_radius) && std::erase_if(chosen, lacks_radius) > 0)
+        scene.warnings.push_back("no law over a distribution of peaks is computed, because D_p is not known: " +
+                                 scene.face.parameters.why_no_density);
     for (const Law* law : chosen) {
         if (lacks(law))
             throw domain_error(source.at(*node) + ": surface.fractal_dimension: is missing; law \"" +

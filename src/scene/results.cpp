@@ -188,8 +188,11 @@ void add_warnings(const Scene& scene, Results& results) {
     else if (scene.reading != InteractionReading::none)
         results.warnings.push_back(
             "contact.interaction does not affect the answer, whose laws include their own interaction");
-    if (scene.best && !unknown.empty())
-        results.warnings.push_back("sigma is not known to a factor of two, so K and its band are doubtful");
+    if (scene.best && !unknown.empty() && !parts::is_known(scene.face.parameters.rms_height))
+        results.warnings.push_back(
+            results.answer && results.answer->of_map_itself
+                ? "sigma of another piece of this surface is not known to a factor of two: K is that of this map alone"
+                : "sigma is not known to a factor of two, so K and its band are doubtful");
     const std::size_t before = results.warnings.size();
     for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
         warn_if_any(results, concern);
@@ -276,7 +279,7 @@ std::vector<Parameter> unknown_parameters(const Scene& scene) {
     if (scene.face.measured)
         all = unknown_parameters(*scene.face.measured, scene.face.parameters);
     else if (!measured_faces(scene).empty())  // of a sum: what is unknown of one face may not matter next to the other
-        all = parts::unknown_parameters(scene.face.parameters, false);
+        all = parts::unknown_parameters(scene.face.parameters);
     if (scene.best) std::erase_if(all, [](Parameter one) { return one != Parameter::rms_height; });
     return all;
 }
@@ -335,11 +338,13 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     Results results;
     results.modulus = effective_modulus(scene.upper, scene.lower);
     results.warnings = scene.warnings;
-    if (scene.yield_strength)
+    const bool has_peaks = scene.face.has_radius_and_density();
+    if (scene.yield_strength && has_peaks)
         results.plasticity_index =
             parts::plasticity_index(scene.face.roughness(), results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
-    results.surface_checks = parts::check_surface(scene.face.roughness(), results.modulus, scene.yield_strength);
+    if (has_peaks)
+        results.surface_checks = parts::check_surface(scene.face.roughness(), results.modulus, scene.yield_strength);
     std::size_t curves = 0;
     for (const Law* law : scene.laws) curves += law->has_peaks ? peaks_of(*law, scene).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves

@@ -55,6 +55,9 @@ bool flows(const Scene& scene, const Law& law) {
 std::string refusal_of(const Law& law, const Scene& scene) {
     if (scene.at_separations && !parts::has(law.quantities, Quantity::separation))
         return "gives no separation; give contact.pressures";
+    if (law.needs_radius() && !scene.face.has_radius_and_density())
+        return "needs surface.peak_radius and surface.peak_density, which are not known: " +
+               scene.face.parameters.why_no_density;
     if (law.needs_map && !scene.face.map)
         return scene.faces.empty() ? "needs a map: surface.from, or --surface, must name the file of one (the JSON of "
                                      "fstiff measure holds its numbers alone)"

@@ -151,6 +151,7 @@ void clean(const SurfaceOptions& options, io::Surface& surface) {
 
 std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io::Surface& surface) {
     constexpr double sure = 30;  // standard deviations: real surfaces of heavy tails have points up to 20 or 30
+    constexpr double limit = 20;
     constexpr Eigen::Index most = 1024;
     std::vector<std::string> hints;
     if (options.spikes != 0) return hints;
@@ -158,17 +159,20 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     if (surface.is_profile()) {
         if (surface.profile().size() < 16) return hints;
         Profile<double> copy = surface.profile();
-        found = parts::find_spikes(copy, sure, false).removed;
+        if (parts::find_spikes(copy, sure, false).removed > 0) found = parts::find_spikes(copy, limit, false).removed;
     } else {
         const HeightMap<double>& map = surface.map();
         if (map.rows() < 16 || map.columns() < 16) return hints;
         const Eigen::Index rows = std::min(map.rows(), most), columns = std::min(map.columns(), most);
         HeightMap<double> part{map.heights.topLeftCorner(rows, columns), map.dx, map.dy};
-        found = parts::find_spikes(part, sure, false).removed;
+        if (parts::find_spikes(part, sure, false).removed > 0) {
+            if (part.size() < map.size()) part = map;
+            found = parts::find_spikes(part, limit, false).removed;
+        }
     }
     if (found > 0)
         hints.push_back((found == 1 ? "1 point deviates" : std::to_string(found) + " points deviate") +
-                        " by over 30 sigma, like spikes; " + options.name("spikes") +
+                        " by over 20 sigma, like spikes; " + options.name("spikes") +
                         (options.prefix.empty() ? " = 20" : " 20") + " removes " + (found == 1 ? "it" : "them"));
     return hints;
 }

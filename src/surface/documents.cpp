@@ -102,6 +102,7 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
         if (!line.unit.empty()) entry["unit"] = line.unit;
         entry["how"] = line.how;
     }
+    if (!found.why_no_density.empty()) document["no_peak_density"] = found.why_no_density;
     if (found.fractal_dimension) document["fractal_dimension_window_error"] = found.dimension_window_error;
     if (std::isfinite(found.widest_band)) document["widest_band"] = found.widest_band;
     if (const auto& end = found.long_end; end.side > 0)
@@ -128,12 +129,11 @@ Json measured_document(const MeasuredSurface& surface) {
     for (const Surface<double>& neighbour : found.neighbours) {
         Json of;
         put_found(of, surface, neighbour);
-        document["neighbours"].push_back({{"lambda_s_m", of["lambda_s_m"]},
-                                          {"lambda_c_m", of["lambda_c_m"]},
-                                          {"surface", of["surface"]},
-                                          {"widest_band", of["widest_band"]},
-                                          {"moments", of["moments"]},
-                                          {"shape_share", neighbour.shape_share}});
+        Json one = {{"lambda_s_m", of["lambda_s_m"]}, {"lambda_c_m", of["lambda_c_m"]},
+                    {"surface", of["surface"]},       {"widest_band", of["widest_band"]},
+                    {"moments", of["moments"]},       {"shape_share", neighbour.shape_share}};
+        if (!neighbour.why_no_density.empty()) one["no_peak_density"] = neighbour.why_no_density;
+        document["neighbours"].push_back(std::move(one));
     }
     if (!found.why_no_dimension.empty()) document["no_fractal_dimension"] = found.why_no_dimension;
     if (!found.why_no_peaks.empty()) document["no_r_and_theta"] = found.why_no_peaks;

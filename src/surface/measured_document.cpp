@@ -70,6 +70,7 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
     surface.cut_offs.lambda_c = cut_off("lambda_c_m");
     if (const std::string filter = text_of(document, "filter"); !filter.empty())
         surface.cut_offs.filter = parse<CutOffFilter>(filter, name + ": filter");
+    surface.why_no_density = text_of(document, "no_peak_density");
     const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
         const auto found = values->find(key);
         if (found == values->end()) return std::nullopt;
@@ -79,7 +80,8 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
         const std::string key(row.key);
         if (const auto measured = read(key.c_str()))
             surface.set(row.parameter, *measured);
-        else if (row.parameter <= Parameter::peak_density)
+        else if (row.parameter == Parameter::rms_height ||
+                 (row.parameter <= Parameter::peak_density && surface.why_no_density.empty()))
             throw domain_error(name + ": surface." + key + ": is missing; must be that of fstiff measure");
     }
     surface.max_peak_height = read("max_peak_height").value_or(Measurement<double>{});

@@ -19,6 +19,58 @@ bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
 
 double gradient_of(const parts::PreparedProfile<double>& profile) { return profile.rms_gradient; }
 double gradient_of(const parts::PreparedMap<double>& map) { return map.areal.rms_gradient; }
+double step_of(const parts::PreparedProfile<double>& profile) { return profile.profile.spacing; }
+double step_of(const parts::PreparedMap<double>& map) { return std::max(map.map.dx, map.map.dy); }
+
+/// The option \p key with \p value, as it is written in a scene or on a command line.
+std::string option_text(const SurfaceOptions& options, std::string_view key, const std::string& value) {
+    return options.name(key) + (options.prefix.empty() ? " = \"" + value + "\"" : " \"" + value + "\"");
+}
+
+/// The crop that keeps the longer part of \p found next to its step, which is passed along x or y.
+std::string crop_at_step(const Surface<double>& found) {
+    const detail::PlainForm<double>& form = found.plain_form;
+    std::vector<std::array<double, 2>> box;  // of x, and of y
+    const auto add = [&](auto points, double step) { box.push_back({0, static_cast<double>(points - 1) * step}); };
+    if (const auto* line = found.profile.get())
+        add(line->profile.size(), line->profile.spacing);
+    else
+        add(found.map->map.columns(), found.map->map.dx), add(found.map->map.rows(), found.map->map.dy);
+    auto& [from, to] = box[form.along_y ? 1 : 0];
+    const double edge = std::max(0.02 * to, found.cut_offs.lambda_s.value_or(0));  // the place is known to one part
+    (2 * form.place > to ? to : from) = form.place + (2 * form.place > to ? -edge : edge);
+    std::string text;
+    for (const auto& [low, high] : box)
+        text += (text.empty() ? "" : ",") + shown_length(low, 6) + "," + shown_length(high, 6);
+    return text;
+}
+
+/// A sentence on the parabola or the step that is most of the mean square height of \p found, and on what removes it;
+/// empty where there is none.
+std::string form_warning(const Surface<double>& found, const SurfaceOptions& options) {
+    const detail::PlainForm<double>& form = found.plain_form;
+    const auto option = [&](std::string_view key, const std::string& value) {
+        return options.name(key) + (options.prefix.empty() ? " = \"" : " \"") + value + "\"";
+    };
+    if (form.is_parabola())
+        return shown_percent(form.parabola) + " of the mean square height is one " +
+               (found.profile ? "parabola" : "quadratic surface") + ", the form of a curved part; " +
+               option("detrend", found.profile ? "parabola" : "quadratic") + " removes it";
+    if (!form.is_step()) return "";
+    const bool straight = (form.along_x || form.along_y) && options.crop.empty();
+    return shown_percent(form.step) + " of the mean square height is one step" +
+           (straight ? " at " + shown_length(form.place, 3) + "; " + option("crop", crop_at_step(found))
+                     : "; " + options.name("crop") + " or " + options.name("mask")) +
+           " keeps one side of it";
+}
+
+/// A sentence on lengths that no rough surface has, where its sigma is \p rms_height and its points are \p step apart;
+/// empty where there are none.
+std::string length_warning(double rms_height, double step) {
+    if (!(rms_height > 1e-3 || step > 1e-2)) return "";
+    return "sigma is " + shown_length(rms_height, 3) + " and the points are " + shown_length(step, 3) +
+           " apart: a unit of its lengths is likely wrong";
+}
 
 /// Decisions after the reading of the file, and doubts about \p found.
 template <class Prepared>
@@ -32,7 +84,7 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
-    else
+    else if (found.why_no_density.empty())
         said.push_back("R and D_p from " + std::to_string(found.peaks_counted) +
                        (options.input.peaks == parts::PeakSource::summits
                             ? " summits"
@@ -51,6 +103,9 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     else if (found.curved)
         warned.push_back("the structure function is not a single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
+    if (!found.why_no_density.empty())
+        warned.push_back(std::string(profile ? "no D_p" : "no R and D_p") +
+                         ", so laws over a distribution of peaks need given ones: " + found.why_no_density);
     const bool lay = has(found.concerns, MeasuredConcern::lay);
     if (has(found.concerns, MeasuredConcern::anisotropic) && !lay)
         warned.push_back("the map differs along x and y; the models assume an isotropic surface");
@@ -72,8 +127,9 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     std::vector<std::string> of_peaks = peak_warnings(found.concerns, found.peaks_counted, found);
     if (!profile && has(found.concerns, MeasuredConcern::few_peaks)) surface.of_file.push_back(of_peaks.front());
     warned.insert(warned.end(), of_peaks.begin(), of_peaks.end());
-    if (!has(found.concerns, MeasuredConcern::implausible_gradient)) return;
-    for (auto* list : {&warned, &surface.of_file}) list->push_back(gradient_warning(gradient_of(prepared), "measured"));
+    for (const std::string& line : {form_warning(found, options.input), length_warning(prepared.rms, step_of(prepared)),
+                                    gradient_warning(gradient_of(prepared), "measured")})
+        if (!line.empty()) warned.push_back(line), surface.of_file.push_back(line);
 }
 
 }  // namespace
@@ -82,10 +138,11 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
                                        const parts::SurfaceParameters<double>& values) {
     std::vector<std::string> lines;
     const auto add_percent = [&](MeasuredConcern concern, Parameter which) {
-        const Measurement<double> one = *values.find(which);
-        if (has(concerns, concern) && parts::is_known(one))  // what is not known to a factor of two is named below
+        const Measurement<double>* one = values.find(which);
+        if (has(concerns, concern) && one &&
+            parts::is_known(*one))  // what is not known to a factor of two is named below
             lines.push_back(std::string(parts::row_of(which).symbol) + " is known to " +
-                            shown_percent(one.error / one.value) + " only");
+                            shown_percent(one->error / one->value) + " only");
     };
     if (has(concerns, MeasuredConcern::few_peaks))
         lines.push_back("R and D_p come from " + std::to_string(peaks) + " peaks only; their errors are rough");
@@ -97,7 +154,7 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
             "be used as a pair");
     if (has(concerns, MeasuredConcern::parameter_unknown)) {
         std::string names;
-        for (const Parameter which : parts::unknown_parameters(values, has(concerns, MeasuredConcern::long_waves)))
+        for (const Parameter which : parts::unknown_parameters(values))
             names += (names.empty() ? "" : ", ") + std::string(parts::row_of(which).symbol) + " (" +
                      shown_percent(values.find(which)->error / values.find(which)->value) + ")";
         lines.push_back(names +
@@ -109,10 +166,15 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
 std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
                                           const parts::SurfaceParameters<double>& used) {
     const auto& concerns = surface.found.concerns;
-    std::vector<Parameter> all = parts::unknown_parameters(used, has(concerns, MeasuredConcern::long_waves));
+    std::vector<Parameter> all = parts::unknown_parameters(used);
+    const auto add_measured = [&](Parameter which) {
+        const auto *one = used.find(which), *measured = surface.found.find(which);
+        if (one && measured && one->value == measured->value) all.push_back(which);
+    };
     if (has(concerns, MeasuredConcern::no_densest_level))
-        for (const Parameter which : {Parameter::peak_radius, Parameter::peak_density})
-            if (used.find(which)->value == surface.found.find(which)->value) all.push_back(which);
+        add_measured(Parameter::peak_radius), add_measured(Parameter::peak_density);
+    if (has(concerns, MeasuredConcern::form) || has(concerns, MeasuredConcern::step))
+        add_measured(Parameter::rms_height);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
@@ -215,11 +277,13 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surf
         return ParameterLine{std::string(parts::row_of(which).key), std::move(unit), *found.find(which), std::move(how),
                              std::count(unknown.begin(), unknown.end(), which) == 0};
     };
-    std::vector<ParameterLine> lines{
-        line(Parameter::rms_height, "m", "root of the mean square about the mean"),
-        line(Parameter::peak_radius, "m", profile ? "3 sqrt(pi)/(8 sigma_kappa), (4.10)" : "mean of the peaks"),
-        line(Parameter::peak_density, "/m^2",
-             profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area")};
+    std::vector<ParameterLine> lines{line(Parameter::rms_height, "m", "root of the mean square about the mean")};
+    if (found.find(Parameter::peak_radius))
+        lines.push_back(
+            line(Parameter::peak_radius, "m", profile ? "3 sqrt(pi)/(8 sigma_kappa), (4.10)" : "mean of the peaks"));
+    if (found.find(Parameter::peak_density))
+        lines.push_back(line(Parameter::peak_density, "/m^2",
+                             profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area"));
     const auto add = [&](const char* name, const Measurement<double>& one, const char* how) {
         lines.push_back({name, "m", one, how, parts::is_known(one)});
     };

@@ -64,7 +64,7 @@ struct MeasuredSurface {
                                                      const parts::SurfaceParameters<double>& values);
 
 /// The parameters of \p used, those of \p surface or what replaced them, on which no result can rest: not known to a
-/// factor of two, or the R and D_p of islands whose density has no maximum.
+/// factor of two, the R and D_p of islands whose density has no maximum, or the sigma of a form or a step.
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
                                                         const parts::SurfaceParameters<double>& used);
 

@@ -43,8 +43,9 @@ TEST_CASE("Spikes are far from the median by its robust deviation, and nothing i
     const double nan = std::numeric_limits<double>::quiet_NaN();
     // median 3.5, deviations 2.5 1.5 0.5 0.5 1.5 96.5: their median is 1.5, a standard deviation 1.4826 times that
     const std::vector<double> some{1, 2, 3, nan, 4, 5, 100};
-    const auto spikes = [](std::vector<double> z, double limit, bool remove = false) {
-        const auto repair = math::spikes_among(z.data(), std::vector<double>(z), limit, remove);
+    const auto always = [](std::size_t, double) { return true; };
+    const auto spikes = [&](std::vector<double> z, double limit, bool remove = false) {
+        const auto repair = math::spikes_among(z.data(), std::vector<double>(z), limit, remove, always);
         CHECK(std::isnan(z.back()) == (remove && repair.removed > 0));
         return repair.removed;
     };
@@ -54,7 +55,12 @@ TEST_CASE("Spikes are far from the median by its robust deviation, and nothing i
     CHECK(spikes(some, 0.999 * limit) == 1);
     CHECK(spikes(some, 1.001 * limit) == 0);
     CHECK(spikes({0, 0, 0, 0, 9}, 5.) == 0);
-    CHECK(math::spikes_among(std::vector<double>{nan}.data(), {nan}, 5., true).removed == 0);
+    CHECK(math::spikes_among(std::vector<double>{nan}.data(), {nan}, 5., true, always).removed == 0);
+    std::vector<double> two{1, 2, 3, 100, 4, 5, 200};
+    const auto last = [&](std::size_t i, double) { return i == 6; };
+    CHECK(math::spikes_among(two.data(), std::vector<double>(two), 5., true, last).removed == 1);
+    CHECK(std::isnan(two[6]));
+    CHECK(two[3] == 100);
 }
 
 }  // namespace tukey_test

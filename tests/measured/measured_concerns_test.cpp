@@ -100,8 +100,8 @@ TEST_CASE(
     CHECK(concerns_of(surface).empty());
     surface.r->error = 0.2001;
     CHECK(concerns_of(surface) == Concerns{parameter_unknown});
-    surface.long_wave_share = 0.751;  // which gives the reason, and is no separate doubt
-    CHECK(concerns_of(surface) == Concerns{long_waves});
+    surface.long_wave_share = 0.751;  // which gives the reason
+    CHECK(concerns_of(surface) == Concerns{long_waves, parameter_unknown});
     surface.long_wave_share = 0.75;
     surface.r.reset();
     surface.peak_radius = {1e-6, 0.501e-6};
@@ -125,6 +125,29 @@ TEST_CASE(
     CHECK(concerns_of(islands) == Concerns{density_uncertain, parameter_unknown});
     CHECK((parts::is_fatal(no_densest_level) && parts::is_fatal(parameter_unknown) &&
            !parts::is_fatal(radius_uncertain)));
+}
+
+TEST_CASE("A parabola or a step of more than half of the mean square height is a concern, and the greater one counts") {
+    parts::SurfaceParameters<double> surface;
+    surface.peaks_counted = 30;
+    surface.plain_form = {.parabola = 0.5, .step = 0.5};
+    CHECK(concerns_of(surface).empty());
+    surface.plain_form.parabola = 0.51;
+    CHECK(concerns_of(surface) == Concerns{form});
+    surface.plain_form.step = 0.52;
+    CHECK(concerns_of(surface) == Concerns{step});
+    CHECK((parts::is_fatal(form) && parts::is_fatal(step)));
+}
+
+TEST_CASE("R and D_p that are not known are no parameters of few peaks") {
+    parts::SurfaceParameters<double> surface;
+    surface.rms_height = {1e-6, 1e-8};
+    surface.peaks_counted = 1;
+    CHECK(concerns_of(surface).empty());
+    CHECK(surface.find(Parameter::peak_radius) == nullptr);
+    surface.set(Parameter::peak_density, {1e9, 1e8});
+    REQUIRE(surface.find(Parameter::peak_density));
+    CHECK(concerns_of(surface) == Concerns{few_peaks});
 }
 
 TEST_CASE("A map that is stretched is reported as anisotropic") {

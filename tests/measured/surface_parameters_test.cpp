@@ -558,7 +558,7 @@ TEST_CASE("Surfaces without the necessary points are refused in a sentence") {
           "profile of constant height = 2e-06: must be of varying height");
     Profile<double> line{{}, 1e-6};
     for (int i = 0; i < 100; ++i) line.heights.push_back(i * 0x1p-20);
-    CHECK(of_profile(line) == "peaks of the profile = 0: must be at least 1");
+    CHECK(of_profile(line) == "radius of the peaks = inf: must be finite and greater than 0");
     CHECK(of_profile({{profile.heights.begin(), profile.heights.begin() + 15}, 1e-6}) ==
           "profile has 15 points: must be at least 16");
     CHECK(of_profile({{}, 1e-6}) == "profile has 0 points: must be at least 16");
@@ -608,10 +608,12 @@ TEST_CASE("Surfaces without the necessary points are refused in a sentence") {
         for (Eigen::Index j = 0; j < 32; ++j)
             for (Eigen::Index i = 0; i < 32; ++i)
                 other.heights(j, i) = -1e-8 * static_cast<double>((i - 14) * (i - 14) + (j - 17) * (j - 17));
-        CHECK(of_map(other, how) ==
-              (how.peaks == parts::PeakSource::summits
-                   ? "tiles of the map that hold summits = 1: must be at least 2 for the errors of R and D_p"
-                   : "islands of the map where there are most = 1: must be at least 2 for the errors of R and D_p"));
+        const auto one_peak = parts::surface_parameters(other, how);
+        CHECK(one_peak.why_no_density ==
+              (how.peaks == parts::PeakSource::summits ? "summits in one tile alone" : "one island"));
+        CHECK(one_peak.find(Parameter::peak_radius) == nullptr);
+        CHECK(one_peak.find(Parameter::peak_density) == nullptr);
+        CHECK(one_peak.rms_height.value == rms_height(other));
         // everything in one tile
         other.heights.setConstant(missing);
         other.heights.topLeftCorner(8, 8) = map.heights.topLeftCorner(8, 8);
@@ -626,6 +628,18 @@ TEST_CASE("A profile of one peak has that peak and a large error of the density"
     check_sound(found);
     CHECK(found.peaks_counted == 1);
     CHECK(found.peak_density.error >= found.peak_density.value);
+    CHECK(found.rms_height.error > 0);
+}
+
+TEST_CASE("A profile without a peak has every parameter but the density of peaks") {
+    Profile<double> bowl{{}, 1e-6};
+    for (int i = 0; i < 64; ++i) bowl.heights.push_back(1e-9 * (i - 30) * (i - 30));
+    const auto found = parts::surface_parameters(bowl);
+    CHECK(found.why_no_density == "no peak");
+    CHECK(found.find(Parameter::peak_density) == nullptr);
+    // z'' = 2e-9/1e-12 1/m: R = 3 sqrt(pi)/(8 2000)
+    CHECK(test::relative_error(found.peak_radius.value, 3 * std::sqrt(numbers::pi_v<double>) / (8 * 2000)) < 1e-9);
+    CHECK(found.rms_height.value == rms_height(bowl));
     CHECK(found.rms_height.error > 0);
 }
 

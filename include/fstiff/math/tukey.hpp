@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace fstiff::inline v0_1::math {
@@ -72,11 +74,27 @@ template <Real T>
     return (values[3] + values[4]) / 2;
 }
 
-/// Counts the spikes among \p heights, and with \p remove makes them NaN: those whose \p differences (NaN: none) are
-/// farther than \p limit robust standard deviations, 1.4826 times the median of |d - median d|, from their median.
-/// Finds none where that deviation is 0, because rounded heights do not show their spread.
+/// How far \p here is beyond both \p a and \p b, on the side of \p sign; at most 0 where one is as far; without NaN
 template <Real T>
-Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool remove) {
+[[nodiscard]] T beyond_both(T here, T a, T b, T sign) {
+    if (std::isnan(a)) a = b;
+    if (std::isnan(b)) b = a;
+    return (std::min)(sign * (here - a), sign * (here - b));
+}
+
+/// Whether a point that is \p near beyond the points around it, \p far beyond those farther away, and \p difference
+/// from its neighbours is a spike of \p limit standard deviations: the top of a bump falls farther with distance.
+template <Real T>
+[[nodiscard]] bool has_no_foot(T near, T far, T difference, T limit) {
+    return far > std::abs(difference) / 2 && near > limit / 6 * (far - near);
+}
+
+/// Counts the spikes among \p heights, and with \p remove makes them NaN: those whose \p differences (NaN: none) are
+/// farther than \p limit robust standard deviations, 1.4826 times the median of |d - median d|, from their median, and
+/// that are \p alone(place, difference).
+/// Finds none where that deviation is 0, because rounded heights do not show their spread.
+template <Real T, class Alone>
+Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool remove, const Alone& alone) {
     std::vector<T> some;
     for (const T d : differences)
         if (!std::isnan(d)) some.push_back(d);
@@ -86,11 +104,12 @@ Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool
     for (T& d : some) d = std::abs(d - middle);
     const T scale = tukey_factor<T> / 3 * median(some);
     if (!(scale > T(0))) return repair;
-    for (std::size_t i = 0; i < differences.size(); ++i) {
-        if (!(std::abs(differences[i] - middle) > limit * scale)) continue;
-        ++repair.removed;
-        if (remove) heights[i] = std::numeric_limits<T>::quiet_NaN();
-    }
+    std::vector<std::size_t> spikes;
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        if (std::abs(differences[i] - middle) > limit * scale && alone(i, differences[i])) spikes.push_back(i);
+    repair.removed = spikes.size();
+    if (remove)
+        for (const std::size_t i : spikes) heights[i] = std::numeric_limits<T>::quiet_NaN();
     return repair;
 }
 

@@ -100,6 +100,7 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     const auto known = whole.isFinite().eval();
     Estimates<S> unit = whole;
     unit[4] = unit[5] = S(1);
+    if (count == PeakCount::profile && !(whole[2] > S(0))) unit[2] = S(1);  // no peak
     std::vector<Estimates<S>> draws;
     for (std::size_t k = 0; k < resamples; ++k) {
         if (progress) progress("resamples", k, resamples);

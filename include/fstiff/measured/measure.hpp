@@ -45,7 +45,7 @@ struct Surface : parts::SurfaceParameters<T> {
 };
 
 /// Measures \p profile as a section of an isotropic surface.
-/// \throws domain_error for a profile, a cut-off or an option out of range, or a profile without peaks.
+/// \throws domain_error for a profile, a cut-off or an option out of range.
 template <Real T>
 [[nodiscard]] Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options = {});
 /// Measures \p map. \throws as above.
@@ -144,6 +144,8 @@ template <Real T>
     const Profile<T>& flat = prepared->profile;
     SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
                                                        parameter_options(options, *prepared, int(options.form) - 1));
+    if (options.texture && options.form > Form::mean)
+        found.plain_form = detail::plain_form(flat, static_cast<int>(options.form) - 1);
     Surface<T> surface = surface_of(std::move(found), flat, prepared->cut_offs, prepared->rms_gradient);
     surface.profile = prepared;
     surface.size = static_cast<T>(flat.present()) * flat.spacing;
@@ -171,6 +173,7 @@ template <Real T>
                                                        parameter_options(options, *prepared, terms));
     prepared->unfiltered.reset();  // D is found
     const HeightMap<T>& flat = prepared->map;
+    if (options.texture && degree > 0) found.plain_form = detail::plain_form(flat, degree);
     Surface<T> surface =
         surface_of(std::move(found), flat, prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient));
     surface.map = prepared;

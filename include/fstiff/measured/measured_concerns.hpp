@@ -32,8 +32,9 @@ namespace fstiff::inline v0_1 {
 ///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
 ///     no_densest_level     the island density is greatest at the lowest or the highest level, no maximum: R and
 ///                          D_p must not be used as a pair
-///     parameter_unknown    the standard error of sigma, R, D_p, D, r or theta exceeds half the value; sigma, r only
-///                          without long_waves, which implies it
+///     parameter_unknown    the standard error of sigma, R, D_p, D, r or theta exceeds half the value
+///     form, step           one parabola (of a map: a quadratic surface) or one step is more than half of the mean
+///                          square height: sigma is that of a part and not of its roughness
 ///     implausible_gradient the rms gradient is above 1 or below 1e-6: a unit of length is likely wrong
 enum class MeasuredConcern {
     curved,
@@ -49,6 +50,8 @@ enum class MeasuredConcern {
     density_uncertain,
     no_densest_level,
     parameter_unknown,
+    form,
+    step,
     implausible_gradient
 };
 
@@ -67,6 +70,8 @@ inline constexpr auto names<MeasuredConcern> = name_list<MeasuredConcern>({
     {MeasuredConcern::density_uncertain, "density_uncertain"},
     {MeasuredConcern::no_densest_level, "no_densest_level"},
     {MeasuredConcern::parameter_unknown, "parameter_unknown"},
+    {MeasuredConcern::form, "form"},
+    {MeasuredConcern::step, "step"},
     {MeasuredConcern::implausible_gradient, "implausible_gradient"},
 });
 
@@ -109,7 +114,7 @@ template <Real T>
 void add_peak_concerns(std::vector<MeasuredConcern>& found, std::size_t peaks, const Measurement<T>& radius,
                        const Measurement<T>& density) {
     const auto uncertain = [](const Measurement<T>& one) { return one.error > T(0.3) * one.value; };
-    if (peaks < 30) found.push_back(MeasuredConcern::few_peaks);
+    if (peaks < 30 && density.value > T(0)) found.push_back(MeasuredConcern::few_peaks);  // else D_p is not known
     if (uncertain(radius)) found.push_back(MeasuredConcern::radius_uncertain);
     if (uncertain(density)) found.push_back(MeasuredConcern::density_uncertain);
 }
@@ -135,14 +140,12 @@ template <Real T>
 
 namespace parts {
 
-/// Parameters of \p surface that are not known to a factor of two; with \p long_waves, which is a separate concern,
-/// without sigma and r.
+/// Parameters of \p surface that are not known to a factor of two.
 template <Real T>
-[[nodiscard]] std::vector<Parameter> unknown_parameters(const SurfaceParameters<T>& surface, bool long_waves) {
+[[nodiscard]] std::vector<Parameter> unknown_parameters(const SurfaceParameters<T>& surface) {
     std::vector<Parameter> all;
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         const Parameter which = parameter_table[i].parameter;
-        if (long_waves && (which == Parameter::rms_height || which == Parameter::r)) continue;
         if (const auto* one = surface.find(which); one && !is_known(*one)) all.push_back(which);
     }
     return all;
@@ -150,8 +153,8 @@ template <Real T>
 
 }  // namespace parts
 
-/// Concerns curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and
-/// parameter_unknown.
+/// Concerns curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level,
+/// parameter_unknown, form and step.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const parts::SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> found;
@@ -159,12 +162,13 @@ template <Real T>
     if (surface.anisotropic) found.push_back(MeasuredConcern::anisotropic);
     if (surface.repetition.is_lay() || detail::is_lay(surface.texture_aspect_ratio))
         found.push_back(MeasuredConcern::lay);
-    const bool long_waves = surface.long_wave_share > T(0.75);
-    if (long_waves) found.push_back(MeasuredConcern::long_waves);
+    if (surface.long_wave_share > T(0.75)) found.push_back(MeasuredConcern::long_waves);
     parts::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
     if (surface.islands && parts::is_densest_at_end(*surface.islands))
         found.push_back(MeasuredConcern::no_densest_level);
-    if (!parts::unknown_parameters(surface, long_waves).empty()) found.push_back(MeasuredConcern::parameter_unknown);
+    if (!parts::unknown_parameters(surface).empty()) found.push_back(MeasuredConcern::parameter_unknown);
+    if (surface.plain_form.is_parabola()) found.push_back(MeasuredConcern::form);
+    if (surface.plain_form.is_step()) found.push_back(MeasuredConcern::step);
     return found;
 }
 
@@ -178,10 +182,12 @@ template <Real T>
 
 namespace parts {
 
-/// Whether results for the surface are in doubt: no_densest_level, parameter_unknown and implausible_gradient.
+/// Whether results for the surface are in doubt: no_densest_level, parameter_unknown, form, step and
+/// implausible_gradient.
 [[nodiscard]] constexpr bool is_fatal(MeasuredConcern concern) {
-    return concern == MeasuredConcern::no_densest_level || concern == MeasuredConcern::parameter_unknown ||
-           concern == MeasuredConcern::implausible_gradient;
+    using enum MeasuredConcern;
+    return concern == no_densest_level || concern == parameter_unknown || concern == form || concern == step ||
+           concern == implausible_gradient;
 }
 
 }  // namespace parts

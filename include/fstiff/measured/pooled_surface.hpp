@@ -173,7 +173,7 @@ template <Real T, class Knows>
     return mean;
 }
 
-/// Mean over all \p parts; D and G, and r and theta, over the parts that have them.
+/// Mean over all \p parts; R and D_p, D and G, and r and theta, over the parts that have them.
 template <Real T>
 [[nodiscard]] RoughFace<T> mean_of_known(const std::vector<Surface<T>>& parts) {
     RoughFace<T> mean = *mean_face(parts, [](const auto&) { return true; });
@@ -182,6 +182,9 @@ template <Real T>
         mean.fractal_dimension = of->fractal_dimension, mean.fractal_roughness = of->fractal_roughness;
     if (const auto of = mean_face(parts, [](const auto& one) { return one.r.has_value(); }))
         mean.r = of->r, mean.theta = of->theta;
+    if (const auto of = mean_face(parts, [](const auto& one) { return rough_face(one).has_peaks(); }))
+        mean.roughness.peak_radius = of->roughness.peak_radius,
+        mean.roughness.peak_density = of->roughness.peak_density;
     mean.roughness.max_peak_height = 0;
     for (const auto& one : parts)
         mean.roughness.max_peak_height = (std::max)(mean.roughness.max_peak_height, one.max_peak_height.value);
@@ -201,7 +204,7 @@ void pool_error(Surface<T>& whole, const std::vector<Surface<T>>& parts, const P
         known.push_back(
             {log ? Measurement<T>{std::log(one->value), std::sqrt(std::log1p(relative * relative))} : *one, part.size});
     }
-    if (known.empty()) return;
+    if (known.empty() || !whole.find(row.parameter)) return;
     const T error = pooled_error(known);
     Measurement<T>& mean = *whole.find(row.parameter);
     if (log) mean.value = std::exp(std::log(mean.value));
@@ -235,7 +238,7 @@ void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
     }
 }
 
-/// Concerns of all \p parts, and parameter_unknown for \p whole; one part with an implausible gradient is enough.
+/// Concerns of all \p parts, and parameter_unknown for \p whole; form, step and implausible_gradient of one are enough.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> pooled_concerns(const Surface<T>& whole,
                                                            const std::vector<Surface<T>>& parts) {
@@ -246,16 +249,16 @@ template <Real T>
     std::vector<MeasuredConcern> all;
     for (const MeasuredConcern one : parts.front().concerns) {
         if (one == few_peaks || one == radius_uncertain || one == density_uncertain || one == parameter_unknown ||
-            one == implausible_gradient)
+            one == form || one == step || one == implausible_gradient)
             continue;
         if (std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); }))
             all.push_back(one);
     }
-    const bool told = std::find(all.begin(), all.end(), MeasuredConcern::long_waves) != all.end();
-    if (std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, implausible_gradient); }))
-        all.push_back(implausible_gradient);
+    for (const MeasuredConcern one : {form, step, implausible_gradient})
+        if (std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); }))
+            all.push_back(one);
     add_peak_concerns(all, whole.peaks_counted, whole.peak_radius, whole.peak_density);
-    if (!unknown_parameters(whole, told).empty()) all.push_back(parameter_unknown);
+    if (!unknown_parameters(whole).empty()) all.push_back(parameter_unknown);
     return all;
 }
 
@@ -344,6 +347,7 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
     parts::pool_errors(whole, parts);
     if (!whole.fractal_roughness) whole.why_no_dimension = first.why_no_dimension;
     if (!whole.r) whole.why_no_peaks = first.why_no_peaks;
+    if (!whole.find(Parameter::peak_density)) whole.why_no_density = first.why_no_density;
     if (heights.size() == parts.size()) {
         whole.heights = pooled(heights, sizes);
         whole.rms_gradient = whole.heights->rms_gradient;

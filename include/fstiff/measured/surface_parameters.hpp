@@ -177,8 +177,7 @@ void require_options(const SurfaceParameterOptions<T>& options) {
 template <Real T>
 void require_numbers(const SurfaceParameters<T>& result) {
     require_positive("rms height of the surface", result.rms_height.value);
-    require_positive("radius of the peaks", result.peak_radius.value);
-    require_positive("density of the peaks", result.peak_density.value);
+    if (result.peak_radius.value != T(0)) require_positive("radius of the peaks", result.peak_radius.value);
     for (const auto& one : {result.rms_height, result.peak_radius, result.peak_density})
         require(one.error <= (std::numeric_limits<T>::max)(), "error of a surface parameter", one.error, "finite");
 }
@@ -212,7 +211,6 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     if (all.triples.triples < 8)
         throw domain_error("profile has " + std::to_string(all.triples.triples) +
                            " triples of neighbouring points: must be at least 8");
-    require(all.triples.peaks > 0, "peaks of the profile", all.triples.peaks, "at least 1");
     const std::size_t block =
         std::clamp<std::size_t>((5 * correlated + length - 1) / length, 1, std::max<std::size_t>(1, sums.size() / 8));
 
@@ -227,6 +225,7 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     detail::add_long_waves(spread, whole, waves);
     result.repetition = detail::repetition(profile);
     store_sums(result, whole, spread, unit, step, step);
+    if (all.triples.peaks == 0) result.why_no_density = "no peak";
     require_numbers(result);
     result.peaks_counted = all.triples.peaks;
     result.block_length = static_cast<T>(block * length) * profile.spacing;
@@ -267,6 +266,27 @@ template <Real T, class Height>
     return tile;
 }
 
+/// R and D_p of the islands of \p map, or the reason that it has none.
+template <Real T>
+void store_islands(SurfaceParameters<T>& result, const HeightMap<T>& map, const SurfaceParameterOptions<T>& options) {
+    result.why_no_density = fit_or_reason(result.islands, [&] {
+        return representative_islands(map, options.islands,
+                                      {options.tiles, options.resamples, options.seed, options.progress});
+    });
+    if (!result.islands) return;
+    const RepresentativeIslands<T>& islands = *result.islands;
+    result.peaks_counted = islands.islands;
+    if (islands.islands < 2) {
+        result.why_no_density = "one island";
+        result.islands.reset();
+        return;
+    }
+    result.peak_radius = {islands.radius, islands.radius_error};
+    result.peak_density = {islands.density, islands.density_error};
+    const auto radius = index_of(Parameter::peak_radius), density = index_of(Parameter::peak_density);
+    result.correlation[radius][density] = result.correlation[density][radius] = islands.correlation;
+}
+
 /// Parameters of \p map, with D and G from \p directions.
 template <Real T, class Directions>
 SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options,
@@ -293,11 +313,11 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     require(all.triples.triples > 0, "triples of neighbouring points in the rows", all.triples.triples, "at least 1");
     const auto with_summits =
         std::count_if(sums.begin(), sums.end(), [](const auto& tile) { return tile.summits > 0; });
-    require(!summits || with_summits >= 2, "tiles of the map that hold summits", with_summits,
-            "at least 2 for the errors of R and D_p");
 
     SurfaceParameters<T> result;
-    const auto count = summits ? detail::PeakCount::summits : detail::PeakCount::none;
+    if (summits && with_summits < 2)
+        result.why_no_density = with_summits == 0 ? "no summit" : "summits in one tile alone";
+    const auto count = summits && result.why_no_density.empty() ? detail::PeakCount::summits : detail::PeakCount::none;
     const auto whole = detail::estimates(all, count);
     auto spread = detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress);
     const auto waves = detail::long_waves<S>(map.rows(), map.columns(), whole[0] * whole[0], height);
@@ -306,19 +326,8 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     if (options.texture) result.texture_aspect_ratio = detail::texture_aspect_ratio(map);
     store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
-    if (!summits) {
-        result.islands = representative_islands(map, options.islands,
-                                                {options.tiles, options.resamples, options.seed, options.progress});
-        const RepresentativeIslands<T>& islands = *result.islands;
-        require(islands.islands >= 2, "islands of the map where there are most", islands.islands,
-                "at least 2 for the errors of R and D_p");
-        result.peak_radius = {islands.radius, islands.radius_error};
-        result.peak_density = {islands.density, islands.density_error};
-        result.peaks_counted = islands.islands;
-        const auto radius = index_of(Parameter::peak_radius);
-        const auto density = index_of(Parameter::peak_density);
-        result.correlation[radius][density] = result.correlation[density][radius] = islands.correlation;
-    }
+    if (!summits) store_islands(result, map, options);
+    if (!result.why_no_density.empty()) result.peak_radius = result.peak_density = {};
     require_numbers(result);
     result.seed = options.seed;
     result.why_no_dimension =

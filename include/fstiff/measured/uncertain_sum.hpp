@@ -62,7 +62,7 @@ template <Real T>
 [[nodiscard]] RoughFace<T> redrawn(RoughFace<T> face, const std::array<T, surface_parameter_count>& drawn) {
     const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
     const T taller = value(Parameter::rms_height) / face.roughness.rms_height;
-    const T bent = face.roughness.peak_radius / value(Parameter::peak_radius);
+    const T bent = face.has_peaks() ? face.roughness.peak_radius / value(Parameter::peak_radius) : taller;
     face.moments = {face.moments.m0 * taller * taller, face.moments.m2 * taller * taller,
                     face.moments.m4 * bent * bent};
     face.roughness = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
@@ -78,6 +78,7 @@ template <Real T>
 [[nodiscard]] std::array<T, surface_parameter_count> coordinates(const RoughFace<T>& face) {
     std::array<T, surface_parameter_count> x{};
     const auto put = [&](Parameter which, T value) {
+        if (value == T(0)) return;
         x[index_of(which)] = parameter_table[index_of(which)].variation == Variation::log ? std::log(value) : value;
     };
     put(Parameter::rms_height, face.roughness.rms_height);

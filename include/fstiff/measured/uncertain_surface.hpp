@@ -18,6 +18,7 @@
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/measured/lay.hpp>
+#include <fstiff/measured/plain_form.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/unmeasured_waves.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
@@ -60,8 +61,8 @@ template <Real T>
 template <Real T = double>
 struct SurfaceParameters {
     Measurement<T> rms_height;       ///< sigma [m]
-    Measurement<T> peak_radius;      ///< R [m]
-    Measurement<T> peak_density;     ///< D_p [1/m^2]
+    Measurement<T> peak_radius;      ///< R [m]; 0: not known
+    Measurement<T> peak_density;     ///< D_p [1/m^2]; 0: not known
     Measurement<T> max_peak_height;  ///< R_p [m]; the error is a lower bound
     std::optional<Measurement<T>> fractal_dimension;
     std::optional<Measurement<T>> fractal_roughness;  ///< G [m]
@@ -69,6 +70,7 @@ struct SurfaceParameters {
     T dimension_window_error{};                       ///< share of the window of lags in the error of D
     std::optional<Measurement<T>> r, theta;           ///< theta [rad]
     std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
+    std::string why_no_density;                       ///< why there is no D_p, of a map no R either
     /// Correlation of the errors; those of different origin (D; the islands of a map) are assumed independent.
     ParameterCorrelation<T> correlation = uncorrelated<T>();
     LagWindow<T> window;    ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
@@ -76,6 +78,7 @@ struct SurfaceParameters {
     LongEnd<T> long_end{};  ///< waves of a larger contact beyond these
     bool anisotropic{};     ///< of a map
     detail::Repetition<T> repetition{};  ///< of a profile
+    detail::PlainForm<T> plain_form{};   ///< none where the mean alone, or nothing, was removed
     T texture_aspect_ratio{1};           ///< Str of a map
     bool curved{};                       ///< no clean power law in the window
     std::size_t peaks_counted{};         ///< number of peaks for R and D_p
@@ -121,10 +124,11 @@ template <Real T>
 template <class Self>
 auto SurfaceParameters<T>::find_in(Self& self, Parameter which) -> decltype(&self.rms_height) {
     const auto known = [](auto& one) { return one ? &*one : nullptr; };
+    const auto unless_zero = [](auto& one) { return one.value != T(0) ? &one : nullptr; };
     switch (which) {
         case Parameter::rms_height: return &self.rms_height;
-        case Parameter::peak_radius: return &self.peak_radius;
-        case Parameter::peak_density: return &self.peak_density;
+        case Parameter::peak_radius: return unless_zero(self.peak_radius);
+        case Parameter::peak_density: return unless_zero(self.peak_density);
         case Parameter::fractal_dimension: return known(self.fractal_dimension);
         case Parameter::r: return known(self.r);
         case Parameter::theta: return known(self.theta);
@@ -137,10 +141,14 @@ void SurfaceParameters<T>::set(Parameter which, const Measurement<T>& measured) 
     if (index_of(which) >= surface_parameter_count)
         throw domain_error(std::string(name_of(which)) +
                            ": is not a parameter of a surface; must be one that SurfaceParameters holds");
-    if (which == Parameter::fractal_dimension) fractal_dimension = measured;
-    if (which == Parameter::r) r = measured;
-    if (which == Parameter::theta) theta = measured;
-    *find(which) = measured;
+    switch (which) {
+        case Parameter::rms_height: rms_height = measured; break;
+        case Parameter::peak_radius: peak_radius = measured; break;
+        case Parameter::peak_density: peak_density = measured; break;
+        case Parameter::fractal_dimension: fractal_dimension = measured; break;
+        case Parameter::r: r = measured; break;
+        default: theta = measured;
+    }
 }
 
 template <Real T>

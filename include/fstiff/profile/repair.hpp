@@ -3,10 +3,11 @@
 /// \file
 /// Repair of a profile: spikes become missing points, and missing points are filled.
 ///
-///     d_i = z_i - median(z_i-2, z_i-1, z_i+1, z_i+2);  a spike: |d_i - median d| > k 1.4826 MAD(d)
+///     d_i = z_i - median(z_i-2, z_i-1, z_i+1, z_i+2);  q_n: z_i beyond both of z_i-n and z_i+n
+///     spike: |d_i - median d| > k 1.4826 MAD(d); q_2 or q_3, and q = median(q_4 to q_6), > |d|/2; q_2 > k/6 (q - q_2)
 ///     fill: the straight line between the nearest points that exist; at the ends the nearest height
 ///
-/// The median of four neighbours follows slopes, so that d has the scale of the roughness and not of the form.
+/// d has the scale of the roughness and not of the form. A wall goes on at one side, a bump or a cusp falls farther.
 ///
 /// Reference   Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
 /// Units       heights [m]; k in standard deviations
@@ -33,7 +34,22 @@ math::Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, boo
             if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
         if (neighbours.size() >= 2) differences[i] = profile.heights[i] - math::median(neighbours);
     }
-    return math::spikes_among(profile.heights.data(), differences, limit, remove);
+    return math::spikes_among(profile.heights.data(), differences, limit, remove, [&](std::size_t i, T difference) {
+        const auto at = [&](std::size_t k) {
+            return k < size ? profile.heights[k] : std::numeric_limits<T>::quiet_NaN();
+        };
+        const auto beyond = [&](std::size_t n) {  // i - n of the first points is beyond the last
+            return math::beyond_both(profile.heights[i], at(i - n), at(i + n), std::copysign(T(1), difference));
+        };
+        const auto exist = [](std::vector<T> all) {
+            std::erase_if(all, [](T q) { return std::isnan(q); });
+            return all;
+        };
+        std::vector<T> near = exist({beyond(2), beyond(3)}), far = exist({beyond(4), beyond(5), beyond(6)});
+        if (near.empty() || far.empty()) return true;
+        const T most = *std::max_element(near.begin(), near.end());
+        return most > std::abs(difference) / 2 && math::has_no_foot(near.front(), math::median(far), difference, limit);
+    });
 }
 
 /// Fills the missing points of \p profile. \throws domain_error where every point is missing.

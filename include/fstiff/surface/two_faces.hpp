@@ -35,6 +35,9 @@ struct RoughFace {
     SpectralMoments<T> moments{};                               ///< of the spectrum; else those of R and D_p
     std::optional<T> fractal_dimension{}, fractal_roughness{};  ///< G [m]
     std::optional<T> r{}, theta{};                              ///< both or none [1, rad]
+
+    /// Whether R and D_p are known; else they are 0.
+    [[nodiscard]] bool has_peaks() const { return roughness.peak_radius != T(0) && roughness.peak_density != T(0); }
 };
 
 namespace parts {
@@ -87,7 +90,8 @@ namespace parts {
 /// Share of \p a in the structure function of the sum at the distance of its peaks; in m2 where a G is not known.
 template <Real T>
 [[nodiscard]] T share_of_face(const RoughFace<T>& a, const RoughFace<T>& b) {
-    if (!(a.fractal_dimension && a.fractal_roughness && b.fractal_dimension && b.fractal_roughness))
+    if (!(a.fractal_dimension && a.fractal_roughness && b.fractal_dimension && b.fractal_roughness && a.has_peaks() &&
+          b.has_peaks()))
         return a.moments.m2 / (a.moments.m2 + b.moments.m2);
     const T lag = 1 / std::sqrt(sum_of_faces(a.roughness, b.roughness).peak_density);
     const auto s = [&](const RoughFace<T>& one) {
@@ -98,17 +102,19 @@ template <Real T>
 
 }  // namespace parts
 
-/// Sum of two faces. Parameters that one face has not (D; r and theta) are missing in the sum, as is a G beyond the
-/// range of numbers.
+/// Sum of two faces. Parameters that one face has not (R and D_p; D; r and theta) are missing in the sum, as is a G
+/// beyond the range of numbers.
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] RoughFace<T> sum_of_faces(const RoughFace<T>& a, const RoughFace<T>& b) {
-    RoughFace<T> sum{sum_of_faces(a.roughness, b.roughness), a.moments + b.moments};
+    const bool peaks = a.has_peaks() && b.has_peaks();
+    const T rms_height = std::hypot(a.roughness.rms_height, b.roughness.rms_height);
+    RoughFace<T> sum{peaks ? sum_of_faces(a.roughness, b.roughness) : Roughness<T>{rms_height}, a.moments + b.moments};
     if (a.fractal_dimension && b.fractal_dimension) {
         const T share = parts::share_of_face(a, b);
         const T dimension = share * *a.fractal_dimension + (1 - share) * *b.fractal_dimension;
         sum.fractal_dimension = dimension;
-        if (a.fractal_roughness && b.fractal_roughness) {
+        if (peaks && a.fractal_roughness && b.fractal_roughness) {
             const T lag = 1 / std::sqrt(sum.roughness.peak_density);
             const T s = parts::structure_function_at(lag, Fractal<T>{*a.fractal_dimension, *a.fractal_roughness}) +
                         parts::structure_function_at(lag, Fractal<T>{*b.fractal_dimension, *b.fractal_roughness});

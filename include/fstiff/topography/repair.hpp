@@ -3,7 +3,9 @@
 /// \file
 /// Repair of a map: spikes become missing points; the harmonic surface fills the holes of missing points.
 ///
-///     d = z - median of the 8 neighbours;  a spike: |d - median d| > k 1.4826 MAD(d)
+///     d = z - median of the 8 neighbours;  q_n: z beyond both points that are n steps away in one of 8 directions
+///     a spike: |d - median d| > k 1.4826 MAD(d), q_2 or q_3 > |d|/2 in all 8, and of the medians over
+///     these q_3 > |d|/2, q_2 > k/6 (q_3 - q_2)
 ///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, zero slope across the edges
 ///
 /// Reference   Laplace's equation in five points; Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
@@ -18,6 +20,39 @@
 #include <Eigen/SparseCholesky>
 
 namespace fstiff::inline v0_1::parts {
+
+/// Whether no point of \p map two or three steps away supports the point (\p j, \p i), which is \p difference above
+/// its neighbours: a rim, a wall or a ridge goes on in some direction, and a bump or a cusp has a foot.
+template <Real T>
+[[nodiscard]] bool is_alone(const HeightMap<T>& map, Eigen::Index j, Eigen::Index i, T difference, T limit) {
+    struct Step {
+        Eigen::Index down, right;
+    };
+    constexpr std::array<std::array<Step, 2>, 8> directions{{{{{0, 2}, {0, 3}}},
+                                                             {{{1, 2}, {2, 3}}},
+                                                             {{{2, 2}, {3, 3}}},
+                                                             {{{2, 1}, {3, 2}}},
+                                                             {{{2, 0}, {3, 0}}},
+                                                             {{{2, -1}, {3, -2}}},
+                                                             {{{2, -2}, {3, -3}}},
+                                                             {{{1, -2}, {2, -3}}}}};
+    const auto at = [&](Eigen::Index y, Eigen::Index x) {
+        const bool inside = y >= 0 && x >= 0 && y < map.rows() && x < map.columns();
+        return inside ? map.heights(y, x) : std::numeric_limits<T>::quiet_NaN();
+    };
+    const auto beyond = [&](Step s) {
+        return math::beyond_both(map.heights(j, i), at(j + s.down, i + s.right), at(j - s.down, i - s.right),
+                                 std::copysign(T(1), difference));
+    };
+    std::vector<T> near, far;
+    for (const auto& [two, three] : directions) {
+        const T a = beyond(two), b = beyond(three);
+        if (std::fmax(a, b) < std::abs(difference) / 2) return false;  // fmax() leaves a NaN out
+        if (!std::isnan(a)) near.push_back(a);
+        if (!std::isnan(b)) far.push_back(b);
+    }
+    return near.empty() || far.empty() || math::has_no_foot(math::median(near), math::median(far), difference, limit);
+}
 
 /// Number of spikes of \p map beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
@@ -45,7 +80,10 @@ math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool 
             if (neighbours.size() < 3) continue;
             differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - math::median(neighbours);
         }
-    return math::spikes_among(map.heights.data(), differences, limit, remove);
+    return math::spikes_among(map.heights.data(), differences, limit, remove, [&](std::size_t at, T difference) {
+        const auto place = static_cast<Eigen::Index>(at);
+        return is_alone(map, place / columns, place % columns, difference, limit);
+    });
 }
 
 /// Calls \p visit(place, 1/step^2 over 1/dx^2) for the neighbours of point \p at along its sides.

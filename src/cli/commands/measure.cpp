@@ -33,7 +33,7 @@ struct Options {
 /// \p file is the first column; empty: no such column.
 Rows rows_of(const MeasuredSurface& surface, const std::string& file = "") {
     std::vector<std::string> names, units, ways, shown, shown_errors, shown_units;
-    std::vector<double> values, errors;
+    std::vector<std::optional<double>> values, errors;
     for (const ParameterLine& line : parameter_lines(surface)) {
         const auto [value, error] = line.measured;
         const ShownUnit unit = shown_unit(value, line.unit);
@@ -45,6 +45,12 @@ Rows rows_of(const MeasuredSurface& surface, const std::string& file = "") {
         shown_errors.push_back(rounded(error * unit.factor, 2));
         shown_units.emplace_back(unit.name);
         ways.push_back(line.how);
+    }
+    for (const Parameter which : {Parameter::peak_radius, Parameter::peak_density}) {
+        if (surface.found.find(which)) continue;
+        names.emplace_back(parts::row_of(which).key), values.emplace_back(), errors.emplace_back();
+        units.emplace_back(), shown.emplace_back("-"), shown_errors.emplace_back("-"), shown_units.emplace_back();
+        ways.push_back("not known: " + surface.found.why_no_density);
     }
     Rows rows;
     if (!file.empty()) rows.repeat({.key = "file"}, file, names.size());

@@ -38,8 +38,11 @@ TextRows surface_rows(const Scene& scene) {
         if (one) rows.push_back({name, with_unit(one->value, si, 4, one->error)});
     };
     add("rms height σ", s.rms_height, "m");
-    add("peak radius R", s.peak_radius, "m");
-    add("peak density D_p", s.peak_density, "1/m^2");
+    if (s.find(Parameter::peak_radius)) add("peak radius R", s.peak_radius, "m");
+    if (s.find(Parameter::peak_density))
+        add("peak density D_p", s.peak_density, "1/m^2");
+    else
+        rows.push_back({"peak density D_p", "not known: " + s.why_no_density});
     add("fractal dimension D", s.fractal_dimension, "");
     add("r", s.r, "");
     add("θ", s.theta, "rad");
@@ -64,7 +67,10 @@ void validity_section(Page& page, const Scene& scene, const Results& results) {
                         gaussian->holds() ? "holds" : "does not hold: R and D_p are of islands, not summits"});
     const auto* plastic = parts::find_check(results.surface_checks, parts::Concern::plasticity);
     rows.push_back({"plasticity index ψ = (E/H)√(σ/R), H = 2.8 Y",
-                    plastic ? rounded(plastic->least, 3) : "yield strength not given", "elastic below 1",
+                    plastic                ? rounded(plastic->least, 3)
+                    : scene.yield_strength ? "R and D_p not known"
+                                           : "yield strength not given",
+                    "elastic below 1",
                     !plastic           ? "not known"
                     : plastic->holds() ? "holds"
                                        : "yields at first loading; an elastic K is that of unloading"});

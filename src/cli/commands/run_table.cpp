@@ -81,9 +81,13 @@ std::vector<std::string> surface_parts(const Scene& scene) {
     const parts::SurfaceParameters<double>& s = scene.face.parameters;
     const std::vector<Parameter> unknown = unknown_parameters(scene);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
-    std::vector<std::string> parts{"sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height)),
-                                   "R " + shown_length(s.peak_radius.value, digits(Parameter::peak_radius)),
-                                   "D_p " + with_unit(s.peak_density.value, "/m^2", digits(Parameter::peak_density))};
+    std::vector<std::string> parts{"sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height))};
+    if (s.find(Parameter::peak_radius))
+        parts.push_back("R " + shown_length(s.peak_radius.value, digits(Parameter::peak_radius)));
+    parts.push_back(s.find(Parameter::peak_density)
+                        ? "D_p " + with_unit(s.peak_density.value, "/m^2", digits(Parameter::peak_density))
+                        : (s.find(Parameter::peak_radius) ? "D_p not known: " : "R and D_p not known: ") +
+                              s.why_no_density);
     if (s.max_peak_height.value > 0) parts.push_back("R_p " + shown_length(s.max_peak_height.value));
     if (s.fractal_dimension)
         parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
