@@ -208,7 +208,8 @@ std::optional<double> relative_hardness(const Scene& scene) {
     const std::optional<double> g = gradient(scene);
     if (!g || (!scene.hardness && !scene.yield_strength)) return std::nullopt;
     const double relative = hardness_of(scene) / (effective_modulus(scene.upper, scene.lower) * *g);
-    return std::isfinite(relative) ? std::optional(relative) : std::nullopt;
+    const bool known = scene.open_body.empty() || relative < parts::flowing_hardness;  // the other one may be softer
+    return known && std::isfinite(relative) ? std::optional(relative) : std::nullopt;
 }
 
 void set_law_of_answer(Scene& scene) {

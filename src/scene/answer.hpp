@@ -12,7 +12,8 @@ void set_law_of_answer(Scene& scene);
 
 /// The indentation hardness of the softer body [Pa], of its yield strength where that alone is known; 0: neither is.
 [[nodiscard]] double hardness_of(const Scene& scene);
-/// H/(E g), of the softer body and the surface; none where one of them is not known.
+/// H/(E g), of the softer body and the surface; none where one of them is not known. Where one body alone has a
+/// hardness, that of the softer one is no greater: known as far as it makes the peaks flow.
 [[nodiscard]] std::optional<double> relative_hardness(const Scene& scene);
 
 /// \p base, a curve of set_law_of_answer() with its states and its band, made the answer: at points where boundary

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace fstiff::scene {
 namespace {
@@ -121,17 +122,23 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
         if (!given || (of_band && curve.band.empty())) return;
         if (row.quantity == CurveQuantity::approach && curve.seated.empty()) return;
         if (row.quantity == CurveQuantity::loss_factor && curve.growth.empty()) return;
+        const bool of_planes = row.quantity == CurveQuantity::eta || row.quantity == CurveQuantity::approach ||
+                               row.of_law == Quantity::separation ||
+                               row.quantity == CurveQuantity::thermal_conductance_gap;
         using Band = parts::SampledBand<double>;
         const auto end = (statistic == Statistic::p05) != row.falls ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
             const Estimate<double> found = estimate_of(column, scene, tangential_ratio, curve, i, state);
-            column.values.push_back(statistic == Statistic::error ? found.error : found.value);
+            const bool lost = (row.quantity == CurveQuantity::loading_stiffness && found.value == 0) ||
+                              (of_planes && !curve.has_separation(i));
+            column.values.push_back(lost                            ? std::numeric_limits<double>::quiet_NaN()
+                                    : statistic == Statistic::error ? found.error
+                                                                    : found.value);
         }
-        if (row.quantity == CurveQuantity::loading_stiffness &&  // plastic boundary elements know unloading alone
-            std::all_of(column.values.begin(), column.values.end(), [](double value) { return value == 0; }))
-            column.values.clear();
+        if (std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isnan(value); }))
+            column.values.clear();  // plastic boundary elements know unloading alone
     };
     for (const CurveQuantityRow& row : curve_quantities()) {
         if (row.asked && !(scene.*row.asked)) continue;

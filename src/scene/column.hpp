@@ -57,7 +57,7 @@ struct CurveQuantityRow {
 struct Column {
     CurveQuantity quantity;
     Statistic statistic = Statistic::value;
-    std::vector<double> values{};  ///< [SI] one a state; empty: the law does not give the quantity
+    std::vector<double> values{};  ///< [SI] one a state, NaN where the law lacks it; empty: it gives none
 
     [[nodiscard]] const CurveQuantityRow& row() const { return curve_quantities()[static_cast<std::size_t>(quantity)]; }
     /// Name in CSV and JSON, with the unit at its end, such as "stiffness_p05_Pa_per_m".

@@ -3,8 +3,9 @@
 
 #include "document/shown_unit.hpp"
 #include "scene/answer.hpp"
+#include "scene/priors.hpp"
 
-#include <fstiff/measured/widened_band.hpp>
+#include <fstiff/measured/unmeasured_waves.hpp>
 
 #include <algorithm>
 #include <array>
@@ -29,29 +30,39 @@ std::string_view words_of(parts::Cause cause) {
     return "";
 }
 
+/// " of copper", where one body alone has a hardness and the other is copper; else empty.
+std::string of_open_body(const Scene& scene) { return scene.open_body.empty() ? "" : " of " + scene.open_body; }
+
 /// The kind of stiffness that K is, and where it applies.
-std::vector<std::string> nature(const Results& results) {
+std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     const std::optional<double>& ratio = answer.relative_hardness;
     const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, 2) : "",
                       limit = rounded(parts::flowing_hardness);
     const std::string flow = "The peaks yield at first loading " + number + " is below " + limit + ")";
+    const bool loads = std::any_of(answer.reasons.begin(), answer.reasons.end(),
+                                   [](const AnswerReason& one) { return one.loading_stiffness.has_value(); });
     if (answer.flows)
         return {flow + ": K is the unloading stiffness.",
-                "Vibration and waves depend on K; the first static loading depends on the loading K/A0."};
+                std::string("Vibration and waves depend on K; the first static loading ") +
+                    (loads ? "depends on the loading K/A0." : "has another, which is not known.")};
     if (ratio && *ratio < parts::flowing_hardness)
         return {flow + ", but K is that of an elastic contact; for vibration and waves it is higher."};
     if (ratio)
         return {"The contact is elastic " + number + " is above " + limit +
                 "): K is the same for loading, vibration and waves."};
+    if (scene.open_body.empty() && (scene.hardness || scene.yield_strength))
+        return {
+            "The gradient of the surface is not known, so K is elastic; where peaks yield K for vibration is higher."};
     if (const auto& g = answer.curve.rms_gradient)
-        return {"No hardness is given, so K is elastic; if H < " +
+        return {"No hardness" + of_open_body(scene) + " is given, so K is elastic; if H < " +
                 with_unit(parts::flowing_hardness * results.modulus * *g, "Pa", 2) +
                 ", peaks yield and K for vibration is higher."};
-    return {};
+    return {"No hardness" + of_open_body(scene) +
+            " is given, so K is elastic; where peaks yield K for vibration is higher."};
 }
 
-/// Source and range of K beyond the names of the laws; may be empty.
+/// Source of K beyond the names of the laws; may be empty.
 std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     const Curve& curve = answer.curve;
     const auto solved = [](const Law* law) { return law->which == LawName::boundary_elements; };
@@ -64,26 +75,82 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     else if (count > 0)
         text = "Boundary elements solve the map itself" +
                (count == curve.by.size() ? ""
-                                         : " where " + least + " points touch; elsewhere K is computed from its peaks");
+                                         : " at the pressures of the summary where " + least +
+                                               " points touch; elsewhere K is computed from its summits and bearing "
+                                               "curve");
     else if (map && scene.face.spectrum_of_map)
-        text = "K is computed from the map's summits and bearing curve";
+        text = curve.law->needs_spectrum
+                   ? "K is computed from the map's summits and bearing curve"
+                   : "K is computed from R and D_p of the map, which has no summits for law hybrid";
     else if (scene.has_lay)
         text = "The profile repeats itself, like one across a lay: K may be up to " + rounded(parts::lay_factor) +
                " times higher; only a map shows this";
-    if (const auto greatest = closed_above(scene, curve))
-        text += (text.empty() ? "Above " : "; above ") + with_unit(*greatest, "Pa", 3) +
-                " the contact is closed and the bulk carries the load";
     return text.empty() ? text : text + ".";
 }
 
-}  // namespace
+/// A measurement, and the factor between the ends of the band at one point once it was made.
+struct Measuring {
+    std::string what;
+    double factor = 0;
+};
 
-std::optional<double> closed_above(const Scene& scene, const Curve& curve) {
-    double greatest = 0;
-    for (const auto& state : curve.states) greatest = std::max(greatest, state.pressure.value);
-    if (scene.at_separations || curve.missed.empty() || scene.points[curve.missed.front().place] <= greatest) return {};
-    return greatest;
+/// The factor at the point \p place of \p scene once \p which of its faces is known.
+double factor_of(Scene scene, std::size_t place, parts::Unknown which) {
+    scene.best = true;
+    scene.points = {scene.points[place]};
+    if (!scene.forces.empty()) scene.forces = {scene.forces[place]};
+    for (Face& face : scene.faces) face = with_measured(std::move(face), which);
+    scene.face = with_measured(std::move(scene.face), which);
+    set_law_of_answer(scene);
+    const Curve curve = curves_of(scene, contacts_of(scene)).front();
+    return curve.band.front().high / curve.band.front().low;
 }
+
+/// The factor that \p reason makes of a profile or map four times as large: half the errors, and fewer waves that are
+/// longer.
+double factor_of_larger(const Scene& scene, const AnswerReason& reason, bool itself) {
+    parts::Causes<double> causes = reason.causes;
+    const auto scale = [&](parts::Cause cause, double by) {
+        auto& one = causes[static_cast<std::size_t>(cause)];
+        one = {by * one.low, by * one.high};
+    };
+    scale(parts::Cause::measurement, 0.5), scale(parts::Cause::shape, 0.5);
+    if (scene.nominal_area && !itself) {
+        parts::LongEnd<double> end = scene.face.parameters.long_end;
+        end.side *= measured_faces(scene).front().face->measured->is_profile() ? 4 : 2, end.error /= 2;
+        causes[static_cast<std::size_t>(parts::Cause::long_waves)] = {
+            -parts::unmeasured_waves(end, std::sqrt(*scene.nominal_area)).growth, 0};
+    } else {
+        scale(parts::Cause::contacts, measured_faces(scene).front().face->measured->is_profile() ? 0.25 : 0.5);
+    }
+    const auto [low, high] = parts::band_of(causes);
+    return std::exp(high - low);
+}
+
+/// Measurements that narrow the band of the answer at its state \p at.
+std::vector<Measuring> measurings(const Scene& scene, const Results& results, std::size_t at) {
+    using parts::Unknown;
+    std::vector<Measuring> all;
+    const bool map = scene.face.map && scene.face.spectrum_of_map, measured = !measured_faces(scene).empty();
+    const std::size_t place = results.answer->curve.places[at];
+    const bool lay = parts::prior_of(rough_faces(scene).front().face->process).has_lay;
+    const std::pair<Unknown, const char*> candidates[]{{Unknown::height, "Rq or Sq"},
+                                                       {Unknown::gradient, lay ? "Sdq" : "Sdq or Rdq"},
+                                                       {Unknown::alpha, "alpha"},
+                                                       {Unknown::hurst, "D or H"},
+                                                       {Unknown::skewness, "skewness and kurtosis"}};
+    for (const auto& [which, what] : candidates)
+        if (!map && scene.face.is_open(which) && !(measured && parts::is_of_shape(which)))
+            all.push_back(
+                {what + std::string(scene.faces.empty() ? "" : " of both faces"), factor_of(scene, place, which)});
+    if (measured && !results.answer->of_map_itself)
+        all.push_back({measured_faces(scene).front().face->measured->is_profile() ? "a profile four times as long"
+                                                                                  : "a map four times as large",
+                       factor_of_larger(scene, results.answer->reasons[at], false)});
+    return all;
+}
+
+}  // namespace
 
 std::string shown_causes(const AnswerReason& reason, std::size_t most) {
     const auto shares = parts::shares_of(reason.causes);
@@ -100,10 +167,10 @@ std::string shown_causes(const AnswerReason& reason, std::size_t most) {
 
 std::string outside_band(const Scene& scene, const Results& results) {
     std::string text = "Not in the band: wear, dirt, films, misaligned faces";
-    if (const bool whole = results.answer && results.answer->of_map_itself; whole || !scene.nominal_area)
-        text += std::string(whole                           ? ", other pieces"
-                            : measured_faces(scene).empty() ? ", few contacts"
-                                                            : ", long waves") +
+    if (!scene.nominal_area)
+        text += std::string(results.answer && results.answer->of_map_itself ? ", other parts of the face"
+                            : measured_faces(scene).empty()                 ? ", few contacts"
+                                                                            : ", long waves") +
                 " (give contact.nominal_area)";
     for (const auto& [name, face] : rough_faces(scene))
         if (!face->measured && face->process == parts::Process::unknown && face->is_open(parts::Unknown::skewness))
@@ -118,21 +185,17 @@ std::string measure_next(const Scene& scene, const Results& results) {
     const Curve& curve = results.answer->curve;
     const std::vector<std::size_t> points = points_of_answer(scene);
     const auto at = curve.state_at(points[points.size() / 2]);
-    if (!at || *at >= curve.band_parts.size()) return "";
-    parts::Causes<double> others = results.answer->reasons[*at].causes;
-    for (const auto one : {parts::Cause::shape, parts::Cause::prior}) others[static_cast<std::size_t>(one)] = {};
-    const auto [low, high] = parts::band_of(others);
-    const auto greatest = parts::greatest_unknown<double>(
-        {.errors_low = low, .errors_high = high, .of_unknown = curve.band_parts[*at].of_unknown});
-    if (!greatest || greatest->share < 0.1) return "";
-    constexpr std::array<std::string_view, 4> names{"Rq or Sq", "Rdq or Sdq", "alpha", "D or H"};
-    const auto what = !parts::is_of_shape(greatest->which) ? names[static_cast<std::size_t>(greatest->which)]
-                      : measured_faces(scene).empty()      ? "skewness and kurtosis"
-                                                           : "a longer profile or map";
+    if (!at) return "";
     const double wide = std::log(curve.band[*at].high / curve.band[*at].low);
-    return "measure " + std::string(what) + ": the band at " + with_unit(curve.states[*at].pressure.value, "Pa", 3) +
-           " narrows from a factor of " + rounded(std::exp(wide), 2) + " to " +
-           rounded(std::exp(greatest->narrower * wide), 2);
+    Measuring most{"", 0.95 * std::exp(wide)};  // nothing that narrows the factor by less
+    for (const Measuring& one : measurings(scene, results, *at))
+        if (one.factor < most.factor) most = one;
+    if (most.what.empty()) return "";
+    const auto factor = [&](double value) {
+        return rounded(value, rounded(std::exp(wide), 2) == rounded(most.factor, 2) ? 3 : 2);
+    };
+    return "measure " + most.what + ": the band at " + with_unit(curve.states[*at].pressure.value, "Pa", 3) +
+           " narrows from a factor of " + factor(std::exp(wide)) + " to " + factor(most.factor);
 }
 
 std::string origin_of_band(const Scene& scene) {
@@ -145,14 +208,22 @@ std::string origin_of_band(const Scene& scene) {
     return text.substr(std::min<std::size_t>(2, text.size()));
 }
 
+std::string why_no_band(const Scene& scene, const Results& results) {
+    if (scene.samples == 0) return "the scene asks for no samples";
+    if (!scene.face.has_errors()) return "no error of a parameter of the surface is given";
+    const bool varies =
+        std::any_of(results.curves.begin(), results.curves.end(), [](const Curve& curve) { return curve.law->varies; });
+    return varies ? "they depend on no parameter that is uncertain" : "they are computed of the measured map alone";
+}
+
 Explanation explanation(const Scene& scene, const Results& results) {
     if (!results.answer) return {};
     const StiffnessAnswer& answer = *results.answer;
-    Explanation all{nature(results), {}};
+    Explanation all{nature(scene, results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
     const std::optional<double>& hardness = answer.relative_hardness;
-    all.shorter = {answer.flows                          ? "The peaks yield: K is that of unloading."
-                   : !hardness                           ? "Taken as elastic: no hardness is given."
+    all.shorter = {answer.flows ? std::string("The peaks yield: K is that of unloading.")
+                   : !hardness  ? "Taken as elastic: no hardness" + of_open_body(scene) + " is given."
                    : *hardness < parts::flowing_hardness ? "The peaks yield, but K is that of an elastic contact."
                                                          : "The contact is elastic."};
     if (scene.has_lay) all.shorter = {"A profile across a lay does not determine K."};

@@ -5,6 +5,7 @@
 #include "scene/results.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fstiff::scene {
@@ -15,15 +16,19 @@ struct Explanation {
 };
 [[nodiscard]] Explanation explanation(const Scene& scene, const Results& results);
 
-/// The greatest pressure of \p curve, where those of \p scene that it misses are above it.
-[[nodiscard]] std::optional<double> closed_above(const Scene& scene, const Curve& curve);
+/// What a plasticity index above 1 means.
+inline constexpr std::string_view yielding_peaks =
+    "the highest peaks yield at first loading; where more of them do, elastic laws give too small a K for vibration";
 /// The \p most greatest causes of the band of \p reason that are a tenth of it or more: "law 62 %, cut-offs 30 %".
 [[nodiscard]] std::string shown_causes(const AnswerReason& reason, std::size_t most = 2);
 /// Effects outside the band of \p results, in one line.
 [[nodiscard]] std::string outside_band(const Scene& scene, const Results& results);
-/// The measurement that narrows the band of the middle point most, and how much; empty where none does by a twentieth.
+/// The measurement that narrows the band of the middle point most, and the factor that comes out when it finds the
+/// assumed value; empty where none narrows it by a twentieth.
 [[nodiscard]] std::string measure_next(const Scene& scene, const Results& results);
 /// Origin of the bands of \p scene.
 [[nodiscard]] std::string origin_of_band(const Scene& scene);
+/// Why the laws that \p scene names have no band.
+[[nodiscard]] std::string why_no_band(const Scene& scene, const Results& results);
 
 }  // namespace fstiff::scene

@@ -42,7 +42,8 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
     require_positive(least_name, from);
     require(to > from, most_name, to,
-            "greater than " + least_name + ", " + shortest(from) + " Pa; the scene may have one pressure only");
+            "greater than " + least_name + ", " + shortest(from) + " Pa" +
+                (*least == *greatest ? "; the scene has one pressure only" : ""));
 
     Scene fine = scene;
     fine.laws = {&law_of(scene, options)};

@@ -137,6 +137,18 @@ Face with_value(Face face, Unknown which, double value) {
     return face;
 }
 
+Face with_measured(Face face, Unknown which) {
+    std::erase_if(face.priors, [which](const Prior& one) {
+        return one.which == which || (parts::is_of_shape(one.which) && parts::is_of_shape(which));
+    });
+    if (which != Unknown::gradient || !face.gradient_of_islands) return face;
+    face.gradient_of_islands = false;  // alpha follows from R then
+    std::erase_if(face.priors, [](const Prior& one) { return one.which == Unknown::alpha; });
+    face.alpha.reset();
+    fill_spectrum(face);
+    return face;
+}
+
 std::vector<Alternative> alternatives(const Scene& scene) {
     std::vector<Alternative> all;
     if (is_of_map(scene)) return all;

@@ -22,6 +22,9 @@ void fill_unknown(Face& face, bool shape_known);
 /// \p face with \p which at \p value, and with all that follows from it.
 [[nodiscard]] Face with_value(Face face, parts::Unknown which, double value);
 
+/// \p face as it is with \p which measured, and found at its middle; skewness and kurtosis come from one measurement.
+[[nodiscard]] Face with_measured(Face face, parts::Unknown which);
+
 /// The surface of a scene with one unknown at its 5 and at its 95 %.
 struct Alternative {
     parts::Unknown which{};

@@ -128,10 +128,12 @@ void read_bearing(Source& source, const Section& surface, Face& face) {
     const double rms_height = face.parameters.rms_height.value;
     const std::string_view key = *first_of(ways[chosen]);
     const toml::node& node = *surface.find(key);
+    const auto of_core = [&](const CoreKeys& keys) {
+        const parts::MaterialRatio<double> core = read_core(source, surface, keys);
+        return source.located(node, [&] { return parts::bearing_of_core(core); });
+    };
     const parts::BearingSlope<double> curve =
-        chosen == 1 ? read_heights(source, node, surface.key(key)) : source.located(node, [&] {
-            return parts::bearing_of_core(read_core(source, surface, core_keys[chosen - 2]));
-        });
+        chosen == 1 ? read_heights(source, node, surface.key(key)) : of_core(core_keys[chosen - 2]);
     const auto [mean, variance, skewness, kurtosis] = parts::normal_moments(curve);
     require_rms(source, node, surface.key(key), std::sqrt(variance), rms_height);
     const auto of_rms = std::make_shared<const parts::BearingSlope<double>>(curve.scaled(1 / rms_height));

@@ -2,6 +2,8 @@
 // The sections [material] and [ultrasound] of a scene.
 #include "scene/readers.hpp"
 
+#include "document/shown_unit.hpp"
+
 #include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
@@ -58,6 +60,9 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     if (const toml::node* name = node.is_string() ? &node : body.find("name"))
         read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
     if (read.name) read.material = read.name->elastic;
+    if (!read.name && !body.find("youngs_modulus"))
+        static_cast<void>(
+            body.at("youngs_modulus", "is missing; add name = \"steel\" or another material, or give it"));
     if (read.name && !body.find("youngs_modulus"))
         record_of_name(source, body.key("youngs_modulus"), *read.name, read.material.youngs_modulus, "Pa");
     else
@@ -80,6 +85,24 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     if (read.name && !read.thermal) read.thermal = read.name->thermal_conductivity;
     if (read.name && !read.electrical) read.electrical = read.name->electrical_conductivity;
     return read;
+}
+
+/// Warns of a hardness or a yield strength that no material has, likely for a unit.
+void warn_of_strength(const ReadBody& body, const char* name, Scene& scene) {
+    const auto [yield, hardness, poisson] = body.strength;
+    const std::string place = std::string("material.") + name;
+    const auto warn = [&](const char* key, double value, const char* limit, double most, const char* why) {
+        scene.warnings.push_back(place + key + " = " + with_unit(value, "Pa", 3) + limit + with_unit(most, "Pa", 3) +
+                                 why);
+    };
+    const double E = body.material.youngs_modulus;
+    if (hardness && *hardness > E / 5)
+        warn(".hardness", *hardness, " is above a fifth of the modulus, ", E / 5, ": a unit is likely wrong");
+    if (yield && *yield > E / 10)
+        warn(".yield_strength", *yield, " is above a tenth of the modulus, ", E / 10, ": a unit is likely wrong");
+    if (hardness && yield && *hardness < *yield)
+        warn(".hardness", *hardness, " is below the yield strength, ", *yield,
+             "; a hardness is about 2.8 times the yield strength");
 }
 
 /// "205 GPa, nu 0.3".
@@ -107,6 +130,14 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     const Strength& softer = is_lower_softer ? lower.strength : upper.strength;
     scene.softer_poisson = softer.poisson;
     scene.hardness = softer.hardness;
+    const auto is_open = [](const ReadBody& body) { return std::isinf(body.strength.resistance()); };
+    if (is_open(upper) != is_open(lower)) {
+        const ReadBody& open = is_open(upper) ? upper : lower;
+        const bool named = open.name && upper.name != lower.name;
+        scene.open_body = named ? std::string(open.name->name) : is_open(upper) ? "the upper body" : "the lower body";
+    }
+    warn_of_strength(upper, "upper", scene);
+    if (second) warn_of_strength(lower, "lower", scene);
     for (const Strength& one : {upper.strength, lower.strength})
         if (one.yield)
             scene.yield_strength = scene.yield_strength ? std::min(*scene.yield_strength, *one.yield) : *one.yield;

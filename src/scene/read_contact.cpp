@@ -259,6 +259,10 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
     read_area(source, contact, scene, replaced);
     read_points(source, contact, scene);
     read_laws(source, root, contact, scene, replaced);
+    for (const LawName law : laws_with_options())  // checked, though no law of the scene takes them
+        if (!is_shared(law) && contact.find(name_of(law)) &&
+            std::none_of(scene.laws.begin(), scene.laws.end(), [&](const Law* one) { return one->which == law; }))
+            read_law_options(source, root, law, scene);
     read_peaks(source, contact, scene, replaced);
     read_interaction(source, contact, scene);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from its text: the sections in turn, what they leave in doubt, and what is computed of them.
 #include "document/file.hpp"
+#include "scene/answer.hpp"
 #include "scene/priors.hpp"
 #include "scene/readers.hpp"
 
@@ -148,11 +149,8 @@ bool needs_dimension_of_maps(const toml::table& root) {
 
 Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
     const std::string &file = from.name, &surface = from.surface;
-    Source source{file,
-                  {},
-                  builtin,
-                  from.has_band && root["uncertainty"]["samples"].value<std::int64_t>() != 0,
-                  needs_dimension_of_maps(root)};
+    Source source{
+        file, {}, builtin, root["uncertainty"]["samples"].value<std::int64_t>() != 0, needs_dimension_of_maps(root)};
     Scene scene;
     scene.file = file;
 
@@ -183,6 +181,10 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
     if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
+    const bool flows = relative_hardness(scene) || std::any_of(scene.laws.begin(), scene.laws.end(),
+                                                               [](const Law* law) { return law->needs_hardness; });
+    if (!scene.open_body.empty() && flows)
+        scene.assumptions.push_back(scene.open_body + " at least as hard as the other (K is higher if it is softer)");
     for (const Assumed& one : assumed(scene))
         source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
     for (AssumedNumber& one : assumed_numbers(scene)) {

@@ -77,7 +77,9 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     rows.repeat({"theta"}, curve.theta, size);
     rows.repeat({"r"}, curve.r, size);
     for (const Column& column : curve.columns) {
-        rows.add(heading_of(column, units), column.values);
+        std::vector<Cell> cells;
+        for (const double value : column.values) cells.push_back(std::isnan(value) ? Cell() : Cell(value));
+        rows.add(heading_of(column, units), cells);
         if (column.quantity == CurveQuantity::pressure && curve.rms_gradient) {
             std::vector<double> relative;
             for (const double p : column.values)
@@ -114,7 +116,7 @@ Json answer_json(const Scene& scene, const Results& results) {
                     {"stiffness_p95_Pa_per_m", band.high},
                     {"law", curve.law_at(i).name}};
         if (scene.force) row["force_N"] = scene.forces[curve.places[i]];
-        if (scene.approach && !curve.seated.empty())
+        if (scene.approach && !curve.seated.empty() && curve.has_separation(i))
             row["approach_m"] = curve.seated[i] - curve.states[i].separation.value;
         if (reason.loading_stiffness) row["loading_stiffness_Pa_per_m"] = *reason.loading_stiffness;
         if (scene.nominal_area) {
@@ -124,7 +126,8 @@ Json answer_json(const Scene& scene, const Results& results) {
         }
         for (const Column& column : curve.columns)
             if (column.quantity >= CurveQuantity::thermal_conductance &&
-                column.quantity <= CurveQuantity::electrical_conductance && !column.values.empty())
+                column.quantity <= CurveQuantity::electrical_conductance && !column.values.empty() &&
+                !std::isnan(column.values[i]))
                 row[column.key()] = column.values[i];
         if (reason.p_star) row["p_star"] = *reason.p_star;
         if (reason.contacts) row["contacts"] = *reason.contacts;
@@ -182,19 +185,29 @@ Json run_document(const Scene& scene, const Results& results) {
     return document;
 }
 
+Units summary_units(const Scene& scene, const Results& results) {
+    std::vector<double> values;
+    const auto add = [&](const Curve& curve) {
+        for (const std::size_t place : points_of_answer(scene))
+            if (const auto at = curve.state_at(place)) values.push_back(curve.states[*at].stiffness.value);
+    };
+    if (results.answer) add(results.answer->curve);
+    for (const Curve& curve : results.curves)
+        if (!results.answer) add(curve);
+    Units units = units_of(scene, results);
+    units.stiffness = shown_unit(values, "Pa/m");
+    return units;
+}
+
 TextRows answer_table(const Scene& scene, const Results& results, std::size_t causes) {
     const StiffnessAnswer& answer = *results.answer;
     const Curve& curve = answer.curve;
-    std::vector<std::size_t> shown;
-    std::vector<double> values, joint;
-    for (const std::size_t place : points_of_answer(scene))
-        if (const auto at = curve.state_at(place)) shown.push_back(*at);
+    const std::vector<std::size_t> places = points_of_answer(scene);
+    std::vector<double> joint;
     const double area = scene.nominal_area.value_or(0);
-    for (const std::size_t i : shown) {
-        values.push_back(curve.states[i].stiffness.value);
-        joint.push_back(area * values.back());
-    }
-    const ShownUnit unit = shown_unit(values, "Pa/m"), joint_unit = shown_unit(joint, "N/m"),
+    for (const std::size_t place : places)
+        if (const auto at = curve.state_at(place)) joint.push_back(area * curve.states[*at].stiffness.value);
+    const ShownUnit unit = summary_units(scene, results).stiffness, joint_unit = shown_unit(joint, "N/m"),
                     height = unit_of_length(scene.face.parameters.rms_height.value);
     const bool closes = scene.approach && !curve.seated.empty();
     const auto number = [&](double K) { return rounded(K * unit.factor, 3); };
@@ -205,7 +218,14 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
     const std::size_t law = rows[0].size();
     rows[0].emplace_back("law");
     if (causes > 0) rows[0].emplace_back("band due to");
-    for (const std::size_t i : shown) {
+    for (const std::size_t place : places) {
+        const auto at = curve.state_at(place);
+        if (!at) {
+            rows.emplace_back(rows[0].size(), "-");
+            rows.back().front() = shown_point(scene, place);
+            continue;
+        }
+        const std::size_t i = *at;
         const auto& [low, median, high, failed] = curve.band[i];
         const int digits = high - low < 0.2 * median ? 3 : 2;  // enough to distinguish the ends
         rows.push_back({scene.forces.empty() ? with_unit(curve.states[i].pressure.value, "Pa", 3)
@@ -214,7 +234,9 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
                         rounded(low * unit.factor, digits) + "–" + rounded(high * unit.factor, digits)});
         if (area > 0) rows.back().push_back(rounded(curve.states[i].stiffness.value * area * joint_unit.factor, 3));
         if (closes)
-            rows.back().push_back(rounded((curve.seated[i] - curve.states[i].separation.value) * height.factor, 3));
+            rows.back().push_back(curve.has_separation(i)
+                                      ? rounded((curve.seated[i] - curve.states[i].separation.value) * height.factor, 3)
+                                      : "-");
         if (answer.flows) {
             const auto& loading = answer.reasons[i].loading_stiffness;
             rows.back().push_back(loading ? number(*loading) : "-");

@@ -21,6 +21,8 @@ struct Units {
 [[nodiscard]] Json scene_json(const Scene& scene);
 
 [[nodiscard]] Units units_of(const Scene& scene, const Results& results);
+/// The same with a unit of K that fits the answer at points_of_answer(): one for all tables of a summary.
+[[nodiscard]] Units summary_units(const Scene& scene, const Results& results);
 /// How people read \p column; one that is not for them is in CSV and JSON alone.
 [[nodiscard]] Heading heading_of(const Column& column, const Units& units);
 /// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.

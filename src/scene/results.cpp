@@ -2,10 +2,12 @@
 #include "scene/results.hpp"
 
 #include "document/file.hpp"
+#include "document/shown_unit.hpp"
 #include "scene/answer.hpp"
 #include "scene/bands.hpp"
 #include "scene/each_contact.hpp"
 #include "scene/explanation.hpp"
+#include "scene/warnings.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -32,21 +34,61 @@ Quantity wanted(const Scene& scene, const Law& law, Quantity more = Quantity::no
     return static_cast<Quantity>(static_cast<unsigned>(set) & static_cast<unsigned>(law.quantities));
 }
 
-/// Puts \p points into \p curve, as states or as what the law does not reach. A gradient so small that p* is beyond the
-/// range of double precision is as good as unknown.
-void take_points(const Scene& scene, double modulus, Curve& curve, const std::vector<ContactPoint<double>>& points) {
+/// The greatest pressure [Pa] below \p pressure at which \p contact has a state, to 1e-6; 0 where it has none.
+double reach_of(const AnyContact& contact, double pressure) {
+    const auto has_state = [&](double p) {
+        return contact.at_pressures(std::span(&p, 1), Quantity::stiffness).front().ok();
+    };
+    double low = pressure, high = pressure;
+    for (double step = 2; !has_state(low); step *= step)
+        if (high = low, low /= step; !(low > 0)) return 0;
+    while (high > (1 + 1e-6) * low)
+        if (const double middle = std::sqrt(low) * std::sqrt(high); has_state(middle))
+            low = middle;
+        else
+            high = middle;
+    return low;
+}
+
+/// Replaces the reason of a law that has no state at a pressure above its states by the limit, where this is known.
+void name_limit(const Scene& scene, const AnyContact& contact, Curve& curve) {
+    double greatest = 0;
+    for (const auto& state : curve.states) greatest = std::max(greatest, state.pressure.value);
+    for (MissedPoint& missed : curve.missed) {
+        const double pressure = scene.points[missed.place];
+        const bool above = !missed.unrepresentable && pressure > greatest;
+        if (!above || scene.at_separations || !curve.law->varies || !curve.law->holds_when_crowded) continue;
+        const double reach = reach_of(contact, pressure), hardness = hardness_of(scene);
+        if (!(reach > 0)) return;
+        missed.reason =
+            curve.law->needs_hardness && reach > 0.999 * hardness
+                ? "at the hardness, " + with_unit(hardness, "Pa", 3) + ", and above it everything has flowed"
+                : "above " + with_unit(reach, "Pa", 3) + " the contact is closed and the bulk carries the load";
+    }
+}
+
+/// Puts \p points of \p contact into \p curve, as states or as what the law does not reach. A gradient so small that p*
+/// is beyond the range of double precision is as good as unknown.
+void take_points(const Scene& scene, double modulus, Curve& curve, const AnyContact& contact,
+                 const std::vector<ContactPoint<double>>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].ok()) {
-            curve.states.push_back(points[i].state);
+            ContactState<double> state = points[i].state;
+            if (flows(scene, *curve.law) && state.stiffness.value > 0)  // which no loading stiffness exceeds
+                state.loading_stiffness.value = std::min(state.loading_stiffness.value, state.stiffness.value);
+            curve.states.push_back(state);
             curve.places.push_back(i);
         } else if (points[i].status == PointStatus::out_of_reach) {
             curve.missed.push_back({i, points[i].reason});
         } else {
-            curve.missed.push_back({i, "a result for " + shortest(scene.points[i]) +
-                                           " is beyond the range of double precision; the values of the scene must be "
-                                           "less extreme"});
+            curve.missed.push_back({i,
+                                    "a result for " + shortest(scene.points[i]) +
+                                        " is beyond the range of double precision; the values of the scene must be "
+                                        "less extreme",
+                                    true});
         }
     }
+    name_limit(scene, contact, curve);
     const auto has_p_star = [&](const ContactState<double>& state) {
         return std::isfinite(parts::dimensionless_pressure(state.pressure.value, modulus, *curve.rms_gradient));
     };
@@ -61,143 +103,6 @@ void require_states(const Scene& scene, const std::vector<Curve>& curves) {
         if (!curve.missed.empty())
             throw domain_error(scene.points_where + "law " + std::string(curve.law->name) + ": " +
                                curve.missed.front().reason);
-}
-
-/// A warning for each law that lacks points. One that ends above some pressure is expected to; that the contact of an
-/// answer closes is in its explanation.
-void warn_of_missed(const Scene& scene, Results& results) {
-    for (const Law* law : scene.laws) {
-        std::size_t count = 0, points = 0;
-        const Curve* first = nullptr;
-        for (const Curve& curve : results.curves) {
-            if (curve.law != law) continue;
-            points += scene.points.size();
-            count += curve.missed.size();
-            if (!first && !curve.missed.empty()) first = &curve;
-        }
-        if (count == 0) continue;
-        const MissedPoint& missed = first->missed.front();
-        const std::string name = "law " + std::string(law->name),
-                          at = shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
-        const bool ends = law->ends && !first->states.empty();
-        results.doubtful = results.doubtful || !ends;
-        if (scene.best && closed_above(scene, *first)) continue;
-        results.warnings.push_back(
-            ends ? name + " ends before " + at + ": its contacts are too many or too crowded beyond"
-                 : name + " has no result at " + std::to_string(count) + " of " + std::to_string(points) +
-                       " points, the first of them " + at + ": " + missed.reason);
-    }
-}
-
-/// Begins the sentence about what does not hold at some points of a curve.
-std::string_view sentence(parts::Concern concern) {
-    switch (concern) {
-        case parts::Concern::interacting_asperities:
-            return "p* is above 0.01: laws without interaction of the asperities give too small a K there";
-        case parts::Concern::mean_planes_crossed:
-            return "the separation is below 0: the mean planes have passed each other";
-        case parts::Concern::above_highest_peak:
-            return "the separation is above the highest peak: real surfaces do not touch there";
-        case parts::Concern::few_contacts:
-            return "fewer than 10 contacts on the nominal area: a mean over peaks is unreliable there";
-        case parts::Concern::area_above_nominal:
-            return "the real area exceeds the nominal area: the model does not hold there";
-        case parts::Concern::not_converged:
-            return "the stiffness has an error above 1e-6 of its size: the integrals did not converge there";
-        default: return "";
-    }
-}
-
-/// A warning for all curves that have a point where \p concern does not hold.
-void warn_if_any(Results& results, parts::Concern concern) {
-    std::size_t count = 0;
-    std::string where;
-    for (const Curve& curve : results.curves) {
-        const parts::Check<double>* check = parts::find_check(curve.checks, concern);
-        if (check && !check->holds() && count++ == 0)
-            where = title(curve) + " at p = " + rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
-    }
-    if (count > 0)
-        results.warnings.push_back(std::string(sentence(concern)) + " (" + std::to_string(count) + " of " +
-                                   std::to_string(results.curves.size()) + " curves, the first " + where + ")");
-}
-
-/// The part of \p means outside of the range of \p law; may be empty.
-std::string outside_range(const Law& law, const parts::LoadMeans<double>& means) {
-    const double s = means.interference.value, ratio = means.radius_ratio.value;
-    std::string text;
-    const auto say = [&](const char* name, double value, const char* side, double limit) {
-        text += (text.empty() ? "" : " and ") + std::string(name) + " = " + rounded(value, 4) + ", " + side + " " +
-                rounded(limit, 3);
-    };
-    if (s < law.range.least_interference) say("omega/omega_c", s, "below", law.range.least_interference);
-    if (s > law.range.most_interference) say("omega/omega_c", s, "above", law.range.most_interference);
-    if (ratio > law.range.most_radius_ratio) say("a/R", ratio, "above", law.range.most_radius_ratio);
-    return text;
-}
-
-/// A warning for each plastic law with a point where its peaks, each weighted by its load, are outside of its range.
-void warn_of_plastic_ranges(const Scene& scene, Results& results) {
-    for (const Law* law : scene.laws) {
-        std::size_t count = 0, points = 0;
-        std::string first;
-        for (const Curve& curve : results.curves) {
-            if (curve.law != law) continue;
-            points += curve.means.size();
-            for (std::size_t i = 0; i < curve.means.size(); ++i) {
-                const std::string outside = outside_range(*curve.law, curve.means[i]);
-                if (!outside.empty() && count++ == 0)
-                    first = "at p = " + rounded(curve.states[i].pressure.value / 1e6) + " MPa (" + title(curve) +
-                            ") the mean over the load is " + outside;
-            }
-        }
-        if (count > 0)
-            results.warnings.push_back("law " + std::string(law->name) + " is outside of its range at " +
-                                       std::to_string(count) + " of " + std::to_string(points) +
-                                       " points, and may be far off there: first " + first);
-    }
-}
-
-/// Warnings for the laws that are named: the band of an answer includes their causes.
-void warn_of_named_laws(const Scene& scene, Results& results) {
-    for (const parts::Check<double>& check : results.surface_checks) {
-        if (check.holds()) continue;
-        const std::string value = rounded(check.least, 3);
-        results.warnings.push_back(
-            check.concern == parts::Concern::plasticity
-                ? "plasticity index " + value +
-                      " is above 1: the peaks yield at first loading; an elastic K is that of unloading"
-                : "sigma R D_p = " + value + " is below " + rounded(check.limit, 3) +
-                      ", the minimum for an isotropic Gaussian surface: R and D_p are those of islands, not of "
-                      "summits");
-    }
-    for (const parts::Concern concern : {parts::Concern::interacting_asperities, parts::Concern::mean_planes_crossed,
-                                         parts::Concern::above_highest_peak, parts::Concern::few_contacts})
-        warn_if_any(results, concern);
-    warn_of_plastic_ranges(scene, results);
-    if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
-        results.warnings.push_back(
-            "K with interaction includes the elasticity of the bulk over the interaction length: its reflection is not "
-            "that of the interface alone");
-}
-
-void add_warnings(const Scene& scene, Results& results) {
-    const std::vector<Parameter> unknown = unknown_parameters(scene);
-    if (!scene.best)
-        warn_of_named_laws(scene, results);
-    else if (scene.reading != InteractionReading::none)
-        results.warnings.push_back(
-            "contact.interaction does not affect the answer, whose laws include their own interaction");
-    if (scene.best && !unknown.empty() && !parts::is_known(scene.face.parameters.rms_height))
-        results.warnings.push_back(
-            results.answer && results.answer->of_map_itself
-                ? "sigma of another piece of this surface is not known to a factor of two: K is that of this map alone"
-                : "sigma is not known to a factor of two, so K and its band are doubtful");
-    const std::size_t before = results.warnings.size();
-    for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
-        warn_if_any(results, concern);
-    if (results.warnings.size() > before || scene.implausible || scene.has_lay || !unknown.empty())
-        results.doubtful = true;
 }
 
 /// Bands, where the surface has errors, and the columns of every curve, which has its states.
@@ -238,7 +143,9 @@ void take_answer(const Scene& scene, Results& results, const ProgressHook& progr
             for (MissedPoint& missed : curve.missed) missed.place = places[missed.place];
         }
         curve.columns = columns_of(scene, curve, results.tangential_ratio, true);
-    } catch (const domain_error&) {  // no law answers, or at no point: the laws that are named have their own reasons
+    } catch (const domain_error& error) {
+        results.warnings.push_back("the answer has no K: " + std::string(error.what()));
+        results.doubtful = true;
     }
 }
 
@@ -269,7 +176,8 @@ std::optional<std::size_t> Curve::state_at(std::size_t place) const {
 std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity, Statistic statistic) const {
     const auto at = state_at(place);
     for (const Column& column : columns)
-        if (at && column.quantity == quantity && column.statistic == statistic && !column.values.empty())
+        if (at && column.quantity == quantity && column.statistic == statistic && !column.values.empty() &&
+            !std::isnan(column.values[*at]))
             return column.values[*at];
     return std::nullopt;
 }
@@ -323,7 +231,7 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     for (const MadeContact& made : contacts) {
         Curve& curve = results.curves.emplace_back(made.curve);
-        take_points(scene, results.modulus, curve,
+        take_points(scene, results.modulus, curve, *made.contact,
                     points_of(scene, *curve.law, *made.contact, wanted(scene, *curve.law)));
         static_cast<void>(seat(scene, *made.contact, curve));
         grow(scene, *made.contact, curve);
@@ -356,7 +264,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         // warnings and the explanation need the contacts and the area, whichever columns are shown
         const Quantity quantities = wanted(scene, *curve.law, Quantity::contact_density | Quantity::real_area_fraction);
         const auto made = contact();
-        take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made, quantities, of_all));
+        take_points(scene, results.modulus, curve, *made, points_of(scene, *curve.law, *made, quantities, of_all));
         if (const std::string why = seat(scene, *made, curve); !why.empty())
             results.warnings.push_back("law " + std::string(curve.law->name) + " has no approach: " + why);
         grow(scene, *made, curve);
@@ -379,7 +287,6 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         results.curves.push_back(std::move(curve));
     });
     require_states(scene, results.curves);
-    warn_of_missed(scene, results);
     finish(scene, results, progress);
     take_answer(scene, results, progress);
     add_warnings(scene, results);

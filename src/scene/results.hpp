@@ -27,8 +27,9 @@ namespace fstiff::scene {
 
 /// A point of the scene that a law does not reach.
 struct MissedPoint {
-    std::size_t place = 0;  ///< among Scene::points
-    std::string reason;     ///< of the law
+    std::size_t place = 0;         ///< among Scene::points
+    std::string reason;            ///< of the law
+    bool unrepresentable = false;  ///< a number is beyond the range of double precision
 };
 
 /// One law on one joint distribution of peaks, at every point of the scene that the law reaches.
@@ -51,6 +52,10 @@ struct Curve {
 
     [[nodiscard]] const Law& law_at(std::size_t state) const { return by.empty() ? *law : *by[state]; }
 
+    /// Whether the separation of \p state is known: law plastic has none where the mean planes would have met.
+    [[nodiscard]] bool has_separation(std::size_t state) const {
+        return law_at(state).which != LawName::plastic || states[state].separation.value > 0;
+    }
     /// Index of the state of the point \p place of the scene; none where the law does not reach it.
     [[nodiscard]] std::optional<std::size_t> state_at(std::size_t place) const;
     /// \p statistic of \p quantity at the point \p place of the scene; none where there is no such column or state.

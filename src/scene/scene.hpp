@@ -124,7 +124,8 @@ struct Scene {
     const parts::NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
     std::optional<double> yield_strength;  ///< the smaller of the two that are given [Pa]
     std::optional<double> hardness;        ///< the smaller of the two that are given [Pa]
-    double softer_poisson = 0;             ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
+    std::string open_body;      ///< the other one, where one alone has a hardness: "copper", "the lower body"
+    double softer_poisson = 0;  ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
 
     std::optional<double> nominal_area;  ///< [m^2]
     bool at_separations = false;         ///< points are separations [m], not pressures [Pa]
@@ -197,7 +198,6 @@ struct SceneSource {
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
     ProgressHook progress{};                    ///< called while a surface is measured
     const MeasuredSurface* measured = nullptr;  ///< in place of a file of the surface, where it was measured already
-    bool has_band = true;                       ///< else what only a band takes of the surface is not measured
     const Scene* surface_of =
         nullptr;  ///< not null: a scene with the very [surface] of this one, which is not read again
 };

@@ -88,7 +88,7 @@ void append_row(std::string& text, const std::string& begin, const Curve& curve,
         if (column.values.empty())
             text += "null";
         else
-            append_exact(text, column.values[i]);
+            append_optional(text, std::isnan(column.values[i]) ? std::nullopt : std::optional(column.values[i]));
     }
     if (!curve.by.empty()) text += ",\"answer\":1";
     text += "}\n";

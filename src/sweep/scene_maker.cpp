@@ -212,9 +212,7 @@ RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>
 
 std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& values, const Scene* surface) const {
     const toml::table root = table_of(grid_, values);
-    const bool names_laws = root["contact"]["laws"].is_array();  // the band of an answer holds the cut-offs too
-    auto made = std::make_shared<Scene>(
-        scene::read_table(root, {.name = grid_.file, .has_band = !names_laws, .surface_of = surface}));
+    auto made = std::make_shared<Scene>(scene::read_table(root, {.name = grid_.file, .surface_of = surface}));
     made->solves_map = false;
     made->inputs.clear();
     made->warnings.clear();

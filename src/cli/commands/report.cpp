@@ -27,7 +27,7 @@ namespace {
 struct Options {
     OutputOptions output;
     SceneOptions scene;
-    std::string folder;
+    std::string place;  ///< the page, or the folder for report.html
 };
 
 /// Name and value with its error of what the surface is given by.
@@ -73,7 +73,8 @@ void validity_section(Page& page, const Scene& scene, const Results& results) {
                     "elastic below 1",
                     !plastic           ? "not known"
                     : plastic->holds() ? "holds"
-                                       : "yields at first loading; an elastic K is that of unloading"});
+                                       : std::string(scene::yielding_peaks)});
+    const double hardness = hardness_of(scene);
     for (const Curve& curve : results.curves) {
         const std::string name = legend_of(curve);
         if (const auto* pressure = parts::find_check(curve.checks, parts::Concern::interacting_asperities))
@@ -81,14 +82,13 @@ void validity_section(Page& page, const Scene& scene, const Results& results) {
                 {"p* = p/(E g_rms), " + name, range_of(pressure->least, pressure->greatest),
                  "at most " + rounded(pressure->limit, 3),
                  pressure->holds() ? "holds" : "does not hold up to the greatest pressure: K is too small there"});
-        if (const auto* hardness = parts::find_check(curve.checks, parts::Concern::above_hardness))
+        if (const auto* pressure = parts::find_check(curve.checks, parts::Concern::above_hardness))
             rows.push_back({"mean contact pressure [GPa], " + name,
-                            range_of(hardness->least / 1e9, hardness->greatest / 1e9),
-                            scene.yield_strength ? "below 2.8 Y = " + rounded(hardness->limit / 1e9, 3) + " GPa"
-                                                 : "below the hardness",
-                            !scene.yield_strength ? "not known"
-                            : hardness->holds()   ? "holds"
-                                                  : "does not hold"});
+                            range_of(pressure->least / 1e9, pressure->greatest / 1e9),
+                            "below the hardness" + (hardness > 0 ? ", " + with_unit(hardness, "Pa", 3) : ""),
+                            !(hardness > 0)                  ? "not known"
+                            : pressure->greatest <= hardness ? "holds"
+                                                             : "does not hold"});
     }
     page.table(rows);
     if (results.warnings.size() > first_warnings)
@@ -111,20 +111,11 @@ std::string material_sentence(const Scene& scene) {
     };
     if (std::any_of(scene.inputs.begin(), scene.inputs.end(), same))
         text += " (the lower is assumed to be as the upper)";
-    text += scene.yield_strength ? ", yield strength " + with_unit(*scene.yield_strength, "Pa", 4)
-                                 : "; no yield strength is given, so yielding is not checked";
+    if (scene.hardness) text += ", hardness " + with_unit(*scene.hardness, "Pa", 4);
+    if (scene.yield_strength) text += ", yield strength " + with_unit(*scene.yield_strength, "Pa", 4);
+    if (!scene.hardness && !scene.yield_strength) text += "; no hardness is given, so yielding is not checked";
+    if (!scene.open_body.empty()) text += "; no hardness of " + scene.open_body + " is given";
     return text + (assumed ? ". Give your own in a scene, section [material]." : ".");
-}
-
-/// The units of the whole page.
-Units page_units(const Scene& scene, const Results& results) {
-    std::vector<double> values;
-    for (const Curve& curve : results.curves)
-        for (const std::size_t i : points_of_answer(scene))
-            if (const auto stiffness = curve.value_at(i, CurveQuantity::stiffness)) values.push_back(*stiffness);
-    Units units = units_of(scene, results);
-    units.stiffness = shown_unit(values, "Pa/m");
-    return units;
 }
 
 /// \p quantity of every curve at the points of a summary, with its band.
@@ -170,7 +161,7 @@ void named_laws(Page& page, const Scene& scene, const Results& results, const Un
     if (curves > most) rows.resize(most + 1);
     page.table(rows);
     std::string about = "Laws that the scene names. ";
-    about += !has_band(results) ? "Without errors of the surface's parameters their K has no band."
+    about += !has_band(results) ? "Their K has no band: " + why_no_band(scene, results) + "."
                                 : "In brackets 5 % and 95 %: " + origin_of_band(scene) + ".";
     if (curves > most) about += " The first " + std::to_string(most) + " of " + std::to_string(curves) + " curves.";
     page.paragraph(about);
@@ -187,14 +178,17 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
         surface += (i ? ", " : "") + parameters[i][0] + " = " + parameters[i][1];
     page.begin("div class=\"answer\"");
     page.begin("div");
-    page.paragraph(surface + ".");
+    page.paragraph(surface + (scene.faces.empty() ? "; the other face is smooth." : "; the sum of two rough faces."));
     page.paragraph(material_sentence(scene));
     if (results.answer) page.table(answer_table(scene, results));
     const std::size_t count = results.warnings.size();
-    page.begin(count == 0 ? "div class=\"result\"" : "div class=\"result warned\"");
-    page.paragraph(count == 0         ? "Result: no warnings; the band of K includes the known uncertainties."
-                   : results.doubtful ? "Result: doubtful. Read the warnings before using any of these numbers."
-                                      : "Result: computed, but not all assumptions of the model hold.");
+    const bool yields = results.answer && !results.answer->flows &&
+                        results.answer->relative_hardness.value_or(0) < parts::flowing_hardness;
+    page.begin(count == 0 && !yields ? "div class=\"result\"" : "div class=\"result warned\"");
+    page.paragraph(results.doubtful ? "Result: doubtful. Read the warnings before using any of these numbers."
+                   : count > 0      ? "Result: computed, but not all assumptions of the model hold."
+                   : yields         ? "Result: no warnings, but K is elastic and its band does not include yielding."
+                                    : "Result: no warnings; the band of K includes the known uncertainties.");
     page.list(results.explanation);
     const std::ptrdiff_t shown = std::min(static_cast<std::ptrdiff_t>(count), first_warnings);
     page.list({results.warnings.begin(), results.warnings.begin() + shown});
@@ -276,7 +270,8 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
     if (scene.ultrasound)
         rest += " Reflection by (5.1); shear waves depend on the tangential stiffness, " +
                 rounded(results.tangential_ratio) + " K by Mindlin.";
-    if (has_band(results)) rest += " The band is of seed " + std::to_string(scene.seed) + ".";
+    if (has_band(results) && scene.samples > 0 && scene.face.has_measured_errors())
+        rest += " The band is of seed " + std::to_string(scene.seed) + ".";
     page.paragraph(rest);
     page.paragraph(
         "Equation numbers refer to R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness "
@@ -304,7 +299,7 @@ void scales_section(Page& page, const Scene& scene, const Results& results, cons
 
 std::string page_of(const Scene& scene, const Results& results) {
     Page page(scene.name);
-    const Units units = page_units(scene, results);
+    const Units units = summary_units(scene, results);
     answer_section(page, scene, results, units);
     other_figures(page, scene, results);
     inputs_section(page, scene);
@@ -320,8 +315,10 @@ std::string page_of(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
-    refuse_standard_output(options.folder, "a folder");
-    const std::string file = name_of_path(path_of(options.folder) / "report.html");
+    refuse_standard_output(options.place, "a folder or a file that ends with .html");
+    const bool is_file = options.place.ends_with(".html") && !std::filesystem::is_directory(path_of(options.place));
+    const std::string file = is_file ? options.place : name_of_path(path_of(options.place) / "report.html");
+    const std::string folder = name_of_path(path_of(file).parent_path());
     require_own(file);
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
@@ -338,7 +335,7 @@ Report execute(const Options& options) {
     }
     const Results results = compute(scene, progress_bar());
     const std::string document = page_of(scene, results);
-    deliver({{file, page_mark + document}}, options.folder);
+    deliver({{file, page_mark + document}}, folder.empty() ? "." : folder);
     return report({.table =
                        [&] {
                            return "fstiff " FSTIFF_VERSION_TEXT ": report of " +
@@ -368,8 +365,8 @@ Command add_report(CLI::App& app) {
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
         "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
-    command.option("-o,--output", options->folder, "folder for report.html; made when missing")
-        .type_name("FOLDER")
+    command.option("-o,--output", options->place, "the page, FILE.html, or a folder for report.html; made when missing")
+        .type_name("FILE")
         .required();
     add_format_option(command, options->output);
     command.footer(

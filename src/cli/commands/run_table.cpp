@@ -60,7 +60,7 @@ std::string answered(const Scene& scene, const Results& results) {
     for (const std::size_t causes : {2u, 1u, 0u})  // as many as the page has room for
         if (causes == 2 || width_of(text) > widest) text = TextTable(answer_table(scene, results, causes)).str();
     for (const std::string& sentence : results.explanation) text += in_text(sentence);
-    if (scene.approach)
+    if (scene.approach && !results.answer->curve.seated.empty())
         text += in_text("Approach: how far the faces have closed since p was " + with_unit(scene.seating, "Pa") +
                         " (contact.seating).");
     return text + in_text(outside_band(scene, results));
@@ -73,6 +73,7 @@ std::vector<std::string> surface_of_answer(const Scene& scene, const Results& re
     for (const Assumed& one : assumed(scene))
         if (!scene.face.is_open(parts::Unknown::hurst))  // else it is among what was assumed
             parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
+    if (scene.faces.empty()) parts.emplace_back("the other face smooth");
     return parts;
 }
 
@@ -112,7 +113,10 @@ std::string bodies_text(const Scene& scene, const Results& results) {
     const bool alike = scene.best && upper == lower;
     std::vector<std::string> parts{alike ? "both bodies " + upper : "upper " + upper + "; lower " + lower};
     if (!scene.best) parts.push_back("effective modulus " + with_unit(results.modulus, "Pa"));
-    if (scene.hardness) parts.push_back("hardness " + pressure(*scene.hardness));
+    const bool upper_open =
+        scene.open_body == "the upper body" || (scene.upper_name && scene.open_body == scene.upper_name->name);
+    const std::string of = scene.open_body.empty() ? "" : upper_open ? " of the lower body" : " of the upper body";
+    if (scene.hardness) parts.push_back("hardness" + of + " " + pressure(*scene.hardness));
     if (scene.yield_strength) parts.push_back("yield strength " + pressure(*scene.yield_strength));
     const std::string area = scene.nominal_area ? "nominal area " + rounded(*scene.nominal_area * 1e6) + " mm²" : "";
     if (scene.best && !area.empty()) parts.push_back(area);
@@ -187,8 +191,8 @@ std::string explanations(const Scene& scene, const Results& results) {
     if (has_band(results))
         text += "5 % and 95 %: " + origin_of_band(scene) + "\n";
     else if (scene.needs_stiffness())
-        text += scene.samples == 0 ? "K has no band: the scene asks for no samples\n"
-                                   : "K has no band: no error of a parameter of the surface is known\n";
+        text += "the laws that are named have no band: " + why_no_band(scene, results) +
+                (results.answer ? "; that of the answer is above\n" : "\n");
     return text;
 }
 
@@ -285,7 +289,7 @@ std::string in_parts(const Scene& scene, const Results& results, const Table& ta
 /// The tables of the summary.
 std::string blocks(const Scene& scene, const Results& results) {
     using enum CurveQuantity;
-    const Units units = units_of(scene, results);
+    const Units units = summary_units(scene, results);
     std::vector<CurveQuantity> shown{stiffness,
                                      joint_stiffness,
                                      approach,

@@ -97,7 +97,7 @@ Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
     std::string text = error.what(), help = program.get_name();
     if (!chosen.empty()) {
         help += " " + chosen.front()->get_name();
-        if (!unknown.empty() && is_existing_file(unknown.front()))
+        if (!unknown.empty() && unknown.front().starts_with("-") && is_existing_file(unknown.front()))
             text += " (" + unknown.front() + " begins with - as an option does; such a file is given as ./" +
                     unknown.front() + ")";
         else if (!unknown.empty() && unknown.front().starts_with("--"))

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The measurement that a scene advises next. Truth: the scene with that measurement written in its text, at the value
+// that was assumed, and with each of the others.
+#include "scene/explanation.hpp"
+#include "support/library.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace next_measurement_test {
+
+namespace scene = fstiff::scene;
+
+namespace {
+
+using fstiff::parts::Unknown;
+
+struct Case {
+    std::string surface, contact;
+
+    [[nodiscard]] std::string text(const std::string& measured = "") const {
+        return "[surface]\n" + surface + measured + "[material.upper]\nname = \"steel\"\n" + contact;
+    }
+};
+
+/// K at 95 % over K at 5 % of the middle point of \p text.
+double width_of(const std::string& text) {
+    const auto results = test::results_of(text);
+    const auto& band = results.answer->curve.band.at(results.answer->curve.band.size() / 2);
+    return band.high / band.low;
+}
+
+std::string line(const char* key, double value, const char* unit = "") {
+    std::ostringstream text;
+    text.precision(17);
+    const std::string quote = *unit ? "\"" : "";
+    text << key << " = " << quote << value << unit << quote << '\n';
+    return text.str();
+}
+
+/// The texts of \p one with each measurement that is open, at the value that was assumed.
+std::map<std::string, std::string> followed(const Case& one) {
+    const auto& face = test::face(test::scene_of(one.text()));
+    std::map<std::string, std::string> all;
+    if (face.is_open(Unknown::gradient)) all["Sdq"] = one.text(line("Sdq", *face.rms_gradient));
+    if (face.is_open(Unknown::alpha)) all["alpha"] = one.text(line("alpha", *face.alpha));
+    if (face.is_open(Unknown::hurst)) all["D or H"] = one.text(line("hurst", hurst_exponent(face)));
+    if (face.is_open(Unknown::skewness))
+        all["skewness"] = one.text(line("skewness", face.shape.skewness) + line("kurtosis", face.shape.kurtosis));
+    if (face.is_open(Unknown::height)) {
+        Case by = one;
+        by.surface.erase(0, by.surface.find('\n') + 1);
+        all["Rq or Sq"] = by.text(line("Rq", face.parameters.rms_height.value, " m"));
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("The measurement advised next narrows the band most of all, by the printed factor, when it is made") {
+    int advised = 0, of_gradient = 0;
+    for (const char* process : {"unknown", "ground", "turned", "honed", "polished", "blasted"})
+        for (const char* known : {"", "Sdq = 0.15\n"})
+            for (const char* hardness : {"", "hardness = \"2 GPa\"\n"})
+                for (const char* pressure : {"3 MPa", "200 MPa"}) {
+                    const Case one{"Ra = \"0.8 um\"\n" + ("process = \"" + std::string(process) + "\"\n") + known,
+                                   hardness + ("[contact]\npressures = [\"" + std::string(pressure) + "\"]\n")};
+                    INFO(one.text());
+                    const scene::Scene read = test::scene_of(one.text());
+                    const std::string next = measure_next(read, compute(read));
+                    const double now = width_of(one.text());
+                    INFO(next);
+                    std::map<std::string, double> widths;
+                    for (const auto& [what, text] : followed(one)) widths[what] = width_of(text);
+                    REQUIRE_FALSE(widths.empty());
+                    double least = now;
+                    for (const auto& [what, width] : widths) least = std::min(least, width);
+                    if (next.empty()) {
+                        CHECK(least > 0.94 * now);
+                        continue;
+                    }
+                    double from = 0, to = 0;
+                    const std::string numbers = next.substr(next.find("narrows"));
+                    REQUIRE(std::sscanf(numbers.c_str(), "narrows from a factor of %lf to %lf", &from, &to) == 2);
+                    CHECK(to < from);
+                    CHECK(std::abs(from / now - 1) < 0.06);  // two digits
+                    bool named = false;
+                    for (const auto& [what, width] : widths)
+                        if (next.starts_with("measure " + what)) {
+                            named = true;
+                            CHECK(std::abs(to / width - 1) < 0.06);
+                            CHECK(width <= least * (1 + 1e-6));
+                        }
+                    CHECK(named);
+                    ++advised;
+                    of_gradient += next.starts_with("measure Sdq");
+                }
+    CHECK(advised >= 20);
+    CHECK(of_gradient >= 5);
+}
+
+TEST_CASE("No measurement is advised where none narrows the band by a twentieth") {
+    const Case all{"Rq = \"1 um\"\nSdq = 0.1\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n",
+                   "[contact]\npressures = [\"10 MPa\"]\n"};
+    const scene::Scene read = test::scene_of(all.text());
+    CHECK(measure_next(read, compute(read)).empty());
+    // alpha and H alone are open: K of hybrid hardly depends on them
+    const Case little{"Rq = \"1 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = 3\n",
+                      "[contact]\npressures = [\"10 MPa\"]\n"};
+    const scene::Scene known = test::scene_of(little.text());
+    CHECK(measure_next(known, compute(known)).empty());
+}
+
+TEST_CASE("Two faces that both lack a number are advised to measure it of both") {
+    const std::string text =
+        "[surface.upper]\nRa = \"0.8 um\"\n[surface.lower]\nRa = \"0.4 um\"\n[material]\nupper = \"steel\"\n"
+        "[contact]\npressures = [\"10 MPa\"]\n";
+    const scene::Scene read = test::scene_of(text);
+    const std::string next = measure_next(read, compute(read));
+    INFO(next);
+    REQUIRE(next.starts_with("measure Sdq or Rdq of both faces: the band at 10 MPa narrows from a factor of "));
+    const auto gradient = [](const scene::Face& face) { return line("Sdq", *face.rms_gradient); };
+    const double after =
+        width_of("[surface.upper]\nRa = \"0.8 um\"\n" + gradient(read.faces[0]) + "[surface.lower]\nRa = \"0.4 um\"\n" +
+                 gradient(read.faces[1]) + "[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n");
+    double from = 0, to = 0;
+    REQUIRE(std::sscanf(next.substr(next.find("narrows")).c_str(), "narrows from a factor of %lf to %lf", &from, &to) ==
+            2);
+    CHECK(std::abs(to / after - 1) < 0.06);
+}
+
+TEST_CASE("A given hardness takes no step in the band of the height alone, where peaks begin to flow") {
+    for (const double pressure : {1e5, 1e6, 1e7}) {
+        const auto width = [&](const std::string& hardness) {
+            const Case one{"Rq = \"1 um\"\n",
+                           hardness + "[contact]\npressures = [\"" + std::to_string(pressure) + " Pa\"]\n"};
+            return width_of(one.text());
+        };
+        // 0.7 E g is 16.2 GPa
+        CHECK(std::abs(std::log(width("hardness = \"16.1 GPa\"\n") / width(""))) < 0.2);
+    }
+}
+
+}  // namespace next_measurement_test
