@@ -39,7 +39,8 @@ class SurfaceOptions(TypedDict, total=False):
                          lambda_c all, and the table's for Ra and Rq of a profile; "none" keeps all
     filter               of lambda_c: "gaussian" or "robust"
     tip_radius, resolution   of the instrument
-    format, units, column, x_column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/formats.md
+    format, units, column, x_column, missing, thousands, resample, x3p_increment, channel, width, height   of a file alone: see
+                         docs/formats.md
     """
 
     spacing: Length | tuple[Length, Length]
@@ -61,6 +62,7 @@ class SurfaceOptions(TypedDict, total=False):
     column: int
     x_column: int
     missing: str
+    thousands: str
     resample: bool
     x3p_increment: Literal["apply", "ignore"]
     channel: str | int

@@ -55,6 +55,8 @@ NumberTable MapTable::reopened(const TableRules& rules) && {
     NumberTable table;
     table.lines = std::move(table_.lines);
     table.line_count = table_.line_count;
+    table.names = table_.names;
+    table.thousands = table_.thousands;
     find_first_row(table, name_, rules);
     return table;
 }

@@ -2,6 +2,7 @@
 #include "io/map_text.hpp"
 
 #include "io/matrix_unit.hpp"
+#include "io/thousands.hpp"
 
 namespace fstiff::inline v0_1::io {
 
@@ -58,6 +59,14 @@ private:
         if (!left.empty()) notes_.columns = used + "; left out: " + left;
     }
 
+    /// Columns of the file, counted from 0, without that of an axis.
+    std::vector<std::size_t> used_columns() const {
+        std::vector<std::size_t> used;
+        for (const std::size_t c : columns_)
+            if (!axes_ || c > 1) used.push_back(c - 1);
+        return used;
+    }
+
     bool size_given() const { return options_.dx || options_.dy || options_.width || options_.height; }
 
     RawMap triples() {
@@ -70,6 +79,7 @@ private:
         for (std::size_t r = 0; r < table_.rows(); ++r)
             if (std::isnan(table_.at(r, 0)) || std::isnan(table_.at(r, 1)))
                 refuse_line(name_, table_.row_lines[r], {"has no position; x and y must be finite decimal numbers"});
+        if (!grid()) refuse_thousands(table_, used_columns(), false, name_);
         if (!grid())
             refuse_file(name_, {"has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
                                 "y, of which a tenth of the points at least is there"});
@@ -80,6 +90,7 @@ private:
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
         mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, height_unit_,
                      [&](std::size_t r) { return table_.row_lines[r]; });
+        refuse_thousands(table_, used_columns(), false, name_);
         for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
         record_.resolution = table_.printed[2].resolution() * z_unit;
         map.rows = y.count;
@@ -174,6 +185,7 @@ private:
         const double unit = value_unit();
         mark_missing(table_.values.data(), table_.values.size(), table_.missing, name_, options_.names, height_unit_,
                      [&](std::size_t i) { return table_.row_lines[i / columns]; });
+        refuse_thousands(table_, used_columns(), true, name_);
         for (std::size_t c = 0; c < std::min<std::size_t>(table_.printed.size(), 3); ++c)
             record_.resolution = (std::max)(record_.resolution, table_.printed[c].resolution() * unit);
         map.rows = rows;

@@ -15,8 +15,11 @@ MissingValues given_missing(std::string_view text, const std::string& name) {
         const std::string_view one = trimmed(rest.substr(0, end));
         if (one.empty())
             refuse_field(name, "missing", shown_cell(text), "numbers or words with commas between them, or none");
+        const std::string word = lower_case(one.substr(one.starts_with('-') || one.starts_with('+') ? 1 : 0));
         if (const auto number = number_in(one, false); number && std::isfinite(*number))
             missing.numbers.push_back(*number);
+        else if (word == "inf" || word == "infinity")
+            for (const double sign : {1.0, -1.0}) missing.numbers.push_back(sign * HUGE_VAL);
         else
             missing.words.push_back(lower_case(one));
         if (end == rest.size()) return missing;

@@ -26,7 +26,7 @@ struct MissingValues {
     bool has(double value) const {
         return std::any_of(numbers.begin(), numbers.end(), [&](double number) {
             // a number of single precision may be printed with fewer digits here than there
-            return std::abs(value - number) <= 1e-7 * std::abs(number);
+            return value == number || std::abs(value - number) <= 1e-7 * std::min(std::abs(number), 1e300);
         });
     }
     bool has_word(std::string_view cell) const {

@@ -96,14 +96,87 @@ std::optional<double> number_in(std::string_view cell, bool decimal_comma) {
     return last_digit_of(cell) < 0 ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
+std::size_t separator_length(std::string_view text, std::string_view sign) {
+    if (text.starts_with(sign)) return 1;
+    if (sign == "'") return text.starts_with("\xE2\x80\x99") ? 3 : text.starts_with('\x92') ? 1 : 0;
+    if (sign != " ") return 0;
+    if (text.starts_with('\xA0')) return 1;
+    if (text.starts_with("\xC2\xA0")) return 2;
+    for (const std::string_view blank : {"\xE2\x80\x87", "\xE2\x80\x89", "\xE2\x80\xAF"})  // figure, thin, narrow
+        if (text.starts_with(blank)) return 3;
+    return 0;
+}
+
+std::size_t grouped_digits(std::string_view text, std::string_view sign) {
+    const auto digits_at = [&](std::size_t i) {
+        const std::size_t end = (std::min)(text.find_first_not_of("0123456789", i), text.size());
+        return end - (std::min)(i, end);
+    };
+    const std::size_t first = digits_at(0);
+    if (first == 0 || first > 3 || text[0] == '0') return 0;
+    std::size_t end = first;
+    for (;;) {
+        const std::size_t separator = separator_length(text.substr(end), sign);
+        const std::size_t digits = separator == 0 ? 0 : digits_at(end + separator);
+        if (digits == 0) return end == first ? 0 : end;
+        if (digits != 3) return 0;
+        end += separator + digits;
+    }
+}
+
+bool is_grouped(std::string_view cell, std::string_view sign) {
+    if (cell.starts_with('+') || cell.starts_with('-')) cell.remove_prefix(1);
+    const std::size_t whole = grouped_digits(cell, sign);
+    if (whole == 0) return false;
+    cell.remove_prefix(whole);
+    if (cell.empty()) return true;
+    return (cell[0] == '.' || cell[0] == ',') && cell[0] != sign[0] &&
+           cell.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+std::string_view thousands_sign_of(std::string_view cell) {
+    const auto sign = std::find_if(thousands_signs.begin(), thousands_signs.end(),
+                                   [&](std::string_view one) { return is_grouped(cell, one); });
+    return sign == thousands_signs.end() ? std::string_view() : *sign;
+}
+
+namespace {
+
+/// "1.#IND", "1.#QNAN0" and what its rounding makes of them ("1.#J", "1.$"), as old libraries of Microsoft print.
+bool is_number_of_msvc(std::string_view word) {
+    if (word == "1.$") return true;
+    if (!word.starts_with("1.#")) return false;
+    word.remove_prefix(3);
+    const std::size_t letters = (std::min)(word.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), word.size());
+    return word.find_first_not_of('0', letters) == std::string_view::npos;
+}
+
+/// "#VALUE!", "#NAME?", "#N/A" and those of other languages, "#NV", "#N/D"; "Err:502" of LibreOffice.
+bool is_error_of_workbook(std::string_view word) {
+    if (word.starts_with("err:")) return word.find_first_not_of("0123456789", 4) == std::string_view::npos;
+    if (word.size() < 3 || word[0] != '#' || word.find_first_of(" \t") != std::string_view::npos) return false;
+    return word.ends_with('!') || word.ends_with('?') || word == "#n/a" || word == "#na" || word == "#nv" ||
+           word == "#n/d" || word == "#nan";
+}
+
+}  // namespace
+
 bool is_missing_word(std::string_view cell) {
-    if (cell.empty() || cell.size() > 10 || is_digit(cell.front()) || is_digit(cell.back())) return false;
-    if (cell.find_first_not_of('*') == std::string_view::npos || cell == "--" || cell == "---") return true;
-    const std::string word = lower_case(cell.front() == '-' || cell.front() == '+' ? cell.substr(1) : cell);
-    for (const char* known : {"nan", "nan(ind)", "nan(snan)", "na", "n/a", "bad", "no data", "nodata", "no_data",
-                              "null", "none", "missing", "invalid", "void"})
+    constexpr std::size_t longest = 24;
+    if (cell.empty() || cell.size() > longest) return false;
+    const std::string_view bare = cell.front() == '-' || cell.front() == '+' ? cell.substr(1) : cell;
+    if (!bare.empty() && is_digit(bare[0]) && !bare.starts_with("1.#") && bare != "1.$") return false;
+    for (const std::string_view sign : {"*", "-", "\xE2\x80\x93", "\xE2\x80\x94"})  // and both dashes of Unicode
+        if (cell.starts_with(sign)) {
+            std::string_view rest = cell;
+            while (rest.starts_with(sign)) rest.remove_prefix(sign.size());
+            if (rest.empty()) return true;
+        }
+    const std::string word = lower_case(bare);
+    for (const char* known : {"nan", "nanq", "nans", "qnan", "snan", "inf", "infinity", "na", "n/a", "bad", "no data",
+                              "nodata", "no_data", "null", "none", "missing", "invalid", "void"})
         if (word == known) return true;
-    return false;
+    return (word.starts_with("nan(") && word.ends_with(')')) || is_number_of_msvc(word) || is_error_of_workbook(word);
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -9,6 +9,7 @@
 #include <fstiff/core/text.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -80,10 +81,27 @@ double last_digit_of(std::string_view cell);
 /// double counts as zero; what is too large is infinite, to be refused by the caller.
 std::optional<double> number_in(std::string_view cell, bool decimal_comma);
 
-/// The words for a missing point, for messages.
-inline constexpr std::string_view missing_words_text = "nan, NA, N/A, BAD, No Data or ***";
+/// Separators of thousands, as an option names them: a blank is one of Unicode and of CP1252 too, an apostrophe the
+/// typographic one too.
+inline constexpr std::array<std::string_view, 4> thousands_signs{",", ".", "'", " "};
 
-/// Whether \p cell is a word for a missing point: those above in any case, and their like.
+/// Bytes of the separator of thousands \p sign that \p text begins with; 0 where there is none.
+std::size_t separator_length(std::string_view text, std::string_view sign);
+
+/// Length of the whole digits in groups of three that \p text begins with, as 1,234,567 is; 0 where there are none.
+std::size_t grouped_digits(std::string_view text, std::string_view sign);
+
+/// Whether \p cell is a number with \p sign between its thousands, and decimals or none: -1,234.5.
+bool is_grouped(std::string_view cell, std::string_view sign);
+
+/// The separator of thousands in \p cell; empty where it is no such number. That of 1,234 is the comma.
+std::string_view thousands_sign_of(std::string_view cell);
+
+/// The words for a missing point, for messages.
+inline constexpr std::string_view missing_words_text = "nan, inf, NA, N/A, #N/A, BAD, No Data, --- or ***";
+
+/// Whether \p cell is a word for a missing point: those above in any case, and their like, as programs print a number
+/// that is none (1.#IND, -nan(ind), Infinity) and workbooks a formula that fails (#VALUE!, #DIV/0!).
 bool is_missing_word(std::string_view cell);
 
 /// To how many digits the numbers of a column are printed, trailing zeros dropped or not.

@@ -11,7 +11,7 @@ std::string_view unquoted(std::string_view cell) {
     return cell;
 }
 
-void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells) {
     cells.clear();
     if (separator == ' ') {
         for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
@@ -20,20 +20,23 @@ void split_line(std::string_view line, char separator, std::vector<std::string_v
             cells.push_back(unquoted(line.substr(0, end)));
             line.remove_prefix(end);
         }
-    } else {
-        while (true) {
-            const std::size_t end = (std::min)(line.find(separator), line.size());
-            cells.push_back(unquoted(line.substr(0, end)));
-            if (end == line.size()) break;
-            line.remove_prefix(end + 1);
-        }
+        return;
     }
-    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+    while (true) {
+        const std::size_t first = line.find_first_not_of(' ');
+        const std::size_t quote =
+            first != std::string_view::npos && line[first] == '"' ? line.find('"', first + 1) : std::string_view::npos;
+        const std::size_t end =
+            (std::min)(line.find(separator, quote == std::string_view::npos ? 0 : quote), line.size());
+        cells.push_back(unquoted(line.substr(0, end)));
+        if (end == line.size()) return;
+        line.remove_prefix(end + 1);
+    }
 }
 
-void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells) {
-    split_line(line, separator, cells);
-    if (separator != ' ') cells.resize(static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1);
+void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    split_row(line, separator, cells);
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
 }
 
 namespace {
@@ -50,7 +53,7 @@ bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma)
         }
         if (!is_missing_word(cell)) return false;
         ++words;
-        ornaments += cell.front() == '-' || (cell.front() == '*' && cells.size() == 1);
+        ornaments += cell.front() == '-' || cell.front() == '\xE2' || (cell.front() == '*' && cells.size() == 1);
     }
     return numbers > 0 || (words > 0 && ornaments == 0);
 }
@@ -65,6 +68,8 @@ std::optional<Dialect> dialect_of(std::string_view line) {
         candidates = {{'\t', false}, {' ', false}};
     else if (line.find('\t') != std::string_view::npos)
         candidates = {{'\t', true}, {',', false}};
+    else if (line.find(',') != std::string_view::npos && line.find('"') != std::string_view::npos)
+        candidates = {{',', false}, {',', true}, {' ', true}};  // "0,5","1,25"
     else if (line.find(',') != std::string_view::npos)
         candidates = {{',', false}, {' ', true}};
     else
@@ -83,40 +88,60 @@ std::optional<Dialect> dialect_of(std::string_view line) {
 
 }  // namespace
 
-std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
+std::string_view without_comment(std::string_view line) {
+    for (std::size_t i = line.find('#'); i != std::string_view::npos; i = line.find('#', i + 1)) {
+        const bool glued = i > 0 && std::string_view(" \t,;").find(line[i - 1]) == std::string_view::npos;
+        const std::string_view word = line.substr(i, (std::min)(line.find_first_of(" \t,;\"", i), line.size()) - i);
+        if (!glued && !is_missing_word(word)) return line.substr(0, i);
+    }
+    return line;
+}
 
 bool is_comment(std::string_view line) {
     line = trimmed(line);
-    if (line.starts_with('#') || line.starts_with('%') || line.starts_with('!') || line.starts_with("//")) return true;
+    if (line.starts_with('#') && without_comment(line).empty()) return true;
+    if (line.starts_with('%') || line.starts_with('!') || line.starts_with("//")) return true;
     return line.starts_with(';') && !dialect_of(line);
 }
 
 namespace {
 
 /// Whether \p cell is a number with points and commas, as 1.000,5 or 1,000.5 is.
-bool is_grouped(std::string_view cell) {
+bool has_both_signs(std::string_view cell) {
     return cell.find_first_of(".,") != cell.find_last_of(".,") &&
            cell.find_first_not_of("+-0123456789.,") == std::string_view::npos;
 }
 
-[[noreturn]] void refuse_sign(const std::string& name, std::size_t line, std::string_view cell, bool comma) {
-    refuse_line(name, line,
-                {shown_cell(cell), " is not a number where the decimal sign is the ", comma ? "comma" : "point",
-                 "; allowed are numbers with one decimal sign, without separators of thousands"});
+/// The way out where \p cell has separators of thousands; empty where it has none.
+std::string way_out(const NumberTable& table, std::string_view cell) {
+    const std::string_view sign = thousands_sign_of(cell);
+    if (sign.empty()) return "";
+    return ", or with those that are " + given_as(table.names, "thousands", "\"" + std::string(sign) + "\"");
 }
 
-/// Refuses a row that would be one of numbers but for separators of thousands.
-void refuse_grouped_rows(const NumberTable& table, const std::string& name) {
+[[noreturn]] void refuse_sign(const NumberTable& table, const std::string& name, std::size_t line,
+                              std::string_view cell, bool comma) {
+    refuse_line(name, line,
+                {shown_cell(cell), " is not a number where the decimal sign is the ", comma ? "comma" : "point",
+                 "; allowed are numbers with one decimal sign, without separators of thousands", way_out(table, cell)});
+}
+
+/// Refuses a line that would be a row of numbers but for separators of thousands: as a header, it would be lost.
+void refuse_grouped_row(const NumberTable& table, const std::string& name, const Line& line) {
     std::vector<std::string_view> cells;
-    for (const Line& line : table.lines)
-        for (const char separator : {';', '\t', ' '}) {
-            split_line(line.text, separator, cells);
-            const auto grouped = std::find_if(cells.begin(), cells.end(), is_grouped);
-            if (cells.size() > 1 && grouped != cells.end() && std::all_of(cells.begin(), cells.end(), [](auto cell) {
-                    return number_in(cell, true) || number_in(cell, false) || is_grouped(cell);
-                }))
-                refuse_sign(name, line.number, *grouped, grouped->rfind(',') > grouped->rfind('.'));
-        }
+    const auto is_cell = [](std::string_view cell) {
+        return cell.empty() || number_in(cell, true) || number_in(cell, false) || is_missing_word(cell) ||
+               !thousands_sign_of(cell).empty();
+    };
+    for (const char separator : {';', '\t', ',', ' '}) {
+        split_line(line.text, separator, cells);
+        const auto grouped =
+            std::find_if(cells.begin(), cells.end(), [](auto cell) { return !thousands_sign_of(cell).empty(); });
+        if (grouped == cells.end() || !std::all_of(cells.begin(), cells.end(), is_cell)) continue;
+        const std::string_view sign = thousands_sign_of(*grouped);
+        refuse_sign(table, name, line.number, *grouped,
+                    sign == "." || (sign != "," && grouped->find(',') != sign.npos));
+    }
 }
 
 /// The first of \p lines that may be a row of numbers.
@@ -124,6 +149,47 @@ std::size_t first_candidate(const std::vector<Line>& lines) {
     if (!lines.front().text.starts_with(zygo_xyz_begin)) return 0;
     const auto end = std::find_if(lines.begin(), lines.end(), [](const Line& line) { return line.text == "#"; });
     return static_cast<std::size_t>(end - lines.begin());
+}
+
+/// Whether a row between commas has a number with a decimal comma, in quotes.
+bool has_quoted_comma(const NumberTable& table) {
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        if (table.lines[i].text.find('"') == std::string_view::npos) continue;
+        split_line(table.lines[i].text, ',', cells);
+        for (const std::string_view cell : cells)
+            if (number_in(cell, true) && !number_in(cell, false)) return true;
+    }
+    return false;
+}
+
+/// Whether column \p c has words but no number from the first row on.
+bool is_text_column(const NumberTable& table, std::size_t c) {
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        split_line(without_comment(table.lines[i].text), table.dialect.separator, cells);
+        if (c < cells.size() && (number_in(cells[c], true) || number_in(cells[c], false))) return false;
+    }
+    return true;
+}
+
+/// Rows directly above the first one that have words only where the rows have nothing, as next to the results of an
+/// instrument, are rows.
+void take_rows_above(NumberTable& table) {
+    const char separator = table.dialect.separator;
+    if (separator == ' ') return;
+    std::vector<std::string_view> cells, row;
+    split_line(without_comment(table.lines[table.first].text), separator, row);
+    while (table.first > 0) {
+        const std::string_view line = table.lines[table.first - 1].text;
+        split_line(line, separator, cells);
+        if (is_comment(line) || cells.size() != row.size()) return;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const bool number = number_in(cells[c], table.dialect.decimal_comma).has_value();
+            if (number != !row[c].empty() || (!number && !is_text_column(table, c))) return;
+        }
+        --table.first;
+    }
 }
 
 }  // namespace
@@ -146,12 +212,12 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
     for (table.first = first_candidate(table.lines); table.first < table.lines.size(); ++table.first) {
         const std::string_view line = table.lines[table.first].text;
         if (is_comment(line)) continue;
-        if (const auto dialect = dialect_of(without_comment(line))) {
-            table.dialect = *dialect;
-            break;
-        }
+        const auto dialect = dialect_of(without_comment(line));
+        if (!dialect) refuse_grouped_row(table, name, table.lines[table.first]);
+        if (!dialect) continue;
+        table.dialect = *dialect;
+        break;
     }
-    if (table.first == table.lines.size()) refuse_grouped_rows(table, name);
     if (table.first == table.lines.size())
         refuse_line(
             name, table.lines.front().number,
@@ -164,13 +230,19 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
         table.dialect.decimal_comma = table.lines[i].text[sign] == ',';
         break;
     }
+    if (table.dialect.separator == ',' && !table.dialect.decimal_comma)
+        table.dialect.decimal_comma = has_quoted_comma(table);
     std::vector<std::string_view> cells;
     split_line(without_comment(table.lines[table.first].text), table.dialect.separator, cells);
     table.columns = cells.size();
+    if (rules.short_rows) take_rows_above(table);
 }
 
-NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules) {
+NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules,
+                       const SurfaceOptions& options) {
     NumberTable table;
+    table.names = options.names;
+    table.thousands = options.thousands;
     table.lines = lines_of(text, name, table.line_count);
     find_first_row(table, name, rules);
     return table;
@@ -193,11 +265,12 @@ std::size_t widest_row(const NumberTable& table) {
     return columns;
 }
 
-/// The number in a cell that is not empty. \throws domain_error naming the line.
-double require_number(std::string_view cell, const NumberTable& table, std::size_t line, const std::string& name) {
+/// The \p number in a cell that is not empty. \throws domain_error naming the line where there is none.
+double require_number(const std::optional<double>& number, std::string_view cell, const NumberTable& table,
+                      std::size_t line, const std::string& name) {
     const bool comma = table.dialect.decimal_comma;
-    const auto number = number_in(cell, comma);
-    if (!number && (number_in(cell, !comma) || is_grouped(cell))) refuse_sign(name, line, cell, comma);
+    if (!number && (number_in(cell, !comma) || has_both_signs(cell) || !thousands_sign_of(cell).empty()))
+        refuse_sign(table, name, line, cell, comma);
     if (!number)
         refuse_line(name, line,
                     {shown_cell(cell), " is not a number; allowed are finite decimal numbers (an empty cell, ",
@@ -254,6 +327,51 @@ void refuse_double_comma(const NumberTable& table, const std::string& name) {
                      "its decimal signs"});
 }
 
+/// Whether \p cell is three digits, with decimals or none.
+bool is_group(std::string_view cell) {
+    const std::size_t digits = (std::min)(cell.find_first_not_of("0123456789"), cell.size());
+    return digits == 3 && (cell.size() == 3 || ((cell[3] == '.' || cell[3] == ',') &&
+                                                cell.find_first_not_of("0123456789", 4) == std::string_view::npos));
+}
+
+/// Refuses rows such as "1 003,5" and "0,1,012", where what separates columns may separate thousands: in each, three
+/// digits, in some with a zero before others, follow a whole number of one to three digits.
+void refuse_split_thousands(const NumberTable& table, const std::string& name) {
+    const char separator = table.dialect.separator;
+    if ((separator != ' ' && separator != ',') || !table.thousands.empty()) return;
+    std::vector<std::size_t> columns(table.columns);  // where this may be so
+    for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = c;
+    std::vector<std::size_t> zeros(table.columns);  // the line of the first zero before others
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first, r = 0; i < table.lines.size() && r < table.rows() && !columns.empty(); ++i) {
+        if (table.lines[i].number != table.row_lines[r]) continue;
+        ++r;
+        split_line(without_comment(table.lines[i].text), separator, cells);
+        const auto cannot = [&](std::size_t c) {
+            if (c == 0 || c >= cells.size() || !is_group(cells[c])) return true;
+            const std::string_view before = cells[c - 1];
+            const auto from = static_cast<std::size_t>(before.starts_with('-') || before.starts_with('+'));
+            if (before.size() == from || before.size() > from + 3 || before[from] == '0' ||
+                before.find_first_not_of("0123456789", from) != std::string_view::npos ||
+                before.data() + before.size() + 1 != cells[c].data() || before.data()[before.size()] != separator)
+                return true;
+            if (cells[c][0] == '0' && zeros[c] == 0) zeros[c] = table.lines[i].number;
+            return false;
+        };
+        columns.erase(std::remove_if(columns.begin(), columns.end(), cannot), columns.end());
+    }
+    for (const std::size_t c : columns)
+        if (zeros[c] != 0) {
+            const std::string option = table.names.prefix + "thousands" + table.names.equals;
+            refuse_line(
+                name, zeros[c],
+                {"columns ", c, " and ", c + 1, " may be one number with a ", separator == ' ' ? "blank" : "comma",
+                 " between its thousands; must ",
+                 separator == ' ' ? "be given by " + option + "\" \"" : "have another separator of columns",
+                 ", or, if they are two, be given by ", option, table.names.prefix.empty() ? "\"none\"" : "none"});
+        }
+}
+
 }  // namespace
 
 void read_rows(NumberTable& table, const std::string& name, const TableRules& rules) {
@@ -273,6 +391,12 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
     table.values.reserve(
         (std::min)(most_rows * table.columns, bytes + most_rows));  // a cell, or its separator, is a byte
     std::size_t last_cells = 0;                                     // rows with something in their last cell
+    std::vector<char> text(table.columns, '?');                     // whether a column is one; '?' until it is sought
+    const auto holds_words = [&](std::size_t c) {
+        if (!rules.short_rows || separator == ' ' || c >= text.size()) return false;
+        if (text[c] == '?') text[c] = is_text_column(table, c) ? 'y' : 'n';
+        return text[c] == 'y';
+    };
     for (std::size_t i = table.first; i < table.lines.size(); ++i) {
         if (i != table.first && is_comment(table.lines[i].text)) continue;
         const std::size_t line = table.lines[i].number;
@@ -283,8 +407,10 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
         const bool whole = padded || cells.size() == table.columns;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             double value = std::numeric_limits<double>::quiet_NaN();
-            if (!cells[c].empty() && !is_missing_word(cells[c]) && !table.missing.has_word(cells[c])) {
-                value = require_number(cells[c], table, line, name);
+            const auto number = number_in(cells[c], table.dialect.decimal_comma);
+            if (number || !(cells[c].empty() || is_missing_word(cells[c]) || table.missing.has_word(cells[c]) ||
+                            holds_words(c))) {
+                value = require_number(number, cells[c], table, line, name);
                 if (whole && c < table.printed.size() && !table.missing.has(value))
                     table.printed[c].add(cells[c], value);
             }
@@ -300,6 +426,7 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
         table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());
     }
     refuse_double_comma(table, name);
+    refuse_split_thousands(table, name);
     if (!rules.short_rows && last_cells == 0 && shown < table.columns && table.columns > 1) drop_last_column(table);
 }
 

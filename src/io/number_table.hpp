@@ -22,12 +22,13 @@ struct Dialect {
 
 std::string_view unquoted(std::string_view cell);
 
-/// The cells of a line, empty ones included except at its end.
+/// The cells of a line, empty ones included except at its end; a separator between quotes is none.
 void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
 /// The cells of a line, empty ones at its end included.
 void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
+/// \p line up to a "#" that is glued neither to a number nor to a word for a missing point, as in 1.#IND and #N/A.
 std::string_view without_comment(std::string_view line);
 
 bool is_comment(std::string_view line);
@@ -52,6 +53,8 @@ struct NumberTable {
     std::vector<std::size_t> row_lines;
     std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
     MissingValues missing;               // in addition to the words that are always missing
+    OptionNames names{};                 // for messages
+    std::string thousands{};             // the option
 
     std::size_t rows() const { return row_lines.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
@@ -66,7 +69,8 @@ inline constexpr std::string_view zygo_xyz_begin = "Zygo XYZ Data File";
 /// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
 void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules);
 
-NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules);
+NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules,
+                       const SurfaceOptions& options = {});
 
 /// Reads the rows of a table that open_table has opened.
 void read_rows(NumberTable& table, const std::string& name, const TableRules& rules);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/profile_text.hpp"
 
+#include "io/thousands.hpp"
+
 namespace fstiff::inline v0_1::io {
 
 namespace detail {
@@ -37,6 +39,9 @@ public:
         row.heights = column(notes_.height_column);
         mark_missing(row.heights.data(), row.heights.size(), table_.missing, name_, options_.names, notes_.height_unit,
                      [&](std::size_t i) { return table_.row_lines[i]; });
+        std::vector<std::size_t> used{notes_.height_column - 1};
+        if (notes_.position_column != 0) used.push_back(notes_.position_column - 1);
+        refuse_thousands(table_, used, false, name_);
         const double unit = unit_factor(notes_.height_unit, Dimension::length);
         record_.resolution = table_.printed[notes_.height_column - 1].resolution() * unit;
         for (double& z : row.heights) z *= unit;
@@ -74,25 +79,25 @@ private:
         return values;
     }
 
-    /// In "0,12" the comma may separate two columns or be decimal. It separates, unless no row holds a point and the
-    /// columns that it would separate could not be equally spaced positions and heights.
+    /// In "0,12" the comma may separate two columns, be decimal, or separate thousands. It separates columns, unless no
+    /// row holds a point and the columns that it would separate could not be equally spaced positions and heights.
     void settle_lone_commas() {
         const std::vector<Line>& lines = table_.lines;
         if (table_.dialect.separator != ',') return;
         // titles that the comma separates, each with its unit, settle it
         if (table_.first > 0 && !units_in(lines[table_.first - 1].text, 2, ',').empty()) return;
         std::optional<double> before, step;
-        bool positions = true;
+        bool positions = true, pairs = true, groups = true;
         for (std::size_t i = table_.first; i < lines.size(); ++i) {
             if (is_comment(lines[i].text)) continue;
             const std::string_view line = without_comment(lines[i].text);
-            if (line.find_first_of(".eE \t") != std::string_view::npos ||
-                std::count(line.begin(), line.end(), ',') != 1)
-                return;
+            if (line.find_first_of(".eE \t\"") != std::string_view::npos) return;
             const LeadingNumber number = leading_number(line);
-            if (number.status != NumberStatus::ok || line[number.length] != ',' || number.length + 1 == line.size() ||
-                !is_digit(line[number.length + 1]))
-                return;
+            if (number.status != NumberStatus::ok) return;
+            const std::string_view after = line.substr(number.length);
+            pairs = pairs && after.size() > 1 && is_digit(after[1]) && after.rfind(',') == 0;
+            groups = groups && (after.empty() || is_grouped(line, ","));
+            if (!pairs && !groups) return;
             if (before) {
                 const double next = number.value - *before;
                 positions = positions && next != 0 && (!step || next == *step);

@@ -17,6 +17,7 @@
 #include "io/smd.hpp"
 #include "io/stl.hpp"
 #include "io/sur.hpp"
+#include "io/thousands.hpp"
 #include "io/vk4.hpp"
 #include "io/x3p.hpp"
 
@@ -44,6 +45,7 @@ void check_options(SurfaceFormat format, const SurfaceOptions& options, const st
         {"width", options.width && !matrix && !bare},
         {"height", options.height && !matrix && !bare},
         {"missing", !options.missing.empty() && !text && !bare},
+        {"thousands", !options.thousands.empty() && !text},
         {"resample", options.resample && !profile},
         {"channel", !options.channel.empty() && format != SurfaceFormat::gwy},
         {"x3p-increment", options.x3p_increment != X3pIncrement::apply && format != SurfaceFormat::x3p}};
@@ -92,6 +94,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
             ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
                       as("triples") + " or " + as("matrix"));
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
+        refuse_thousands(reader.opened(), {0, 1}, false, name);
         if (sized || written != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
         ambiguous(
             " that begin with no regular grid, and no stated size: may be scattered triples, a matrix "
@@ -172,12 +175,13 @@ namespace {
 /// Reads a text of the form record.format, which is chosen here where it is automatic.
 Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceOptions& options) {
     std::optional<MapTable> map;
-    if (record.format != SurfaceFormat::profile) map.emplace(text, record.name);
+    if (record.format != SurfaceFormat::profile) map.emplace(text, record.name, options);
     if (record.format == SurfaceFormat::automatic)
         std::tie(record.format, record.format_from) = text_form(*map, record.name, options);
     check_options(record.format, options, record.name);
     if (record.format != SurfaceFormat::profile) return read_map(std::move(*map), record.format, options);
-    NumberTable table = map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
+    NumberTable table =
+        map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules, options);
     return read_profile(std::move(table), record.name, options);
 }
 
@@ -233,7 +237,9 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
         case SurfaceFormat::triples:
         case SurfaceFormat::matrix: {
             const bool utf16 = is_utf16(bytes);
-            const std::string text = text_of(std::move(bytes), record.name, "numbers, or a file of another form");
+            const std::string text =
+                without_thousands(text_of(std::move(bytes), record.name, "numbers, or a file of another form"),
+                                  options.thousands, record.name);
             found = read_text(record, text, options);
             if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
             break;

@@ -105,6 +105,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     how.width = length(options.width, "width");
     how.height = length(options.height, "height");
     how.missing = options.missing;
+    how.thousands = options.thousands;
     how.resample = options.resample;
     how.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
     how.channel = options.channel;

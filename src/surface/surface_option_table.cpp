@@ -76,6 +76,9 @@ constexpr SurfaceOptionRow rows[] = {
      "number or word that marks missing points in a text or .npy file, such as -9999; none: every number is a "
      "height",
      {.form = TextForm::or_number}},
+    {"thousands", file, &Of::thousands, if_not_default,
+     "separator of thousands in a text file: a comma, a point, an apostrophe or a blank in quotes; none: a comma or "
+     "point is decimal"},
     {"resample", file_of_profile, &Of::resample, if_not_default,
      "resample a profile with unequal steps at the same number of equal steps"},
     {"x3p_increment", file, &Of::x3p_increment, if_not_default,

@@ -46,6 +46,7 @@ struct SurfaceOptions {
     int column = 0;                                 ///< of the heights of a profile, counted from 1
     int x_column = 0;                               ///< of its positions
     std::string missing;                            ///< marks missing points of a text: "-9999", or "none"
+    std::string thousands;                          ///< separates thousands in a text: ",", or "none"
     bool resample = false;                          ///< unequally spaced positions of a profile are interpolated
     std::optional<io::X3pIncrement> x3p_increment;  ///< none: apply
     std::string channel;                            ///< of gwy: its number or its title

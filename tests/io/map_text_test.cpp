@@ -247,7 +247,7 @@ TEST_CASE("Bad text is refused with the line and the cell") {
     CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7\n"), "line 6: has 3 columns; must be 4 as in line 5"));
     CHECK(has(refusal(gwyddion + "1,2,3,4\n5,6,7\n"), "line 6: has 3 columns"));
     CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 1e999\n"), "beyond the range"));
-    CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 inf\n"), "\"inf\" is not a number"));
+    CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 infinite\n"), "\"infinite\" is not a number"));
     CHECK(has(refusal(gwyddion + "1 1 1 1\n1 1 1 1\n"), "constant height"));
     CHECK(has(refusal(gwyddion + "1 2 3 4\n"), "at least 2 a side"));
     CHECK(has(refusal(""), "is empty"));
@@ -287,6 +287,18 @@ TEST_CASE("Words for missing points are the same in every form of a map", "[miss
             CHECK(found.map().rows() == rows);
             CHECK(test::missing(found) == 5);
         }
+}
+
+TEST_CASE("Numbers that are none are missing in every column of a map", "[missing]") {
+    for (const char* word : {"-1.#IND", "1.#INF", "inf", "#N/A", "#VALUE!", "nan(ind)", "---"})
+        for (const char* separator : {",", "\t", " ", ";"})
+            for (const int column : {0, 2, columns - 1}) {
+                CAPTURE(word, separator, column);
+                const Cell cell = [&](int i, int j) { return i == column && j != 2 ? std::string(word) : plain(i, j); };
+                const auto found = read(gwyddion + matrix(separator, cell));
+                CHECK(test::missing(found) == 3);
+                CHECK(found.map().heights(2, column) == height(column, 2) * 1e-9);
+            }
 }
 
 TEST_CASE("Options that contradict the header of a map are used and reported", "[contradiction]") {

@@ -63,4 +63,18 @@ TEST_CASE("a first row with both decimal signs is refused once the others have o
         CHECK(test::refusal([&] { (void)table_of("0.5;1,5\n1,5;2,5\n", rules); }).find("file, line 1: \"1,5\"") == 0);
 }
 
+TEST_CASE("Words next to rows are no header where the rows have nothing", "[number_table]") {
+    for (const char* separator : {",", ";", "\t"}) {
+        const std::string s(separator);
+        const std::string rows = s + "3" + s + "0.3\n" + s + "4" + s + "0.4\n";
+        const NumberTable table =
+            table_of("Ra 0.16" + s + "1" + s + "0.1\nRz 0.9  um" + s + "2" + s + "0.2\n" + rows, padded);
+        CHECK(table.rows() == 4);
+        CHECK((table.at(0, 1) == 1 && table.at(1, 2) == 0.2 && std::isnan(table.at(0, 0))));
+        // between the rows as well; a word where others hold numbers is a header
+        CHECK(table_of(rows + "Rq" + s + "5" + s + "0.5\n", padded).rows() == 3);
+        CHECK(table_of("Pitch" + s + "0.5" + s + "um\n1" + s + "0.1" + s + "2\n", padded).rows() == 1);
+    }
+}
+
 }  // namespace number_table_test

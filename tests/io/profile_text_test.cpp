@@ -254,7 +254,7 @@ TEST_CASE("Bad input is refused in one sentence with file and line and value and
     CHECK(has(refusal("\n \r\n\t\n"), "blank lines"));
     CHECK(has(refusal(std::string("1,2\n\0", 5)), "binary"));
     CHECK(has(refusal("only words\nand more\n"), "line 1: \"only words\""));
-    for (const std::string word : {"word", "inf", "-inf", "1.0x", "0x10", "1e", "--1", "1 2"}) {
+    for (const std::string word : {"word", "infinite", "1.0#x", "1.0x", "0x10", "1e", "--1", "1 2"}) {
         CAPTURE(word);
         const std::string text = refusal(plain + "10.0," + word + "\n", units);
         CHECK(has(text, "file.txt, line 21: "));
@@ -349,6 +349,34 @@ TEST_CASE("Missing points are words, in profiles as in maps", "[missing]") {
         CHECK(std::isnan(found.profile().heights[7]));
         CHECK(found.profile().heights[8] == 9 * 1e-9);
     }
+}
+
+TEST_CASE("Numbers that are none are missing as programs and workbooks print them", "[missing]") {
+    const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; }, 16);
+    for (const char* word :
+         {"1.#IND",   "-1.#IND",   "-1.#IND00", "1.#QNAN",  "1.#QNAN0", "1.#SNAN", "1.#INF",       "-1.#INF00",
+          "1.#J",     "1.$",       "1.#IO",     "inf",      "-INF",     "+Inf",    "Infinity",     "-inf",
+          "nan(ind)", "-nan(ind)", "NaNQ",      "nan(0x8)", "#N/A",     "#VALUE!", "#DIV/0!",      "#NUM!",
+          "#NV",      "#WERT!",    "#N/D",      "Err:502",  "-",        "---",     "\xE2\x80\x94", "-----"}) {
+        CAPTURE(word);
+        for (const std::string separator : {",", ";", "\t", " "}) {
+            const auto row = [&](const std::string& x, const std::string& z) { return x + separator + z + "\n"; };
+            const auto found =
+                read(rows(row, 16) + row("8.0", word) + row("8.5", "0.1") + row("9.0", "0.2"), {.units = "um"});
+            REQUIRE(found.profile().size() == 19);
+            CHECK(std::isnan(found.profile().heights[16]));
+            CHECK(test::missing(found) == 1);
+            const auto first = read(row("-0.5", word) + rows(row), {.units = "um"});
+            CHECK(std::isnan(first.profile().heights[0]));
+        }
+        // one column: a row that is missing is no comment
+        const std::string one = rows([](auto, auto z) { return z + "\n"; }) + word + "\n0.5\n";
+        CHECK(std::isnan(read(one, {.units = "um", .spacing = 1e-6}).profile().heights[20]));
+    }
+    CHECK(has(refusal("0.0,1.5#remark\n" + plain + "8.0,1.5#remark\n", {.units = "um"}),
+              "\"1.5#remark\" is not a number"));
+    CHECK(read(plain + "8.0,1.5 # remark\n8.5,1.5,# remark\n", {.units = "um"}).profile().heights[17] == 1.5e-6);
+    CHECK(test::missing(read(plain + "8.0,inf\n", {.units = "um", .missing = "inf"})) == 1);
 }
 
 TEST_CASE("Titles after a comment sign keep their units and angstrom and exponents of Fortran are read") {

@@ -119,7 +119,8 @@ struct SurfaceOptions {
     std::optional<double> dx{}, dy{};  ///< of a matrix and npy, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix and npy, columns dx and rows dy [m]
     std::string missing{};  ///< of text and npy, denotes missing points: "-9999", "void", both with a comma, or "none"
-    bool resample = false;  ///< of a profile: unequally spaced positions are interpolated
+    std::string thousands{};  ///< of text, separator of thousands: "," "." "'" or " "; "none": commas are decimal
+    bool resample = false;    ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with floating-point heights
     X3pLimits x3p_limits{};
     std::string channel{};  ///< of gwy: its number or its title; empty: the lowest whose units are lengths
