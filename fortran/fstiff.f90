@@ -450,11 +450,12 @@ contains
         character(*), intent(in) :: path
         character(:), allocatable :: text
         character(kind=c_char), allocatable, target :: buffer(:)
-        integer(c_size_t) :: length
+        integer(c_size_t) :: length, capacity
         text = ""
         if (fstiff_document_word(document, path//c_null_char, c_null_ptr, 0_size_, length) /= FSTIFF_OK) return
-        allocate (buffer(length + 1))
-        if (fstiff_document_word(document, path//c_null_char, c_loc(buffer), length + 1, length) /= FSTIFF_OK) return
+        capacity = length + 1 ! an expression of length could be computed when the call has made it undefined
+        allocate (buffer(capacity))
+        if (fstiff_document_word(document, path//c_null_char, c_loc(buffer), capacity, length) /= FSTIFF_OK) return
         text = text_of(c_loc(buffer))
     end function
 
@@ -463,11 +464,12 @@ contains
         type(c_ptr), intent(in) :: from
         character(:), allocatable :: text
         character(kind=c_char), allocatable, target :: buffer(:)
-        integer(c_size_t) :: length, i
+        integer(c_size_t) :: length, capacity, i
         text = ""
         if (get(from, c_null_ptr, 0_size_, length) /= FSTIFF_OK) return
-        allocate (buffer(length + 1))
-        if (get(from, c_loc(buffer), length + 1, length) /= FSTIFF_OK) return
+        capacity = length + 1
+        allocate (buffer(capacity))
+        if (get(from, c_loc(buffer), capacity, length) /= FSTIFF_OK) return
         deallocate (text)
         allocate (character(length) :: text)
         do i = 1, length

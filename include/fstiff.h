@@ -74,8 +74,8 @@ typedef struct fstiff_contact fstiff_contact;
 typedef struct fstiff_roughness {
     size_t size;              /**< sizeof(fstiff_roughness) */
     double rms_height;        /**< sigma [m], > 0 */
-    double peak_radius;       /**< R [m], > 0 */
-    double peak_density;      /**< D_p [1/m^2], > 0 */
+    double peak_radius;       /**< R [m], > 0; 0: not known, where rms_gradient is, for "hybrid" and "persson" */
+    double peak_density;      /**< D_p [1/m^2], > 0; 0: as R. What is not known is then what a scene assumes */
     double max_peak_height;   /**< R_p [m]; 0: not known */
     double r;                 /**< correlation of heights and curvatures of the peaks, 0 <= r < 1 */
     double theta;             /**< sampling angle [rad], 0 < theta < pi/2; 0: not known, for laws without joint peaks */
@@ -346,8 +346,8 @@ FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
  * the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve "rows.0.stiffness_Pa_per_m", "rows.1..."
  * */
 FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made);
-/** The answer of a scene, `length` bytes of TOML (NULL: the built-in scene), and the laws that it names. name is as in
- * fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers:
+/** The answer of a scene, `length` bytes of TOML (NULL, of length 0: the built-in scene), and the laws that it names.
+ * name is as in fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers:
  * "answer.*.pressure_Pa", "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m"
  * and "..._p95_Pa_per_m", "answer.*.thermal_conductance_W_per_m2K" and its ends where the scene has a gap or a
  * conductivity, "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where

@@ -59,12 +59,15 @@ public:
         for (const SurfaceOptionRow& row : surface_option_table())
             row.visit(to, [&](auto& value) { read(row.key, value); });
     }
+    /// \throws domain_error for an option that it has not.
     template <class Request>
     Request request() {
         Request request;
         request.each_option([&](const std::string& key, auto& to, const std::string&, const OptionTraits& of = {}) {
             if (read(key, to)) of.check(key, to);
         });
+        if constexpr (requires { request.surface; }) read(request.surface);
+        require_known();
         return request;
     }
     /// \throws domain_error for an option that nobody has read.
@@ -155,6 +158,7 @@ std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
 }
 
 Scene scene_of(const char* text, std::size_t length, const char* name, const std::string& surface = {}) {
+    if (!text && length > 0) refuse_null("scene");
     if (!text) return read_scene(builtin_scene, {.name = "built-in scene", .surface = surface});
     return read_scene(std::string(text, length), {.name = name ? name : "scene", .surface = surface});
 }
@@ -211,10 +215,7 @@ using namespace fstiff::c;
 
 int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        TextOptions given(options);
-        auto how = given.request<fstiff::scene::SpectrumRequest>();
-        given.read(how.surface);
-        given.require_known();
+        auto how = TextOptions(options).request<fstiff::scene::SpectrumRequest>();
         const auto input = surface_of(how.surface, heights);
         if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
         return document_of(answer_of(how, *input, spectrum_of(how, *input)));
@@ -223,10 +224,7 @@ int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_d
 
 int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        TextOptions given(options);
-        auto how = given.request<fstiff::scene::PeakDensityRequest>();
-        given.read(how.surface);
-        given.require_known();
+        auto how = TextOptions(options).request<fstiff::scene::PeakDensityRequest>();
         auto input = surface_of(how.surface, profile);
         return document_of(answer_of(how, peak_density_of(how, std::move(input))));
     });
@@ -234,9 +232,7 @@ int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_docu
 
 int fstiff_generate(const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        TextOptions given(options);
-        const auto how = given.request<fstiff::scene::GenerateRequest>();
-        given.require_known();
+        const auto how = TextOptions(options).request<fstiff::scene::GenerateRequest>();
         const auto surface = generate(how);
         return warned({file_of(surface, how.format), arrays_of(surface.surface)}, {});
     });
@@ -244,9 +240,7 @@ int fstiff_generate(const char* options, fstiff_document** made) {
 
 int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        TextOptions given(options);
-        const auto how = given.request<fstiff::scene::ReflectionRequest>();
-        given.require_known();
+        const auto how = TextOptions(options).request<fstiff::scene::ReflectionRequest>();
         return document_of(answer_of(reflection_of(how, curve_of(curve))));
     });
 }
@@ -266,9 +260,7 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
 int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
                     fstiff_document** made) {
     return made_by(made, [&] {
-        TextOptions given(options);
-        const auto how = given.request<fstiff::scene::IdentifyRequest>();
-        given.require_known();
+        const auto how = TextOptions(options).request<fstiff::scene::IdentifyRequest>();
         const auto read = scene_of(scene, length, name);
         return document_of(answer_of(read, identify_scene(read, how, curve_of(curve))));
     });
@@ -276,9 +268,7 @@ int fstiff_identify(const char* scene, size_t length, const char* name, const fs
 
 int fstiff_export(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        TextOptions given(options);
-        const auto how = given.request<fstiff::scene::ExportRequest>();
-        given.require_known();
+        const auto how = TextOptions(options).request<fstiff::scene::ExportRequest>();
         auto law = export_law(scene_of(scene, length, name), how);
         return warned({std::move(law.text), {}, law.doubtful}, law.warnings);
     });

@@ -35,8 +35,7 @@ int point_by_point(const double* x, std::size_t count, double* first, double* se
 
 constexpr std::size_t part = 256;  // points that are evaluated at once
 
-/// Arrays in parts: \p many(begin, length, a, b) evaluates one part into a and b; where it throws, or a result is not a
-/// number,
+/// Arrays in parts: \p many(in, a, b) evaluates one part into a and b; where it throws, or a result is not a number,
 /// \p one does it point by point.
 template <class Many, class One>
 int in_parts(const double* x, std::size_t count, double* first, double* second, int* status, const Many& many,

@@ -3,6 +3,7 @@
 
 #include "document/file.hpp"
 #include "scene/each_contact.hpp"
+#include "scene/priors.hpp"
 
 #include <fstiff/measured/uncertain_sum.hpp>
 
@@ -48,6 +49,31 @@ double needed(const std::string& law, const char* name, const std::optional<doub
     return *value;
 }
 
+/// A number that is positive, or 0 where it is not known.
+std::optional<double> optional(const char* name, double value) {
+    if (value == 0) return {};
+    require_positive(name, value);
+    return value;
+}
+
+/// The face of \p numbers, to which a spectrum of \p law adds as in a scene what follows from the gradient.
+Face face_of_numbers(const Law& law, const ContactNumbers& numbers) {
+    Face face;
+    Roughness<double> surface = numbers.surface;
+    face.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
+    face.radius_follows = law.needs_spectrum && face.rms_gradient && surface.peak_radius == 0;
+    face.density_follows = law.needs_spectrum && face.rms_gradient && surface.peak_density == 0;
+    if (face.radius_follows) surface.peak_radius = 1;  // until fill_unknown()
+    if (face.density_follows) surface.peak_density = 1;
+    surface.validate();
+    face.parameters =
+        parts::stated(RoughFace<double>{surface, {}, optional("fractal_dimension", numbers.fractal_dimension)});
+    if (numbers.kurtosis == 0 && numbers.skewness != 0) throw domain_error("skewness: needs kurtosis");
+    if (numbers.kurtosis != 0) face.set_shape({numbers.skewness, numbers.kurtosis});
+    if (face.radius_follows || face.density_follows) fill_unknown(face, numbers.kurtosis != 0);
+    return face;
+}
+
 /// Numbers as a scene with one law.
 Scene scene_of(const std::string& law, const ContactNumbers& numbers, const MeasuredSurface* measured) {
     const Law* const found = find_law(law);
@@ -56,20 +82,10 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
         throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " + list_of(names));
     }
     Scene of;
-    const auto optional = [](const char* name, double value) {
-        if (value == 0) return std::optional<double>();
-        require_positive(name, value);
-        return std::optional(value);
-    };
     if (measured) {
         of.face = face_of(std::make_shared<const MeasuredSurface>(*measured));
     } else {
-        numbers.surface.validate();
-        of.face.parameters = parts::stated(
-            RoughFace<double>{numbers.surface, {}, optional("fractal_dimension", numbers.fractal_dimension)});
-        of.face.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
-        if (numbers.kurtosis == 0 && numbers.skewness != 0) throw domain_error("skewness: needs kurtosis");
-        if (numbers.kurtosis != 0) of.face.set_shape({numbers.skewness, numbers.kurtosis});
+        of.face = face_of_numbers(*found, numbers);
     }
     of.yield_strength = optional("yield_strength", numbers.yield_strength);
     of.hardness = optional("hardness", numbers.hardness);

@@ -39,8 +39,8 @@ struct OneContact {
 };
 
 /// The contact of \p numbers with the law called \p law; the surface, r, theta, fractal dimension and gradient are
-/// those of
-/// \p measured where it is given. \p progress is called while the law is prepared, where that takes long.
+/// those of \p measured where it is given. For a spectrum R and D_p may be 0 where the gradient is given: they, alpha
+/// and H are then what a scene assumes. \p progress is called while the law is prepared, where that takes long.
 /// \throws domain_error naming the number or the law.
 [[nodiscard]] OneContact contact_of(const std::string& law, const ContactNumbers& numbers,
                                     const MeasuredSurface* measured = nullptr, const ProgressHook& progress = {});

@@ -606,7 +606,94 @@ static void test_sensitivity(void) {
 
 /* ---- Refusals ---- */
 
+/* NaN of either sign is no number, whatever a law does beyond its range. */
+static void test_nan_in_laws(const fstiff_contact* hertz) {
+    const double nan = (double)NAN, nans[] = {nan, -nan};
+    for (int outside = FSTIFF_OUTSIDE_REFUSE; outside <= FSTIFF_OUTSIDE_EXTRAPOLATE; ++outside) {
+        fstiff_law* law = NULL;
+        double p = -7, k = -7;
+        int status[2];
+        const char* why = outside == FSTIFF_OUTSIDE_EXACT ? " = nan: must be " : " = nan: must be a number";
+        CHECK(fstiff_law_make(hertz, 1e5, 1e6, outside, &law) == FSTIFF_OK);
+        for (int i = 0; i < 2; ++i) {
+            REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_separation(law, nans[i], &p, &k, NULL));
+            CHECK(strncmp(fstiff_last_message(), "separation = nan", 16) == 0);
+            REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_pressure(law, nans[i], &p, &k, NULL));
+            CHECK(strncmp(fstiff_last_message(), "pressure = nan", 14) == 0);
+            REFUSES(FSTIFF_REFUSED, "separation = nan: must be a number", fstiff_law_energy(law, nans[i], &p));
+        }
+        double many[2];
+        REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_separations(law, nans, 2, many, NULL, status));
+        REFUSES(FSTIFF_REFUSED, why, fstiff_law_tangents_at_separations(law, nans, 2, many, NULL, status));
+        REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_pressures(law, nans, 2, many, NULL, status));
+        CHECK(p == -7 && k == -7 && status[0] == FSTIFF_REFUSED && status[1] == FSTIFF_REFUSED);
+        fstiff_law_free(law);
+    }
+}
+
+/* A length without an address is a lost pointer, not the built-in scene. */
+static void test_lost_pointers(void) {
+    fstiff_document* document = (fstiff_document*)&document;
+    const size_t lengths[] = {1, 3, 1000, SIZE_MAX};
+    for (size_t i = 0; i < 4; ++i) {
+        const size_t n = lengths[i];
+        REFUSES(FSTIFF_BAD_ARGUMENT, "scene: must not be NULL", fstiff_run(NULL, n, "x", NULL, &document));
+        CHECK(document == NULL);
+        REFUSES(FSTIFF_BAD_ARGUMENT, "scene: must not be NULL", fstiff_export(NULL, n, NULL, "to = law", &document));
+        REFUSES(FSTIFF_BAD_ARGUMENT, "scene: must not be NULL",
+                fstiff_identify(NULL, n, NULL, NULL, "fit = sigma", &document));
+        fstiff_contact* contact;
+        fstiff_law* law;
+        REFUSES(FSTIFF_BAD_ARGUMENT, "text: must not be NULL", fstiff_contact_of_scene(NULL, n, NULL, 0, 0, &contact));
+        REFUSES(FSTIFF_BAD_ARGUMENT, "text: must not be NULL", fstiff_law_of_text(NULL, n, &law));
+    }
+    CHECK(fstiff_export(NULL, 0, NULL, "to = law", &document) == FSTIFF_OK); /* the built-in scene */
+    double some;
+    size_t count;
+    char word[4];
+    REFUSES(FSTIFF_BAD_ARGUMENT, "buffer: must not be NULL", fstiff_document_text(document, NULL, 9, &count));
+    fstiff_document_free(document);
+    CHECK(fstiff_run(NULL, 0, NULL, NULL, &document) == FSTIFF_OK);
+    REFUSES(FSTIFF_BAD_ARGUMENT, "values: must not be NULL",
+            fstiff_document_numbers(document, "answer.*.pressure_Pa", NULL, 9, &count));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "path: must not be NULL", fstiff_document_numbers(document, NULL, &some, 1, &count));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "buffer: must not be NULL",
+            fstiff_document_word(document, "answer.0.law", NULL, sizeof word, &count));
+    fstiff_document_free(document);
+    const double one[] = {1e6};
+    const fstiff_curve lost[] = {{sizeof lost[0], NULL, one, NULL, 1, 0}, {sizeof lost[0], one, NULL, NULL, 1, 0}};
+    for (int i = 0; i < 2; ++i)
+        REFUSES(FSTIFF_BAD_ARGUMENT, i ? "values: must not be NULL" : "pressures: must not be NULL",
+                fstiff_identify(NULL, 0, NULL, &lost[i], "fit = sigma", &document));
+    const fstiff_heights no_heights = {sizeof no_heights, NULL, 4, 4, 1e-6, 1e-6};
+    REFUSES(FSTIFF_BAD_ARGUMENT, "heights: must not be NULL", fstiff_spectrum(&no_heights, NULL, &document));
+}
+
+/* sigma and rms gradient alone: K is that of the answer of a scene with the two. */
+static void test_hybrid_of_gradient(void) {
+    static const char scene[] =
+        "material.upper = \"steel\"\nsurface = { rms_height = \"0.8 um\", rms_gradient = 0.1 }\n"
+        "contact = { pressures = [\"2 MPa\"], laws = [\"hybrid\"] }\noutput.quantities = [\"stiffness\"]\n";
+    const fstiff_roughness surface = {.size = sizeof surface, .rms_height = 0.8e-6, .rms_gradient = 0.1};
+    const fstiff_body body = {.size = sizeof body, .effective_modulus = 210e9 / (2 * (1 - 0.09))};
+    const double pressure = 2e6;
+    double stiffness, wanted = 0;
+    size_t count;
+    const fstiff_points points = {.size = sizeof points, .stiffness = &stiffness};
+    fstiff_document* made = NULL;
+    fstiff_contact* hybrid = NULL;
+    CHECK(fstiff_run(scene, strlen(scene), NULL, NULL, &made) == FSTIFF_OK);
+    CHECK(fstiff_document_numbers(made, "rows.0.stiffness_Pa_per_m", &wanted, 1, &count) == FSTIFF_OK);
+    CHECK(fstiff_contact_make("hybrid", &surface, &body, &hybrid) == FSTIFF_OK);
+    CHECK(fstiff_contact_at_pressures(hybrid, &pressure, 1, &points) == FSTIFF_OK);
+    CHECK(wanted > 0 && fabs(stiffness / wanted - 1) < 1e-14);
+    fstiff_contact_free(hybrid);
+    fstiff_document_free(made);
+    REFUSES(FSTIFF_REFUSED, "peak_radius = 0", fstiff_contact_make("hertz", &surface, &body, &hybrid));
+}
+
 static void test_refusals(void) {
+    test_lost_pointers();
     fstiff_roughness fine = fine_surface();
     fstiff_body body = steel();
     fstiff_contact* none = (fstiff_contact*)&fine;
@@ -701,7 +788,8 @@ static void test_refusals(void) {
     CHECK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
     double p = -7, k = -7;
     REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_at_separation(law, 1, &p, &k, NULL));
-    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_at_pressure(law, (double)NAN, &p, &k, NULL));
+    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_at_pressure(law, 2e9, &p, &k, NULL));
+    test_nan_in_laws(hertz);
     CHECK(p == -7 && k == -7);
     REFUSES(FSTIFF_BAD_ARGUMENT, "law", fstiff_law_at_separation(NULL, 1, &p, &k, NULL));
     size_t length;
@@ -899,6 +987,7 @@ int main(int argc, char** argv) {
         test_measurement();
         test_documents();
         test_conductance();
+        test_hybrid_of_gradient();
         free(text);
     } else if (strcmp(part, "refusals") == 0)
         test_refusals(), test_refusals_of_friction();

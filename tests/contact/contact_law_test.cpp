@@ -264,12 +264,14 @@ TEST_CASE("outside the range: refuse, clamp or evaluate, as asked for") {
     const auto said = [&](double p) { return test::refusal([&] { static_cast<void>(refuse.stiffness(p)); }); };
     CHECK(said(9e4) == "pressure = 90000: must be between 1e+05 and 1e+08 Pa, the range of the law");
     CHECK(said(1.1e8).starts_with("pressure = 1.1e+08: must be"));
-    CHECK(said(std::nan("")).starts_with("pressure = nan: must be"));
+    CHECK(said(std::nan("")) == "pressure = nan: must be a number");
+    CHECK(said(-std::nan("")) == "pressure = nan: must be a number");
     CHECK(said(-1).starts_with("pressure = -1: must be"));
     CHECK(test::refusal([&] {
               static_cast<void>(refuse.at_separation(1.0));
           }).starts_with("separation = 1: must be between "));
-    CHECK(test::refusal([&] { static_cast<void>(clamp.at_separation(std::nan(""))); }).starts_with("separation = nan"));
+    CHECK(test::refusal([&] { static_cast<void>(clamp.at_separation(std::nan(""))); }) ==
+          "separation = nan: must be a number");
     CHECK(test::refusal([&] { static_cast<void>(clamp.stiffness(std::nan(""))); }).starts_with("pressure = nan"));
     CHECK(clamp.stiffness(1) == clamp.stiffness(1e5));
     CHECK(clamp.stiffness(1e30) == clamp.stiffness(1e8));

@@ -7,6 +7,7 @@
 
 #include <bit>
 #include <clocale>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -108,7 +109,13 @@ TEST_CASE("text has the digits that were asked for", "[text]") {
     CHECK(fstiff::parts::hexadecimal_text(-3.0f) == "-1.8p+1");
     CHECK(fstiff::parts::shortest_text(std::numeric_limits<double>::infinity()) == "inf");
     CHECK(fstiff::parts::rounded_text(-std::numeric_limits<double>::infinity(), 4) == "-inf");
-    CHECK(fstiff::parts::rounded_text(std::numeric_limits<double>::quiet_NaN(), 4) == "nan");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double of : {nan, std::copysign(nan, -1.0)}) {  // whose sign nobody gave
+        CHECK(fstiff::parts::rounded_text(of, 4) == "nan");
+        CHECK(fstiff::parts::shortest_text(of) == "nan");
+        CHECK(fstiff::parts::fixed_text(of, 2) == "nan");
+        CHECK(fstiff::parts::rounded_text(static_cast<long double>(of), 4) == "nan");
+    }
 }
 
 TEST_CASE("reading is rounded once and takes no more than the number", "[text]") {

@@ -5,6 +5,7 @@
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
+#include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -83,6 +84,22 @@ TEST_CASE("Str distinguishes a map with grooves and a stretched one from an isot
     CHECK(detail::is_lay(detail::texture_aspect_ratio(grooved)));
     map.dy *= 6;
     CHECK(detail::is_lay(detail::texture_aspect_ratio(map)));
+}
+
+TEST_CASE("Str of a strip is that of its own points, however long it is") {
+    const HeightMap<double> map = self_affine_map(rough(0.8, 40e-6, 5), 1024, 16, 1e-6, 1e-6);
+    HeightMap<double> strip = map;
+    for (const Eigen::Index rows : {4, 5, 9, 16}) {
+        strip.heights = map.heights.topRows(rows);
+        const double str = detail::texture_aspect_ratio(strip);
+        CHECK(str > 0);
+        CHECK(str <= 1);
+        strip.heights = map.heights.topRows(rows).transpose().eval();
+        CHECK(std::abs(detail::texture_aspect_ratio(strip) / str - 1) < 1e-9);
+    }
+    strip.heights = map.heights.topRows(3);
+    CHECK(test::refusal([&] { (void)detail::texture_aspect_ratio(strip); }) ==
+          "map of 1024 x 3 points: must have at least 4 a side");
 }
 
 TEST_CASE("A lay is a concern of what was measured") {

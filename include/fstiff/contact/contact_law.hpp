@@ -350,8 +350,9 @@ private:
             throw domain_error(parts::Refusal{
                 .parameter = "contact law", .reason = "is empty; must be tabulated or read from text to be evaluated"});
     }
-    /// Value and bounds with the digits that distinguish them.
+    /// Value and bounds with the digits that distinguish them; what is no number has no range.
     [[noreturn]] static void refuse(std::string_view name, T value, T low, T high, const char* unit) {
+        if (math::is_nan(value)) parts::refuse(name, value, "a number");
         parts::refuse(name, parts::shortest_text(value),
                       "between " + parts::shortest_text(low) + " and " + parts::shortest_text(high) + unit +
                           ", the range of the law");

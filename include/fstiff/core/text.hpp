@@ -54,6 +54,7 @@ inline constexpr bool has_to_chars = FSTIFF_HAS_FLOAT_TO_CHARS;
 
 template <Real T, class... Format>
 std::string text_by_to_chars(T value, Format... format) {
+    if (std::isnan(value)) return "nan";  // whose sign is an accident of the processor
     char few[64];
     if (const auto [end, error] = std::to_chars(few, few + sizeof few, value, format...); error == std::errc())
         return {few, end};
@@ -67,6 +68,7 @@ std::string text_by_to_chars(T value, Format... format) {
 /// replaced by a point.
 template <Real T>
 std::string text_by_printf(T value, char conversion, int precision) {
+    if (std::isnan(value)) return "nan";
     constexpr bool is_long = std::is_same_v<T, long double>;
     const char format[] = {'%', '.', '*', is_long ? 'L' : conversion, is_long ? conversion : '\0', '\0'};
     const auto print = [&](char* text, std::size_t size) {

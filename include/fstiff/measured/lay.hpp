@@ -52,13 +52,16 @@ template <Real T>
     return found;
 }
 
-/// Str of \p map, on at most 256 points a side where no point is missing. Returns an upper bound where the longest lag
-/// of the map limits Str, and 1 where no direction falls to 0.2. \throws domain_error for a map out of range.
+/// Str of \p map, on 256 points along the longer side, and at least 4 along the shorter one, where it has more and no
+/// point is missing. Returns an upper bound where the longest lag of the map limits Str, and 1 where no direction falls
+/// to 0.2. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] T texture_aspect_ratio(const HeightMap<T>& map) {
+    const auto [shorter, longer] = std::minmax({map.columns(), map.rows()});
+    const Eigen::Index points = (std::max)(Eigen::Index(256), 4 * longer / (std::max)(shorter, Eigen::Index(1)));
     const bool whole = !map.heights.isNaN().any();
     const parts::TextureParameters<T> texture =
-        parts::texture_parameters(parts::areal_autocorrelation(whole ? parts::coarsened(map, 256) : map));
+        parts::texture_parameters(parts::areal_autocorrelation(whole ? parts::coarsened(map, points) : map));
     if (texture.aspect_ratio) return *texture.aspect_ratio;
     return texture.shortest ? *texture.shortest / texture.longest : T(1);
 }
