@@ -30,7 +30,8 @@ public:
         const auto take = [&](std::size_t factor) {
             for (; rest % factor == 0 && rest > 1; rest /= factor) stages_.push_back(Stage(factor, rest));
         };
-        for (const std::size_t factor : {4, 2}) take(factor);
+        take(4);
+        take(2);
         for (std::size_t factor = 3; factor <= largest_factor; factor += 2) take(factor);
     }
 
