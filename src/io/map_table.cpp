@@ -52,11 +52,7 @@ const std::optional<Grid>& MapTable::grid() {
 }
 
 NumberTable MapTable::reopened(const TableRules& rules) && {
-    NumberTable table;
-    table.lines = std::move(table_.lines);
-    table.line_count = table_.line_count;
-    find_first_row(table, name_, rules);
-    return table;
+    return open_table(std::move(table_.lines), name_, rules, table_.before);
 }
 
 bool MapTable::states_other_count() const {

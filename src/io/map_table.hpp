@@ -19,8 +19,11 @@ inline constexpr TableRules map_rules{.holds = "rows of numbers"};
 /// Each step is done once. The text must outlive it.
 class MapTable {
 public:
-    MapTable(std::string_view text, std::string name)
-        : name_(std::move(name)), table_(open_table(text, name_, map_rules)), entries_(header_entries(table_)) {}
+    /// \p before: lines of the file above the header.
+    MapTable(std::vector<Line> lines, std::string name, std::size_t before)
+        : name_(std::move(name)),
+          table_(open_table(std::move(lines), name_, map_rules, before)),
+          entries_(header_entries(table_)) {}
 
     /// The columns of the first row; of all rows once they are read.
     const NumberTable& opened() const { return table_; }

@@ -15,7 +15,7 @@ void split_line(std::string_view line, char separator, std::vector<std::string_v
     cells.clear();
     if (separator == ' ') {
         for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-            std::size_t end = (std::min)(line.find_first_of(" \t"), line.size());
+            auto end = static_cast<std::size_t>(std::find_if(line.begin(), line.end(), is_blank) - line.begin());
             if ((line[0] == 'N' || line[0] == 'n') && lower_case(line.substr(0, 7)) == "no data") end = 7;  // one cell
             cells.push_back(unquoted(line.substr(0, end)));
             line.remove_prefix(end);
@@ -136,21 +136,79 @@ void NumberTable::say_layout(Record& record, bool may_be_one) const {
                                   : sign == '\t'                            ? "tab"
                                                                             : "blanks";
     record.say("separator", separator + ", decimal " + (dialect.decimal_comma ? "comma" : "point"));
-    const std::size_t header = lines[first].number - 1;  // blank lines and comments included
-    record.say("header", std::to_string(header) + (header == 1 ? " line" : " lines"));
+    const std::size_t header = lines[first].number - 1 - before;  // blank lines and comments included
+    std::string text = std::to_string(header) + (header == 1 ? " line" : " lines");
+    if (counted != 0) text += ", the last of which is the number of rows";
+    if (const std::size_t left = rows_with_words(); left != 0)
+        text += ", " + std::to_string(left) + " of which hold" + (left == 1 ? "s" : "") +
+                " numbers beside words and are left out";
+    record.say("header", text);
+}
+
+void NumberTable::use(std::vector<std::size_t> chosen) {
+    used = std::move(chosen);
+    std::vector<std::string_view> cells;
+    const auto is_number = [&](std::size_t column) {
+        return column <= cells.size() && number_in(cells[column - 1], dialect.decimal_comma);
+    };
+    while (used.size() > 1 && first > counted && !is_comment(lines[first - 1].text)) {
+        split_row(lines[first - 1].text, dialect.separator, cells);
+        if (cells.size() != columns || !std::all_of(used.begin(), used.end(), is_number)) return;
+        --first;
+    }
+}
+
+std::size_t NumberTable::rows_with_words() const {
+    std::vector<std::string_view> cells;
+    std::size_t rows = 0;
+    for (std::size_t i = first; i-- > 0 && !is_comment(lines[i].text); ++rows) {
+        split_row(lines[i].text, dialect.separator, cells);
+        const auto numbers = std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) {
+            return number_in(cell, dialect.decimal_comma).has_value();
+        });
+        if (dialect.separator == ' ' || cells.size() != columns || numbers < 2) break;
+    }
+    return rows;
+}
+
+namespace {
+
+/// The first line from \p begin on that is a row of numbers, with its dialect; the end where there is none.
+std::size_t row_from(std::size_t begin, NumberTable& table) {
+    for (std::size_t i = begin; i < table.lines.size(); ++i) {
+        const std::string_view line = table.lines[i].text;
+        if (is_comment(line)) continue;
+        if (const auto dialect = dialect_of(without_comment(line))) {
+            table.dialect = *dialect;
+            return i;
+        }
+    }
+    return table.lines.size();
+}
+
+/// Takes for a header the rows up to one that holds nothing but the number of those after it, 16 or more, as Mitutoyo
+/// and others write it below the length of a profile.
+void skip_count(NumberTable& table) {
+    constexpr std::size_t least = 16, highest = 8;
+    const std::size_t begin = table.first, end = (std::min)(begin + highest, table.lines.size());
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto count = number_in(trimmed(table.lines[i].text), false);
+        const auto most = static_cast<double>(table.lines.size() - i - 1);
+        if (!count || *count < least || *count > most || 2 * *count < most) continue;
+        const auto rows = std::count_if(table.lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, table.lines.end(),
+                                        [](const Line& line) { return !is_comment(line.text); });
+        if (static_cast<double>(rows) != *count) continue;
+        table.counted = i + 1;
+        table.first = row_from(i + 1, table);
+        return;
+    }
 }
 
 void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
     const std::string wanted = "; must hold " + std::string(rules.holds);
     if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
-    for (table.first = first_candidate(table.lines); table.first < table.lines.size(); ++table.first) {
-        const std::string_view line = table.lines[table.first].text;
-        if (is_comment(line)) continue;
-        if (const auto dialect = dialect_of(without_comment(line))) {
-            table.dialect = *dialect;
-            break;
-        }
-    }
+    table.first = row_from(first_candidate(table.lines), table);
+    skip_count(table);
     if (table.first == table.lines.size()) refuse_grouped_rows(table, name);
     if (table.first == table.lines.size())
         refuse_line(
@@ -169,11 +227,19 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
     table.columns = cells.size();
 }
 
-NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules) {
+}  // namespace
+
+NumberTable open_table(std::vector<Line> lines, const std::string& name, const TableRules& rules, std::size_t before) {
     NumberTable table;
-    table.lines = lines_of(text, name, table.line_count);
+    table.lines = std::move(lines);
+    table.before = before;
     find_first_row(table, name, rules);
     return table;
+}
+
+NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules) {
+    std::size_t count = 0;
+    return open_table(lines_of(text, name, count), name, rules);
 }
 
 namespace {
@@ -283,7 +349,8 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
         const bool whole = padded || cells.size() == table.columns;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             double value = std::numeric_limits<double>::quiet_NaN();
-            if (!cells[c].empty() && !is_missing_word(cells[c]) && !table.missing.has_word(cells[c])) {
+            if (!cells[c].empty() && !is_missing_word(cells[c]) && !table.missing.has_word(cells[c]) &&
+                (table.is_used(c) || number_in(cells[c], table.dialect.decimal_comma))) {
                 value = require_number(cells[c], table, line, name);
                 if (whole && c < table.printed.size() && !table.missing.has(value))
                     table.printed[c].add(cells[c], value);
