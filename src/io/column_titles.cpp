@@ -67,7 +67,7 @@ std::vector<std::string_view> units_in(std::string_view line, std::size_t column
     if (!free.empty() && in_cells(separator)) return found;  // "#;x [um];z [um]": the sign may be a title
     line = without_comment_sign(line, separator);
     for (const char candidate : {separator, ';', '\t', ',', ' '})
-        if (in_cells(candidate)) return found;
+        if ((candidate == separator || line.find(candidate) < line.size()) && in_cells(candidate)) return found;
     // "x [um] z [nm]": as many bracketed found as columns, in their order
     found.clear();
     for (std::string_view rest = line; !rest.empty();) {
@@ -103,12 +103,33 @@ TitleUnits title_units(const NumberTable& table, std::size_t columns, const Free
     return {};
 }
 
+namespace {
+
+/// The unit of \p title that is of no length, in brackets or as its last word, where it has none of length.
+std::string_view other_unit(std::string_view title) {
+    if (!title_unit(title).empty()) return {};
+    const std::size_t end = title.find_last_of("])}"), begin = title.substr(0, end).find_last_of("[({");
+    if (end != std::string_view::npos && begin != std::string_view::npos)
+        if (const auto inside = trimmed(title.substr(begin + 1, end - begin - 1)); measures_no_length(inside))
+            return inside;
+    for (const char* sign : {" \t_:=", "/"}) {
+        const std::size_t last = title.find_last_of(sign);
+        const std::string_view word = title.substr(last + 1);  // the whole title where there is no sign
+        // a letter alone, or one with a number, is a name unless a stroke is before it
+        const bool is_name = word.size() < 2 || std::any_of(word.begin(), word.end(), is_digit);
+        if ((!is_name || (sign[0] == '/' && last < title.size())) && measures_no_length(word)) return word;
+    }
+    return {};
+}
+
+}  // namespace
+
 ColumnTitle title_of(std::string_view cell) {
     cell = unquoted(cell);
     std::string name = lower_case(trimmed(cell.substr(0, (std::min)(cell.find_first_of("[({<"), cell.size()))));
     while (name.size() > 1 && (name.back() == '.' || name.back() == ':' || name.back() == ' ')) name.pop_back();
     while (name.size() > 1 && (name.front() == '#' || name.front() == ' ')) name.erase(0, 1);
-    return {std::move(name), !title_unit(cell).empty()};
+    return {std::move(name), !title_unit(cell).empty(), std::string(other_unit(cell))};
 }
 
 namespace {
@@ -147,6 +168,7 @@ std::vector<ColumnTitle> titles_above(const NumberTable& table) {
             for (std::size_t c = 0; c < cells.size(); ++c) {
                 ColumnTitle title = title_of(cells[c]);
                 titles[c].has_unit = titles[c].has_unit || title.has_unit;
+                if (titles[c].no_length.empty()) titles[c].no_length = title.no_length;
                 if (lines == 1 || title_unit(titles[c].name) == titles[c].name) titles[c].name = std::move(title.name);
             }
             break;
@@ -191,6 +213,12 @@ bool names_position(std::string_view name) {
 }
 
 }  // namespace
+
+void refuse_no_length(const std::vector<ColumnTitle>& titles, std::size_t column, const std::string& name) {
+    if (column == 0 || column > titles.size() || titles[column - 1].no_length.empty()) return;
+    refuse_file(name, {"has a column ", column, " in ", shown_cell(titles[column - 1].no_length),
+                       ", which is of no length; must be a column in a unit of length"});
+}
 
 bool names_height(std::string_view name) {
     static constexpr std::array<std::string_view, 13> words{"z",        "height",   "h\xC3\xB6he", "h\xF6he", "hoehe",

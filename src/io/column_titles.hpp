@@ -42,11 +42,15 @@ TitleUnits title_units(const NumberTable& table, std::size_t columns, const Free
 
 /// Title above one column.
 struct ColumnTitle {
-    std::string name;  // lower case, without unit and punctuation; "#" stays
-    bool has_unit{};   // of length
+    std::string name;         // lower case, without unit and punctuation; "#" stays
+    bool has_unit{};          // of length
+    std::string no_length{};  // its unit where that is of something else, as of "Slope (urad)"
 };
 
 ColumnTitle title_of(std::string_view cell);
+
+/// Refuses a column, counted from 1, whose title states a unit that is of no length.
+void refuse_no_length(const std::vector<ColumnTitle>& titles, std::size_t column, const std::string& name);
 
 /// The titles above the columns of \p table, of the nearest two lines of the header with a word for some and no number
 /// for any; none where there are none.

@@ -37,11 +37,8 @@ std::string_view stored_heights(const FileBytes& file, const StoredGrid& grid) {
     return file.at(grid.place, row * grid.rows, "the heights");
 }
 
-void set_height(RawMap& map, std::size_t index, double z, const std::string& name) {
-    if (std::isinf(z))
-        refuse_file(name, {"holds infinity in row ", index / map.columns + 1, ", column ", index % map.columns + 1,
-                           "; must hold finite numbers, or the mark of missing points"});
-    map.heights[index] = z;
+void set_height(RawMap& map, std::size_t index, double z) {
+    map.heights[index] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z;
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

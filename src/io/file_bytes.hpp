@@ -58,8 +58,8 @@ double require_step(const std::string& name, const std::string& field, double va
 /// The bytes of all heights. \throws domain_error for less than 2 columns or 1 row, and when the file ends before.
 [[nodiscard]] std::string_view stored_heights(const FileBytes& file, const StoredGrid& grid);
 
-/// Makes height \p index of \p map \p z. \throws domain_error when it is infinite.
-void set_height(RawMap& map, std::size_t index, double z, const std::string& name);
+/// Makes height \p index of \p map \p z, missing where it is infinite.
+void set_height(RawMap& map, std::size_t index, double z);
 
 /// The heights of \p grid, height_of(bytes) being each [m], NaN where it is missing.
 template <class HeightOf>
@@ -71,7 +71,7 @@ void read_grid(RawMap& map, const FileBytes& file, const StoredGrid& grid, const
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t column = 0; column < columns; ++column)
             set_height(map, row * columns + column,
-                       height_of(heights.substr(row * row_bytes + column * grid.size, grid.size)), file.name());
+                       height_of(heights.substr(row * row_bytes + column * grid.size, grid.size)));
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

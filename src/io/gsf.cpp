@@ -118,10 +118,7 @@ private:
         allocate(map, header_.rows, header_.columns);
         for (std::size_t i = 0; i < points; ++i) {
             const double z = real_at(bytes.substr(4 * i, 4), false);
-            if (std::isinf(z))
-                refuse_file(name_, {"holds infinity in row ", i / header_.columns + 1, ", column ",
-                                    i % header_.columns + 1, "; must hold finite numbers, or NaN for missing points"});
-            map.heights[i] = z * factor;
+            map.heights[i] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z * factor;
         }
     }
 

@@ -289,10 +289,7 @@ private:
         allocate(map, field.rows, field.columns);
         for (std::size_t i = 0; i < field.columns * field.rows; ++i) {
             const double z = double_at(field.numbers.substr(8 * i, 8));
-            if (std::isinf(z))
-                refuse_file(name_, {"holds infinity in row ", i / field.columns + 1, ", column ", i % field.columns + 1,
-                                    "; must hold finite numbers, or NaN for missing points"});
-            map.heights[i] = z * factor;
+            map.heights[i] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z * factor;
         }
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/header.hpp"
 
+#include "io/unit_table.hpp"
+
 namespace fstiff::inline v0_1::io::detail {
 
 namespace {
@@ -89,7 +91,6 @@ std::vector<HeaderEntry> header_entries(const NumberTable& table) {
         }
         if (sign == std::string_view::npos || sign == 0) continue;
         // "h=305 w=75": every word an entry
-        split_line(line, ' ', words);
         const bool every_word = std::all_of(words.begin(), words.end(), [](std::string_view word) {
             const std::size_t equal = word.find('=');
             return equal != std::string_view::npos && equal > 0 && equal + 1 < word.size();
@@ -230,6 +231,11 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
     return grid;
 }
 
+bool is_size_key(const std::string& key) {
+    const GridMeaning of = meaning_of(key);
+    return of.width || of.height || of.dx || of.dy || of.columns || of.rows;
+}
+
 bool is_height_unit_key(const std::string& key) {
     static constexpr std::string_view keys[] = {"value units", "value unit",   "data unit", "data units",
                                                 "z unit",      "z-unit",       "z units",   "height unit",
@@ -253,6 +259,14 @@ StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, con
     return {unit, factor};
 }
 
+void refuse_no_length(const std::vector<HeaderEntry>& entries, const std::string& name) {
+    for (const HeaderEntry& entry : entries)
+        if (is_height_unit_key(entry.key) && measures_no_length(entry.value))
+            refuse_line(name, entry.line,
+                        {"states ", shown_cell(entry.value),
+                         " as the unit of the values, which is of no length; must be heights in a unit of length"});
+}
+
 MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::string_view given, const std::string& name) {
     MissingValues missing = given_missing(given, name);
     if (!missing.from.empty()) return missing;
@@ -260,7 +274,7 @@ MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::strin
         for (const char* key : {"nodata value", "nodata", "no data", "no data value", "missing", "missing value",
                                 "missing values", "missing data", "bad value", "bad data", "invalid value",
                                 "invalid data", "undefined value", "fill value", "fillvalue", "null value"})
-            if (const auto number = number_in(unquoted(entry.value), false); entry.key == key && number) {
+            if (const auto number = entry.key == key ? number_in(unquoted(entry.value), false) : std::nullopt) {
                 missing.numbers.push_back(*number);
                 missing.from = "line " + std::to_string(entry.line);
             }

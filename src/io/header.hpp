@@ -54,6 +54,9 @@ std::optional<StatedSpacing> stated_spacing(const std::vector<HeaderEntry>& entr
 /// \p unit is that of a length without one; "" for refusing to guess.
 StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit, const std::string& name);
 
+/// Whether \p key of a header names a size, a step or a count of a map.
+bool is_size_key(const std::string& key);
+
 /// Whether \p key of a header names the unit of the heights.
 bool is_height_unit_key(const std::string& key);
 
@@ -63,6 +66,9 @@ struct StatedHeightUnit {
     const HeaderEntry* factor = nullptr;
 };
 StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, const std::string& name);
+
+/// Refuses a header that states a unit of the heights that is of no length, such as deg.
+void refuse_no_length(const std::vector<HeaderEntry>& entries, const std::string& name);
 
 /// Mark of missing points: \p given, or the number that a header states.
 MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::string_view given, const std::string& name);

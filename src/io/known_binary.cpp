@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/known_binary.hpp"
 
+#include "io/binary_numbers.hpp"
+#include "io/number.hpp"
 #include "io/stl.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
@@ -19,11 +21,15 @@ constexpr std::string_view from_gwyddion = "save it with a newer Gwyddion";
 constexpr std::string_view no_heights = "it is not a measured surface: export the heights themselves";
 constexpr std::string_view from_python = "write its array with a few lines of Python";
 constexpr std::string_view unpack = "unpack it first";
+constexpr std::string_view sample = "sample its heights on a grid, as text or .stl";
+constexpr std::string_view from_the_program = "export the heights from the program that wrote it";
 
 constexpr std::array known_binaries{
     KnownBinary{"\x89PNG\r\n", "a PNG picture", no_heights},
     KnownBinary{"\xFF\xD8\xFF", "a JPEG picture", no_heights},
     KnownBinary{"GIF8", "a GIF picture", no_heights},
+    KnownBinary{"P5\n", "a PGM picture", no_heights},
+    KnownBinary{"P6\n", "a PPM picture", no_heights},
     KnownBinary{std::string_view("II*\0", 4), "a TIFF picture", from_the_instrument},
     KnownBinary{std::string_view("MM\0*", 4), "a TIFF picture", from_the_instrument},
     KnownBinary{"%PDF-", "a PDF document", no_heights},
@@ -31,6 +37,15 @@ constexpr std::array known_binaries{
     KnownBinary{"MATLAB 5.0", "a MATLAB file", "write its matrix as text"},
     KnownBinary{"GWYO", "a file of Gwyddion 1 (.gwy)", from_gwyddion},
     KnownBinary{"\\*File list", "a Nanoscope file of an atomic force microscope", from_the_instrument},
+    KnownBinary{"Binary TrueMap Data File", "a TrueMap file (.tmd)", from_the_instrument},
+    KnownBinary{"fileType ", "a file of Molecular Imaging or Agilent (.mi)", from_the_instrument},
+    KnownBinary{"[DataSet]", "a Nanosurf file (.nid, .ezd)", from_the_instrument},
+    KnownBinary{"FRTM_GLIDERV", "a file of FRT MicroProf (.frt)", from_the_instrument},
+    KnownBinary{"fileformat = bcr", "a file of SPIP (.bcr, .bcrf)", from_the_instrument},
+    KnownBinary{std::string_view("f\0i\0l\0e\0f\0o\0r\0m\0a\0t\0", 20), "a file of SPIP (.bcr, .bcrf)",
+                from_the_instrument},
+    KnownBinary{"WSxM file copyright", "a file of WSxM (.top, .stp, .tom)", from_the_instrument},
+    KnownBinary{":NANONIS_VERSION:", "a Nanonis file (.sxm)", from_the_instrument},
     KnownBinary{"\x1F\x8B", "a file packed by gzip", unpack},
     KnownBinary{"BZh", "a file packed by bzip2", unpack},
     KnownBinary{"\xFD"
@@ -47,20 +62,87 @@ constexpr std::array known_binaries{
                 "a program", no_heights},
 };
 
+/// Text that is no table, by its first words.
+constexpr std::array known_texts{
+    KnownBinary{"P2", "a PGM picture", no_heights},
+    KnownBinary{"P3", "a PPM picture", no_heights},
+    KnownBinary{"{\\rtf", "a text of a word processor (.rtf)", "save it as plain text"},
+    KnownBinary{"ply", "a mesh of polygons (.ply)", sample},
+    KnownBinary{"mtllib ", "a mesh of polygons (.obj)", sample},
+    KnownBinary{"v ", "a mesh of polygons (.obj)", sample},
+    KnownBinary{"o ", "a mesh of polygons (.obj)", sample},
+    KnownBinary{"g ", "a mesh of polygons (.obj)", sample},
+    KnownBinary{"<?xml", "a text of XML", from_the_program},
+    KnownBinary{"<!DOCTYPE html", "a page of HTML", from_the_program},
+    KnownBinary{"<html", "a page of HTML", from_the_program},
+};
+
+/// Whether texts begin with \p magic too, as those that a microscope exports.
+bool is_text_beside(std::string_view magic) {
+    return magic[0] == '\\' || magic[0] == '[' || magic[0] == ':' || magic.starts_with("file") ||
+           magic.starts_with("WSxM");
+}
+
+/// Whether \p rest begins with the words of \p magic and not with longer ones: "P2" and a size, "v" and numbers.
+bool is_whole(std::string_view magic, std::string_view rest) {
+    const std::string_view behind = rest.substr(magic.size());
+    if (magic == "v ") return leading_number(trimmed(behind)).status == NumberStatus::ok;
+    if (magic[0] == 'P' || magic == "ply") return behind.empty() || is_blank(behind[0]);
+    const std::string_view lines = rest.substr(0, 4096);
+    return magic.size() > 2 || lines.find("\nv ") < lines.size();
+}
+
+/// The number of \p size bytes at \p place, least significant first; 0 beyond the end.
+std::uint64_t number_at(std::string_view bytes, std::size_t place, std::size_t size) {
+    return bytes.size() < place + size ? 0 : unsigned_at(bytes.substr(place, size), false);
+}
+
+/// Forms without first words, by what their header holds.
+KnownBinary known_by_content(std::string_view bytes) {
+    // a bitmap states its size; packed in two bytes, so may text begin
+    if (bytes.starts_with("BM") && number_at(bytes, 6, 4) == 0 && number_at(bytes, 14, 4) >= 12 &&
+        number_at(bytes, 14, 4) <= 128)
+        return {{}, "a BMP picture", no_heights};
+    // a wave of Igor: version 5 or 2, in either byte order, its header such that its words of 16 bits cancel
+    for (const bool big : {false, true})
+        for (const auto& [version, header] : {std::pair<std::uint64_t, std::size_t>{5, 384}, {2, 126}}) {
+            if (bytes.size() < header || unsigned_at(bytes.substr(0, 2), big) != version) continue;
+            std::uint64_t sum = 0;
+            for (std::size_t i = 0; i < header; i += 2) sum += unsigned_at(bytes.substr(i, 2), big);
+            if (sum % 65536 == 0)
+                return {{}, "a wave of Igor Pro (.ibw), as Asylum Research writes it", from_the_instrument};
+        }
+    // Nanofocus: points and steps in mm at fixed places, then heights of two bytes
+    const std::uint64_t columns = number_at(bytes, 1368, 4), rows = number_at(bytes, 1372, 4);
+    if (bytes.size() > 3468 && columns > 1 && rows > 1 && columns < 100000 && rows < 100000 &&
+        bytes.size() >= 3468 + 2 * columns * rows && double_at(bytes.substr(1376)) > 1e-9 &&
+        double_at(bytes.substr(1376)) < 10 && double_at(bytes.substr(1384)) > 1e-9 &&
+        double_at(bytes.substr(1384)) < 10)
+        return {{}, "a file of Nanofocus (.nms)", from_the_instrument};
+    return {};
+}
+
 }  // namespace
 
 std::string known_binary_refusal(std::string_view bytes) {
-    std::string_view name, way;
+    const auto refusal = [](const KnownBinary& known, const char* what) {
+        return known.name.empty() ? std::string()
+                                  : "is " + (what + std::string(known.name)) + ", which is not read; must be " +
+                                        std::string(readable_forms) + ": " + std::string(known.way);
+    };
+    const bool has_nul = bytes.find('\0') != std::string_view::npos;
     for (const KnownBinary& known : known_binaries)
-        if (name.empty() && bytes.starts_with(known.magic) &&
-            // what a Nanoscope exports as text begins so too
-            (known.magic[0] != '\\' || bytes.find('\0') != std::string_view::npos)) {
-            name = known.name;
-            way = known.way;
-        }
-    if (name.empty()) return {};
-    return "is binary: " + std::string(name) + ", which is not read; must be " + std::string(readable_forms) + ": " +
-           std::string(way);
+        // what instruments export as text begins so too
+        if (bytes.starts_with(known.magic) && (has_nul || !is_text_beside(known.magic)))
+            return refusal(known, "binary: ");
+    if (has_nul) return refusal(known_by_content(bytes), "binary: ");
+    std::string_view rest = bytes.substr(bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    // remarks come before the first vertex of a mesh
+    while (rest.starts_with('#') || rest.starts_with('\n') || rest.starts_with('\r'))
+        rest.remove_prefix((std::min)(rest.find('\n'), rest.size() - 1) + 1);
+    for (const KnownBinary& known : known_texts)
+        if (rest.starts_with(known.magic) && is_whole(known.magic, rest)) return refusal(known, "");
+    return {};
 }
 
 bool may_hold_nul_bytes(std::string_view bytes) {

@@ -52,13 +52,10 @@ const std::optional<Grid>& MapTable::grid() {
 }
 
 NumberTable MapTable::reopened(const TableRules& rules) && {
-    NumberTable table;
-    table.lines = std::move(table_.lines);
-    table.line_count = table_.line_count;
-    table.names = table_.names;
-    table.thousands = table_.thousands;
-    find_first_row(table, name_, rules);
-    return table;
+    SurfaceOptions options;
+    options.names = table_.names;
+    options.thousands = table_.thousands;
+    return open_table(std::move(table_.lines), name_, rules, options, table_.before);
 }
 
 bool MapTable::states_other_count() const {

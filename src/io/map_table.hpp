@@ -19,9 +19,10 @@ inline constexpr TableRules map_rules{.holds = "rows of numbers"};
 /// Each step is done once. The text must outlive it.
 class MapTable {
 public:
-    MapTable(std::string_view text, std::string name, const SurfaceOptions& options)
+    /// \p before: lines of the file above the header.
+    MapTable(std::vector<Line> lines, std::string name, const SurfaceOptions& options, std::size_t before)
         : name_(std::move(name)),
-          table_(open_table(text, name_, map_rules, options)),
+          table_(open_table(std::move(lines), name_, map_rules, options, before)),
           entries_(header_entries(table_)) {}
 
     /// The columns of the first row; of all rows once they are read.

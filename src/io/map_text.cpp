@@ -117,6 +117,8 @@ private:
 
     /// The units of x, y and the heights [m].
     std::array<double, 3> units_of_triples() {
+        for (const std::size_t column : columns_) refuse_no_length(titles_, column, name_);
+        refuse_no_length(entries_, name_);
         FreeColumns free(titles_.size(), true);
         for (std::size_t k = 0; k < 3; ++k) free[columns_[k] - 1] = false;
         if (titles_.size() == 3) free.clear();

@@ -154,7 +154,7 @@ public:
                                 : missing;
         for (std::size_t i = 0; i < found.heights.size(); ++i) {
             const double z = number(stored, heights.values.type, i);
-            set_height(found, place(i), z == fill ? missing : z * unit, file_.name());
+            set_height(found, place(i), z == fill ? missing : z * unit);
         }
         if (const NcVariable* const mask = header_.find("mask")) {
             if (mask->over != heights.over) refuse_file(file_.name(), {"has a mask that is not over what heights are"});

@@ -213,10 +213,7 @@ private:
         for (std::size_t row = 0; row < rows; ++row)
             for (std::size_t column = 0; column < columns; ++column) {
                 const double z = number(header_.fortran_order ? column * rows + row : row * columns + column);
-                if (std::isinf(z))
-                    refuse_file(name_, {"holds infinity in row ", row + 1, ", column ", column + 1,
-                                        "; must hold finite numbers, or NaN for missing points"});
-                map.heights[row * columns + column] = z;
+                map.heights[row * columns + column] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z;
             }
     }
 

@@ -15,7 +15,7 @@ void split_row(std::string_view line, char separator, std::vector<std::string_vi
     cells.clear();
     if (separator == ' ') {
         for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-            std::size_t end = (std::min)(line.find_first_of(" \t"), line.size());
+            auto end = static_cast<std::size_t>(std::find_if(line.begin(), line.end(), is_blank) - line.begin());
             if ((line[0] == 'N' || line[0] == 'n') && lower_case(line.substr(0, 7)) == "no data") end = 7;  // one cell
             cells.push_back(unquoted(line.substr(0, end)));
             line.remove_prefix(end);
@@ -202,22 +202,67 @@ void NumberTable::say_layout(Record& record, bool may_be_one) const {
                                   : sign == '\t'                            ? "tab"
                                                                             : "blanks";
     record.say("separator", separator + ", decimal " + (dialect.decimal_comma ? "comma" : "point"));
-    const std::size_t header = lines[first].number - 1;  // blank lines and comments included
-    record.say("header", std::to_string(header) + (header == 1 ? " line" : " lines"));
+    const std::size_t header = lines[first].number - 1 - before;  // blank lines and comments included
+    std::string text = std::to_string(header) + (header == 1 ? " line" : " lines");
+    if (counted != 0) text += ", the last of which is the number of rows";
+    if (const std::size_t left = rows_with_words(); left != 0)
+        text += ", " + std::to_string(left) + " of which hold" + (left == 1 ? "s" : "") +
+                " numbers next to words and are left out";
+    record.say("header", text);
+}
+
+std::size_t NumberTable::rows_with_words() const {
+    std::vector<std::string_view> cells;
+    std::size_t rows = 0;
+    for (std::size_t i = first; i-- > 0 && !is_comment(lines[i].text); ++rows) {
+        split_row(lines[i].text, dialect.separator, cells);
+        const auto numbers = std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) {
+            return number_in(cell, dialect.decimal_comma).has_value();
+        });
+        if (dialect.separator == ' ' || cells.size() != columns || numbers < 2) break;
+    }
+    return rows;
+}
+
+namespace {
+
+/// The first line from \p begin on that is a row of numbers, with its dialect; the end where there is none.
+std::size_t row_from(std::size_t begin, NumberTable& table, const std::string& name) {
+    for (std::size_t i = begin; i < table.lines.size(); ++i) {
+        const std::string_view line = table.lines[i].text;
+        if (is_comment(line)) continue;
+        if (const auto dialect = dialect_of(without_comment(line))) {
+            table.dialect = *dialect;
+            return i;
+        }
+        refuse_grouped_row(table, name, table.lines[i]);
+    }
+    return table.lines.size();
+}
+
+/// Takes for a header the rows up to one that holds nothing but the number of those after it, 16 or more, as Mitutoyo
+/// and others write it below the length of a profile.
+void skip_count(NumberTable& table, const std::string& name) {
+    constexpr std::size_t least = 16, highest = 8;
+    const std::size_t begin = table.first, end = (std::min)(begin + highest, table.lines.size());
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto count = number_in(trimmed(table.lines[i].text), false);
+        const auto most = static_cast<double>(table.lines.size() - i - 1);
+        if (!count || *count < least || *count > most || 2 * *count < most) continue;
+        const auto rows = std::count_if(table.lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, table.lines.end(),
+                                        [](const Line& line) { return !is_comment(line.text); });
+        if (static_cast<double>(rows) != *count) continue;
+        table.counted = i + 1;
+        table.first = row_from(i + 1, table, name);
+        return;
+    }
 }
 
 void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
     const std::string wanted = "; must hold " + std::string(rules.holds);
     if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
-    for (table.first = first_candidate(table.lines); table.first < table.lines.size(); ++table.first) {
-        const std::string_view line = table.lines[table.first].text;
-        if (is_comment(line)) continue;
-        const auto dialect = dialect_of(without_comment(line));
-        if (!dialect) refuse_grouped_row(table, name, table.lines[table.first]);
-        if (!dialect) continue;
-        table.dialect = *dialect;
-        break;
-    }
+    table.first = row_from(first_candidate(table.lines), table, name);
+    skip_count(table, name);
     if (table.first == table.lines.size())
         refuse_line(
             name, table.lines.front().number,
@@ -238,14 +283,22 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
     if (rules.short_rows) take_rows_above(table);
 }
 
-NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules,
-                       const SurfaceOptions& options) {
+}  // namespace
+
+NumberTable open_table(std::vector<Line> lines, const std::string& name, const TableRules& rules,
+                       const SurfaceOptions& options, std::size_t before) {
     NumberTable table;
     table.names = options.names;
     table.thousands = options.thousands;
-    table.lines = lines_of(text, name, table.line_count);
+    table.lines = std::move(lines);
+    table.before = before;
     find_first_row(table, name, rules);
     return table;
+}
+
+NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules) {
+    std::size_t count = 0;
+    return open_table(lines_of(text, name, count), name, rules);
 }
 
 namespace {

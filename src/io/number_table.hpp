@@ -45,8 +45,9 @@ inline constexpr std::size_t max_short_row_columns = max_profile_columns;
 /// Rows of numbers below a header. Views point into the text, which must outlive them.
 struct NumberTable {
     std::vector<Line> lines;
-    std::size_t line_count{};
-    std::size_t first{};  // of `lines`: the first row
+    std::size_t first{};    // of `lines`: the first row
+    std::size_t counted{};  // of `lines`, counted from 1: that of the header which holds the number of rows alone
+    std::size_t before{};   // lines of the file above the header, which are of another table
     Dialect dialect;
     std::size_t columns{};
     std::vector<double> values;  // by row; NaN where missing
@@ -61,16 +62,19 @@ struct NumberTable {
 
     /// Describes its separators, which one column lacks where \p may_be_one, and its header.
     void say_layout(Record& record, bool may_be_one = false) const;
+
+private:
+    /// Lines at the end of the header that are cut into as many cells as the rows, some of them numbers.
+    std::size_t rows_with_words() const;
 };
 
 /// The first words of Zygo's XYZ text, whose header holds rows of numbers and ends with a line "#".
 inline constexpr std::string_view zygo_xyz_begin = "Zygo XYZ Data File";
 
 /// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
-void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules);
-
-NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules,
-                       const SurfaceOptions& options = {});
+NumberTable open_table(std::vector<Line> lines, const std::string& name, const TableRules& rules,
+                       const SurfaceOptions& options = {}, std::size_t before = 0);
+NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules);
 
 /// Reads the rows of a table that open_table has opened.
 void read_rows(NumberTable& table, const std::string& name, const TableRules& rules);

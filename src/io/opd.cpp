@@ -140,7 +140,7 @@ private:
             const bool missing = !(number < (size == 2 ? 32766 : static_cast<double>(1e38F)));
             const std::size_t row = map.rows - 1 - i % map.rows, column = i / map.rows;
             set_height(map, row * map.columns + column,
-                       missing ? std::numeric_limits<double>::quiet_NaN() : number * header_.step, file_.name());
+                       missing ? std::numeric_limits<double>::quiet_NaN() : number * header_.step);
         }
     }
 

@@ -123,6 +123,10 @@ private:
 
     void choose_units() {
         const std::size_t position = notes_.position_column;
+        const auto titles = titles_above(table_);
+        refuse_no_length(titles, notes_.height_column, name_);
+        refuse_no_length(titles, position, name_);
+        if (titles.empty()) refuse_no_length(entries_, name_);
         const auto given =
             given_units(options_.units, 2, name_, "one unit, or two such as \"um,nm\" (positions, heights)");
         const TitleUnits found = columns_.units(table_, position != 0);
@@ -161,7 +165,18 @@ private:
         }
         refuse_file(name_,
                     {"states no unit and none is given; must be ", given_as(options_.names, "units", "\"um,nm\""),
-                     " (positions, heights), each one of ", accepted_units(Dimension::length)});
+                     " (positions, heights), each one of ", accepted_units(Dimension::length), of_mitutoyo()});
+    }
+
+    /// What a length and the number of points above one column of heights may mean, for messages.
+    std::string of_mitutoyo() const {
+        if (table_.counted < 2 || table_.columns != 1) return "";
+        const auto length = number_in(table_.lines[table_.counted - 2].text, false);
+        if (!length || !(*length > 0)) return "";
+        const std::string step = number_text(*length / static_cast<double>(table_.rows()));
+        return "; Mitutoyo writes the length in mm and the number of points above heights in um, which would be " +
+               options_.names.prefix + "units" + options_.names.equals + "um and " + options_.names.prefix + "spacing" +
+               options_.names.equals + "\"" + step + " mm\"";
     }
 
     /// Warns where \p used is another unit than the \p stated one, where there are both.
@@ -203,7 +218,7 @@ private:
         if (notes_.position_column == 0) {
             if (!stated)
                 refuse_file(name_, {"has no column of positions", numbering(), " and no spacing is given; must be ",
-                                    given_as(options_.names, "spacing", "\"0.5 um\"")});
+                                    given_as(options_.names, "spacing", "\"0.5 um\""), of_mitutoyo()});
             notes_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
             return stated->value;
         }

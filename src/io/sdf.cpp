@@ -10,6 +10,18 @@ namespace detail {
 
 namespace {
 
+/// Characters of the version that follows the first one, a maker in capitals and two digits: "ISO-1.0", "NIST-1.0"; 0
+/// where there is none.
+std::size_t version_length(std::string_view bytes) {
+    constexpr std::size_t longest = 16;
+    const std::string_view text = bytes.substr((std::min<std::size_t>)(1, bytes.size()), longest);
+    const std::size_t maker = (std::min)(text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), text.size());
+    const std::string_view number = text.substr(maker, 4);
+    const bool known = maker >= 2 && number.size() == 4 && number[0] == '-' && is_digit(number[1]) &&
+                       number[2] == '.' && is_digit(number[3]);
+    return known ? maker + 4 : 0;
+}
+
 /// Content of the header.
 struct SdfHeader {
     std::string version;       // "ISO-1.0"
@@ -44,10 +56,13 @@ public:
 
     Reading read() {
         if (!is_sdf(bytes_))
-            refuse_file(name_, {"begins with ", shown_cell(bytes_.substr(0, 8)),
-                                "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a"});
+            refuse_file(
+                name_,
+                {"begins with ", shown_cell(bytes_.substr(0, 8)),
+                 "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, the name of another maker, "
+                 "or b for a"});
         header_.binary = bytes_[0] == 'b' || bytes_[0] == 'B';
-        header_.version = std::string(bytes_.substr(1, 7));
+        header_.version = std::string(bytes_.substr(1, version_length(bytes_)));
         bcr_ = header_.version == "BCR-1.0";
         if (header_.binary)
             read_binary();
@@ -85,15 +100,15 @@ private:
 
     /// Height \p index of the file is \p number, in units of Zscale.
     void set(std::size_t index, double number) {
-        if (std::isinf(number) || std::isinf(number * header_.z_scale))
+        if (!std::isinf(number) && std::isinf(number * header_.z_scale))
             refuse_file(name_, {"height ", index + 1,
                                 " is beyond the range of double precision; "
                                 "allowed are finite numbers"});
-        map_.heights[index] = number * header_.z_scale;
+        map_.heights[index] = std::isinf(number) ? missing : number * header_.z_scale;
     }
 
     void read_binary() {
-        const std::size_t count_bytes = header_.version == "ISO-2.0" ? 4 : 2;
+        const std::size_t count_bytes = header_.version.ends_with("2.0") ? 4 : 2;
         const std::size_t header = 42 + 2 * count_bytes + 35;
         if (bytes_.size() < header)
             refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header});
@@ -166,7 +181,7 @@ private:
     }
 
     void read_text() {
-        std::string_view rest = bytes_.substr(8);
+        std::string_view rest = bytes_;
         next_line(rest);
         std::vector<std::pair<std::string, std::string_view>> fields;
         bool ended = false;
@@ -249,8 +264,9 @@ private:
     double text_number(std::string_view cell, std::size_t index) {
         if (is_missing_word(cell)) return missing;
         const auto number = number_in(cell, false);
-        if (!number)
-            refuse_file(name_, {"height ", index + 1, " is ", shown_cell(cell), "; must be a decimal number or BAD"});
+        if (!number || std::isinf(*number))
+            refuse_file(name_, {"height ", index + 1, " is ", shown_cell(cell),
+                                "; must be BAD or a decimal number within the range of double precision"});
         return bcr_ ? reserved(*number) : *number;
     }
 
@@ -275,8 +291,14 @@ private:
 
 bool is_sdf(std::string_view bytes) {
     if (bytes.size() < 8 || std::string_view("aAbB").find(bytes[0]) == std::string_view::npos) return false;
-    const std::string_view version = bytes.substr(1, 7);
-    return version == "ISO-1.0" || version == "ISO-2.0" || version == "BCR-1.0";
+    const std::size_t length = detail::version_length(bytes);
+    const std::string_view version = bytes.substr(1, length);
+    if (version == "ISO-1.0" || version == "ISO-2.0" || version == "BCR-1.0") return true;
+    const bool text = bytes[0] == 'a' || bytes[0] == 'A';
+    if (!text) return length == 7 && bytes.size() > 80 && (version.ends_with("1.0") || version.ends_with("2.0"));
+    // another maker: what follows must be the header of this form
+    const std::string head = detail::lower_case(bytes.substr(0, 4096));
+    return length > 0 && head.find("numpoints") != std::string::npos && head.find("zscale") != std::string::npos;
 }
 
 Reading read_sdf(std::string_view bytes, std::string_view name) {

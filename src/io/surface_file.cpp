@@ -17,8 +17,10 @@
 #include "io/smd.hpp"
 #include "io/stl.hpp"
 #include "io/sur.hpp"
+#include "io/text_blocks.hpp"
 #include "io/thousands.hpp"
 #include "io/vk4.hpp"
+#include "io/wyko_text.hpp"
 #include "io/x3p.hpp"
 
 #include <tuple>
@@ -47,7 +49,7 @@ void check_options(SurfaceFormat format, const SurfaceOptions& options, const st
         {"missing", !options.missing.empty() && !text && !bare},
         {"thousands", !options.thousands.empty() && !text},
         {"resample", options.resample && !profile},
-        {"channel", !options.channel.empty() && format != SurfaceFormat::gwy},
+        {"channel", !options.channel.empty() && !text && format != SurfaceFormat::gwy},
         {"x3p-increment", options.x3p_increment != X3pIncrement::apply && format != SurfaceFormat::x3p}};
     for (const auto& [option, refused] : useless)
         if (refused)
@@ -174,15 +176,34 @@ namespace {
 
 /// Reads a text of the form record.format, which is chosen here where it is automatic.
 Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceOptions& options) {
+    const std::string& name = record.name;
+    std::size_t count = 0;
+    std::vector<Line> lines = lines_of(text, name, count);
+    const bool may_be_matrix = record.format == SurfaceFormat::automatic || record.format == SurfaceFormat::matrix;
+    if (may_be_matrix && !lines.empty() && is_wyko_text(lines.front().text)) {
+        record.format = SurfaceFormat::matrix;
+        record.format_from = "the first words";
+        check_options(record.format, options, name);
+        return read_wyko_text(std::move(lines), name, options);
+    }
+    ChosenBlock chosen = chosen_block(blocks_of(std::move(lines), name, options), name, options);
+    std::vector<Line>& own = chosen.block.lines;
+    const std::size_t before = chosen.block.line - 1;
     std::optional<MapTable> map;
-    if (record.format != SurfaceFormat::profile) map.emplace(text, record.name, options);
+    if (record.format != SurfaceFormat::profile) map.emplace(std::move(own), name, options, before);
     if (record.format == SurfaceFormat::automatic)
-        std::tie(record.format, record.format_from) = text_form(*map, record.name, options);
-    check_options(record.format, options, record.name);
-    if (record.format != SurfaceFormat::profile) return read_map(std::move(*map), record.format, options);
-    NumberTable table =
-        map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules, options);
-    return read_profile(std::move(table), record.name, options);
+        std::tie(record.format, record.format_from) = text_form(*map, name, options);
+    check_options(record.format, options, name);
+    Reading found;
+    if (record.format != SurfaceFormat::profile) {
+        found = read_map(std::move(*map), record.format, options);
+    } else {
+        NumberTable table = map ? std::move(*map).reopened(profile_rules)
+                                : open_table(std::move(own), name, profile_rules, options, before);
+        found = read_profile(std::move(table), name, options);
+    }
+    say_channels(found.record, chosen);
+    return found;
 }
 
 /// Reads bytes of the form \p format, which is a zip archive or may hold one.
@@ -199,6 +220,21 @@ Reading read_packed(SurfaceFormat format, std::string_view bytes, const std::str
     refuse_file(name, {"is ", format == SurfaceFormat::x3p ? "X3P" : "a Sensofar file (.plux)",
                        ", which this program was built without; must be another form"});
 #endif
+}
+
+/// Warns of a second file of the same form behind the first one, of which the same bytes are the first.
+void warn_of_second_file(SurfaceFormat format, std::string_view bytes, Record& record) {
+    constexpr std::size_t same = 12;
+    std::size_t place = std::string_view::npos;
+    if (bytes.starts_with("PK\3\4")) {  // behind the end of an archive
+        const std::size_t end = bytes.find("PK\5\6");
+        if (end < bytes.size()) place = bytes.find("PK\3\4", end);
+    } else if (format != SurfaceFormat::stl && bytes.size() > same) {
+        place = bytes.find(bytes.substr(0, format == SurfaceFormat::sdf ? 8 : same), same);
+    }
+    if (place < bytes.size() && form_of_first_bytes(bytes.substr(place)) == format)
+        record.warnings.push_back("the file holds a second one of the form " + std::string(name_of(format)) +
+                                  " from byte " + std::to_string(place) + " on, which is not read");
 }
 
 /// Reads bytes of the form \p format, which is not a table of numbers.
@@ -245,8 +281,11 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
             break;
         }
         default:
-            check_options(record.format, options, record.name);
+            // an archive of something else is named by its reader
+            if (record.format != SurfaceFormat::x3p || bytes.find("main.xml") < bytes.size())
+                check_options(record.format, options, record.name);
             found = read_binary(record.format, bytes, record.name, options);
+            warn_of_second_file(record.format, bytes, found.record);
             if (found.map.rows == 1) parts::located({.file = record.name}, [&] { validate_map(found.map, 16); });
     }
     record.details = found.record.sentences();

@@ -164,6 +164,9 @@ constexpr std::string_view without_blanks(std::string_view text) {
 /// nullptr when there is none.
 const Unit* find_unit(std::string_view text, Dimension dimension);
 
+/// Whether \p text is a unit of something else than a length, as deg, mV, urad or nm/V is.
+bool measures_no_length(std::string_view text);
+
 const Unit& require_unit(std::string_view text, Dimension dimension);
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -3,6 +3,8 @@
 
 #include <fstiff/core/error.hpp>
 
+#include <vector>
+
 namespace fstiff::inline v0_1::io {
 
 namespace detail {
@@ -35,6 +37,11 @@ std::string canonical_unit(std::string_view unit) {
     unit = without_blanks(unit);
     std::string spelt;
     while (!unit.empty()) {
+        if ((unit[0] >= 'a' && unit[0] <= 'z') || (unit[0] >= 'A' && unit[0] <= 'Z')) {  // no spelling begins so
+            spelt += unit[0];
+            unit.remove_prefix(1);
+            continue;
+        }
         std::string_view next = unit.substr(0, 1);
         std::size_t taken = 1;
         for (const Spelling& s : spellings)
@@ -56,18 +63,55 @@ std::string canonical_unit(std::string_view unit) {
 }  // namespace
 
 const Unit* find_unit(std::string_view text, Dimension dimension) {
+    static const std::vector<std::string> names = [] {  // of `units`; text may be searched for units at every word
+        std::vector<std::string> all;
+        for (const Unit& unit : units) all.push_back(canonical_unit(unit.name));
+        return all;
+    }();
+    constexpr std::size_t longest = 40;  // with blanks, superscripts and brackets
+    text = without_blanks(text);
+    if (text.size() > longest) return nullptr;
     const std::string wanted = canonical_unit(text);
     if (wanted.empty()) return nullptr;
     const std::string lower = wanted.size() > 3 ? lower_case(wanted) : std::string();
     std::string word = lower;
     if (word.size() > 4 && word.back() == 's') word.pop_back();  // plural
-    for (const Unit& unit : units)
-        if (unit.dimension == dimension) {
-            const std::string name = canonical_unit(unit.name);
-            if (name == wanted || (name.size() > 3 && name == lower_case(name) && (name == word || name == lower)))
-                return &unit;
-        }
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const std::string& name = names[i];
+        if (units[i].dimension != dimension) continue;
+        if (name == wanted || ((name == word || name == lower) && name.size() > 3 && name == lower_case(name)))
+            return &units[i];
+    }
     return nullptr;
+}
+
+bool measures_no_length(std::string_view text) {
+    // those that the table of units lacks; the symbols after a prefix too
+    static constexpr std::array<std::string_view, 16> symbols{"V", "A", "C",  "F",  "W",  "J",   "T",   "S",
+                                                              "s", "N", "Hz", "Pa", "eV", "rad", "deg", "Ohm"};
+    static constexpr std::array<std::string_view, 18> names{
+        "%",       "dB",     "degc",    "\xC2\xB0\x43", "degrees", "radians", "volt",   "volts",  "ampere",
+        "amperes", "newton", "newtons", "hertz",        "percent", "seconds", "arcsec", "arcmin", "kelvin"};
+    const std::string unit = canonical_unit(text);
+    if (unit.empty() || is_unit(text, Dimension::length)) return false;
+    for (const Unit& one : units)
+        if (one.dimension != Dimension::length && find_unit(text, one.dimension)) return true;
+    const auto has = [](const auto& list, std::string_view word) {
+        return std::find(list.begin(), list.end(), word) != list.end();
+    };
+    if (has(names, unit) || has(names, lower_case(unit)) || has(symbols, unit)) return true;
+    if (std::string_view("pnumk").find(unit[0]) != std::string_view::npos && has(symbols, unit.substr(1))) return true;
+    for (const std::string_view prefix : {"micro", "milli", "nano", "kilo"})
+        if (unit.starts_with(prefix) && measures_no_length(unit.substr(prefix.size()))) return true;
+    const auto measures = [](std::string_view part) {
+        return part == "1" || is_unit(part, Dimension::length) || measures_no_length(part);
+    };
+    if (const std::size_t over = unit.find('/'); over != std::string::npos)
+        return (over == 0 || measures(std::string_view(unit).substr(0, over))) &&
+               measures(std::string_view(unit).substr(over + 1));
+    const std::string_view base = std::string_view(unit).substr(0, unit.size() - 1);
+    return (unit.back() == '2' || unit.back() == '3') &&
+           measures(base.ends_with('-') ? base.substr(0, base.size() - 1) : base);
 }
 
 const Unit& require_unit(std::string_view text, Dimension dimension) {

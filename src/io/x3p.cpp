@@ -209,10 +209,9 @@ private:
     void set(std::size_t index, double number) {
         double height = number * z_increment_;
         if (z_offset_ != 0) height += z_offset_;
-        if (std::isinf(height))
-            refuse_file(name_,
-                        {"height ", index + 1, " is infinite; must be finite, or NaN where the point is missing"});
-        map_.heights[index] = height;
+        if (std::isinf(height) && !std::isinf(number))
+            refuse_file(name_, {"height ", index + 1, " is beyond the range of double precision; must be within it"});
+        map_.heights[index] = std::isinf(height) ? missing : height;  // infinity marks missing points of Alicona
     }
 
     /// The file of the archive that \p node names, relative to main.xml.
@@ -281,7 +280,7 @@ private:
             double number = missing;
             if (!text.empty() && !is_missing_word(text)) {
                 const auto cell = number_in(text, false);
-                if (!cell)
+                if (!cell || std::isinf(*cell))
                     refuse_file(name_, {"height ", index + 1, " is ", shown_cell(text),
                                         "; must be a decimal number, or nothing where the point is missing"});
                 number = *cell;

@@ -34,6 +34,7 @@ TEST_CASE("A map of Alicona is float32 in metres at the place of its tag, in row
     CHECK(narrow.map.at(1, 1) == read(whole).map.at(1, 1));
     CHECK(read(with("InvalidPixelValue", "NaN")).map.at(1, 2) == -1);
     CHECK(read(put(whole, 700, little(std::nanf("")))).record.missing == 2);
+    CHECK(read(put(whole, 700, little(INFINITY))).record.missing == 2);
 }
 
 TEST_CASE("Files of Alicona that cannot be meant are refused with tag, value and range") {
@@ -50,7 +51,6 @@ TEST_CASE("Files of Alicona that cannot be meant are refused with tag, value and
     CHECK(contains(refusal(with("DepthImageOffset", "0")), "holds no depth image"));
     CHECK(contains(refusal(with("PixelSizeXMeter", "0")), "PixelSizeXMeter = 0: must be finite"));
     CHECK(contains(refusal(with("PixelSizeYMeter", "-1")), "PixelSizeYMeter = -1"));
-    CHECK(contains(refusal(put(whole, 700, little(INFINITY))), "holds infinity in row 1, column 1"));
 }
 
 }  // namespace al3d_test

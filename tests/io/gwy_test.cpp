@@ -132,7 +132,7 @@ TEST_CASE("Files of Gwyddion that cannot be meant are refused with component, va
     CHECK(has(refusal(file(channel(0, {.width = 0}))), "xreal = 0"));
     CHECK(has(refusal(file(channel(0, {.height = nan}))), "yreal = nan"));
     CHECK(has(refusal(file(channel(0, {.lateral = "s"}))), "no channel in units of length"));
-    CHECK(has(refusal(file(channel(0, {.values = {1, infinity, 3, 4, 5, 6}}))), "infinity in row 1, column 2"));
+    CHECK(std::isnan(read(file(channel(0, {.values = {1, infinity, 3, 4, 5, 6}}))).map.at(0, 1)));
     CHECK(has(refusal(file(channel(0, {.values = {1, 1, 1, 1, 1, 1}}))), "constant height"));
     std::string typed = file(channel(0));
     typed.replace(typed.find("xres\0i"s) + 5, 1, "d");

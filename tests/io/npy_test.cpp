@@ -127,7 +127,7 @@ TEST_CASE("Units and steps are asked for, and taken in one way only") {
     CHECK(has(test::refusal([&] { (void)io::read_surface(bytes, "file", {.column = 2}); }), "no use for column"));
 }
 
-TEST_CASE("Missing points are NaN and the number given, a number that looks like one is refused, and so is infinity") {
+TEST_CASE("Missing points are NaN, infinity and the number given, and a number that looks like one is refused") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
     CHECK(read(file(header("<f8"), bytes_of<double>({1, nan, 3, 4, 5, 6}))).record.missing == 1);
     const std::string marked = file(header("<i4"), bytes_of<std::int32_t>({1, -9999, 3, -9999, 5, 6}));
@@ -138,7 +138,7 @@ TEST_CASE("Missing points are NaN and the number given, a number that looks like
     CHECK(std::isnan(read(marked, options).map.at(1, 0)));
     options.missing = "none";
     CHECK(read(marked, options).record.missing == 0);
-    CHECK(has(refusal(file(header("<f8"), bytes_of<double>({1, 2, 3, 4, -infinite, 6}))), "row 2, column 2"));
+    CHECK(std::isnan(read(file(header("<f8"), bytes_of<double>({1, 2, 3, 4, -infinite, 6}))).map.at(1, 1)));
     CHECK(has(refusal(file(header("<f8"), bytes_of<double>({1, 1, 1, 1, 1, 1}))), "constant height"));
 }
 

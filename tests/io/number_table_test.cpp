@@ -29,7 +29,6 @@ TEST_CASE("the header ends at the first row of numbers, whose signs hold for all
     CHECK(table.dialect.decimal_comma);
     CHECK(table.values == std::vector<double>{1, 2, 3.5, 4});
     CHECK(table.row_lines == std::vector<std::size_t>{3, 4});
-    CHECK(table.line_count == 4);
     fstiff::io::Record record;
     table.say_layout(record);
     CHECK(record.sentences() == std::vector<std::string>{"separator: semicolon, decimal comma", "header: 2 lines"});
