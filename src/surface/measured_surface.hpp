@@ -46,11 +46,11 @@ struct MeasuredSurface {
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                               const ProgressHook& progress = {});
 
-/// Several files or arrays of one surface, pooled (measured/pooled_surface.hpp): \p count parts, which \p measure
-/// measures, which messages call a \p noun, and which can be measured \p again. One is that of measure_surface(). A part
-/// that is there twice, by its SHA-256, counts once, with a warning.
-/// \throws domain_error for parts of unlike kinds, or whose steps differ without one lambda_s.
+/// Measures one part of a surface, by its place.
 using MeasurePart = std::function<MeasuredSurface(MeasureOptions, std::size_t)>;
+/// \p count files or arrays of one surface, pooled (measured/pooled_surface.hpp). Messages call each a \p noun; unless
+/// \p again they are measured once. One is that of measure_surface(); one that is there twice, by its SHA-256, counts
+/// once, with a warning. \throws domain_error for parts of unlike kinds, or whose steps differ without one lambda_s.
 [[nodiscard]] MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const MeasurePart& measure,
                                             const std::string& noun = "file", bool again = true);
 /// The same of files, without_folders(). \throws as both.
