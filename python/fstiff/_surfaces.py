@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import atexit
 import functools
 import hashlib
 import json
@@ -372,6 +373,9 @@ class Parameter(NamedTuple):
 def _measured_again(state: bytes) -> _core.Measured:
     options, files, contents, arrays = pickle.loads(state)
     return _core.measure(options, files, contents, [_core.Heights(*one) for one in arrays]).measured
+
+
+atexit.register(_measured_again.cache_clear)  # else nanobind reports what Python never frees
 
 
 class Origin:

@@ -8,6 +8,8 @@ import multiprocessing
 import os
 import pathlib
 import pickle
+import subprocess
+import sys
 import threading
 import warnings
 
@@ -187,11 +189,16 @@ def test_a_measurement_is_pickled_and_copied_with_all_its_numbers(kind, trace, r
     assert pickle.loads(pickle.dumps(contact)).at_pressures(1e7) == contact.at_pressures(1e7)
 
 
-def test_another_process_gets_a_measurement(trace):
+def test_another_process_gets_a_measurement(trace, tmp_path):
     measured = fstiff.measure(trace, spacing=5e-7)
     with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
         of_pool = [task.result() for task in [pool.submit(fstiff.run, surface=measured) for _ in range(2)]]
     assert of_pool[0] == of_pool[1] == fstiff.run(surface=measured)
+    (tmp_path / "measured.pickle").write_bytes(pickle.dumps(measured))
+    program = "import pickle, fstiff; print(fstiff.run(surface=pickle.load(open('measured.pickle', 'rb'))).answer)"
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, encoding="utf-8",
+                          env={**os.environ, "PYTHONUTF8": "1"})
+    assert (done.stdout, done.stderr) == (f"{of_pool[0].answer}\n", "")
 
 
 def test_a_pickle_holds_what_was_measured_not_what_came_later(trace, tmp_path):
