@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _core
 from ._results import Table, axes, frame, label_axes, shown, text_table
-from ._surfaces import metres
+from ._surfaces import Measurement, metres, warn_of_height
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._results import Numbers
-    from ._surfaces import Length, Measurement, Source
+    from ._surfaces import Length, Source
 
     Outside = Literal["refuse", "clamp", "exact", "extrapolate"]
 
@@ -28,7 +29,9 @@ def law_names() -> list[str]:
 
 def effective_modulus(youngs_modulus: float, poisson_ratio: float, youngs_modulus2: float, poisson_ratio2: float) -> float:
     """Effective modulus [Pa] of two bodies: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, with Young's moduli in Pa."""
-    return _core.effective_modulus(youngs_modulus, poisson_ratio, youngs_modulus2, poisson_ratio2)
+    given = {"youngs_modulus": youngs_modulus, "poisson_ratio": poisson_ratio}
+    given |= {"youngs_modulus2": youngs_modulus2, "poisson_ratio2": poisson_ratio2}
+    return _core.effective_modulus(*(_number(value, name) for name, value in given.items()))
 
 
 def numbers(values: npt.ArrayLike, name: str) -> Numbers:
@@ -38,6 +41,8 @@ def numbers(values: npt.ArrayLike, name: str) -> Numbers:
     array = np.asarray(values)
     if array.dtype.kind not in "fiub":
         raise ValueError(f"{name}: must be real numbers, not {array.dtype}")
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name}: must not be masked; compressed() of the array leaves these points out")
     return np.asarray(array, dtype=np.float64, order="C")
 
 
@@ -119,7 +124,8 @@ class Contact:
     r, theta            of the joint distribution of heights and curvatures [1, rad]; both must be given for a law that
                         takes it, and r = 0 means that heights and curvatures are independent
     fractal_dimension   D of a profile, 1 to 2, for the fractal laws
-    rms_gradient, max_peak_height   of the surface [1, m]; None where not known
+    rms_gradient, max_peak_height   of the surface [1, m]; None where not known. "hybrid" and "persson" need no peaks with
+                        rms_gradient: alpha, H and they are then the middle of what a scene assumes
     skewness, kurtosis  of the heights, which the hybrid law takes; both or none, kurtosis 3 of Gaussian heights
     poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws, which name what they need
     interaction         "none", "effective_separation" or "as_printed", over interaction_length [m]
@@ -174,13 +180,19 @@ class Contact:
         known = [name for name, value in of_surface.items() if value is not None]
         if surface is not None and known:
             raise ValueError(f"{known[0]}: must not be given with surface, which has it")
-        missing = [name for name in ("rms_height", "peak_radius", "peak_density") if name not in known]
+        follow = ("peak_radius", "peak_density") if law in ("hybrid", "persson") and rms_gradient is not None else ()
+        missing = [name for name in ("rms_height", "peak_radius", "peak_density") if name not in (*known, *follow)]
         if surface is None and missing:
             raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface")
         given = {name: _number(value, name) for name, value in {**of_surface, **of_bodies}.items() if value is not None}
+        if surface is not None and not isinstance(surface, Measurement):
+            raise ValueError(f"surface: must be what measure() returned, not of type {type(surface).__name__}")
         measured = None if surface is None else surface._measured
         self._core = _core.Contact.of_numbers(law, given, interaction, measured)
         self._recipe = (_remade, (law, given, interaction, surface))
+        warn_of_height(given.get("rms_height", 0.0))
+        if given["effective_modulus"] < 1e3:
+            warnings.warn(f"effective_modulus of {shown(given['effective_modulus'])} Pa: below 1 kPa; it is in Pa", stacklevel=2)
 
     @property
     def law(self) -> str:
@@ -388,7 +400,7 @@ def hybrid(surface: Source, pressures: npt.ArrayLike, *, effective_modulus: floa
 
     `surface` is a Measurement, or what measure() takes with `options`; `pressures` [Pa], `effective_modulus` [Pa].
     """
-    from ._surfaces import Measurement, measure
+    from ._surfaces import measure
 
     measured = surface if isinstance(surface, Measurement) and not options else measure(surface, **options)
     return Contact("hybrid", surface=measured, effective_modulus=effective_modulus).at_pressures(pressures)

@@ -14,8 +14,11 @@ FileError.__module__ = "fstiff"
 
 
 def named(file: str | os.PathLike[str], what: str) -> str:
-    """The name of a file; ValueError where it is empty, which would else be taken for no file at all."""
-    name = os.fspath(file)
+    """The name of a file; ValueError where it is none, or empty, which would else be taken for no file at all."""
+    if not isinstance(file, (str, os.PathLike)):
+        way_out = "; measure() takes arrays and returns what has this place" if what == "surface" else ""
+        raise ValueError(f"{what}: must name a file, not be of type {type(file).__name__}{way_out}")
+    name = os.fsdecode(file)
     if not name:
         raise ValueError(f"{what}: is an empty text; must name a file")
     return name

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     import pandas as pd
     from typing_extensions import TypeAlias
 
+    from ._scenes import Given
+
     Curve: TypeAlias = Union[str, os.PathLike[str], Mapping[str, npt.ArrayLike]]
     Amount: TypeAlias = Union[float, str]
 
@@ -70,7 +72,7 @@ class Ultrasound(Document):
 
 
 def identify(
-    scene: Scene | str | os.PathLike[str] | None,
+    scene: Scene | Given,
     measured: Curve,
     fit: Sequence[str],
     *,

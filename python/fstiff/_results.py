@@ -33,9 +33,25 @@ class Table(Mapping[str, Value]):
     def __len__(self) -> int:
         return len(self._values)
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Mapping) and _same(dict(self), dict(other))
+
     def _repr_html_(self) -> str:
         """What a notebook shows: the text of repr(), its table as a table."""
         return html_of(repr(self))
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether two values are the same, arrays by their numbers; NaN is NaN."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(_same(one[key], other[key]) for key in one)
+    if isinstance(one, list) and isinstance(other, list):
+        return len(one) == len(other) and all(map(_same, one, other))
+    if hasattr(one, "dtype"):
+        import numpy as np
+
+        return np.array_equal(one, other, equal_nan=one.dtype.kind == "f")
+    return bool(one == other)
 
 
 def shown(value: float, digits: int = 4) -> str:
@@ -51,7 +67,7 @@ def text_table(rows: list[list[str]]) -> str:
     """Columns of text, the first at the left, under one header line."""
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     return "\n".join(
-        "  " + "  ".join(cell.rjust(width) if i else cell.ljust(width) for i, (cell, width) in enumerate(zip(row, widths)))
+        ("  " + "  ".join(cell.rjust(width) if i else cell.ljust(width) for i, (cell, width) in enumerate(zip(row, widths)))).rstrip()
         for row in rows
     )
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Literal
+import re
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Literal, Union
 
 from . import _core
 from ._contacts import Contact
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     import pandas as pd
     from matplotlib.axes import Axes
+    from typing_extensions import TypeAlias
+
+    Given: TypeAlias = Union[str, os.PathLike[str], Mapping[str, Any], None]
 
 
 class Answer(Table["npt.NDArray[Any]"]):
@@ -32,9 +36,10 @@ class Answer(Table["npt.NDArray[Any]"]):
     outside_band   what the band does not hold
     """
 
-    def __init__(self, document: dict[str, Any]) -> None:
+    def __init__(self, document: dict[str, Any], table: list[list[str]]) -> None:
         import numpy as np
 
+        self._table = table
         self.rows: list[dict[str, Any]] = document["answer"]
         self.causes: list[dict[str, float]] = [row["causes"] for row in self.rows]
         self.explanation: list[str] = document["explanation"]
@@ -47,14 +52,8 @@ class Answer(Table["npt.NDArray[Any]"]):
         return frame(dict(self))
 
     def __repr__(self) -> str:
-        rows = [["p [MPa]", "K/A0 [GPa/µm]", "5 %", "95 %", "law", "band due to"]]
-        for row in self.rows:
-            K = [shown(row[f"stiffness{end}_Pa_per_m"] * 1e-15, 3) for end in ("", "_p05", "_p95")]
-            causes = sorted(row["causes"].items(), key=lambda one: -one[1])
-            due = ", ".join(f"{cause} {share:.0%}" for cause, share in causes if share >= 0.1)
-            rows.append([shown(row["pressure_Pa"] * 1e-6), *K, row["law"], due])
         sentences = [*self.explanation, self.outside_band] if self.rows else ["no law answers"]
-        return f"<fstiff.Answer>\n{text_table(rows)}" + "".join(f"\n{one}" for one in sentences)
+        return f"<fstiff.Answer>\n{text_table(self._table)}" + "".join(f"\n{one}" for one in sentences)
 
 
 class Curves(Table["npt.NDArray[Any]"]):
@@ -78,7 +77,7 @@ class Curves(Table["npt.NDArray[Any]"]):
         self._curves: list[tuple[str, float | None, float | None, int]] = found["curves"]
         self.name = name
         self.warnings: list[str] = found["warnings"]
-        self.answer = Answer(json.loads(found["document"]))
+        self.answer = Answer(json.loads(found["document"]), found["answer_table"])
         self.explanation = self.answer.explanation
         self._best: bool = found["best"]
         self.effective_modulus: float = found["effective_modulus"]
@@ -127,25 +126,65 @@ class Curves(Table["npt.NDArray[Any]"]):
         )
 
 
+def _toml(value: Any, key: str, depth: int = 0) -> str:
+    """A dict as TOML; `key` is the path to `value` in messages."""
+    if depth > 50:
+        raise ValueError(f"{key[:60]}...: must not be nested more than 50 deep")
+    if isinstance(value, Table):
+        raise ValueError(f"{key}: must not be a {type(value).__name__}; surface= takes what measure() returned")
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    if isinstance(value, str):
+        return json.dumps(value.encode().decode(), ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, int) and abs(value) < 2**63:
+        return str(int(value))
+    if isinstance(value, float):
+        return repr(float(value))
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_toml(one, f"{key}[{i}]", depth + 1) for i, one in enumerate(value)) + "]"
+    if not isinstance(value, Mapping):
+        raise ValueError(f"{key} = {value!r:.60}: must be a number, a text, a list, or a dict of them")
+    lines = []
+    for name, one in value.items():
+        path = f"{key}.{name}" if depth else f"{key}: {name}"
+        if not isinstance(name, str):
+            raise ValueError(f"{path}: its name must be a text")
+        if one is not None:
+            lines.append(f"{_toml(name, path)} = {_toml(one, path, depth + 1)}")
+    return "{" + ", ".join(lines) + "}" if depth else "\n".join([*lines, ""]) or "\n"
+
+
 class Scene:
     """A scene (docs/scene.md): what is in contact, and what is asked.
 
-    scene     a file, or the text of one: a str with a line end is a text; None is the built-in scene
+    scene     a file, or the text of one: a str with a line end is a text; or a dict with the keys of one, as its TOML has them,
+              in which None is a key that is left out; None is the built-in scene
     surface   a file of a surface, or what measure() returned, in place of [surface] and contact.peaks
 
     What is wrong with it raises ValueError, with its line and key.
     """
 
-    def __init__(
-        self, scene: str | os.PathLike[str] | None = None, *, surface: str | os.PathLike[str] | Measurement | None = None
-    ) -> None:
+    def __init__(self, scene: Given = None, *, surface: str | os.PathLike[str] | Measurement | None = None) -> None:
+        text = scene if isinstance(scene, str) and "\n" in scene else ""
+        is_dict = isinstance(scene, Mapping)
+        if isinstance(scene, Mapping):
+            scene = text = _toml(scene, "scene")
         self._made_of = (scene, surface)
         measured = surface._measured if isinstance(surface, Measurement) else None
         file = "" if surface is None or isinstance(surface, Measurement) else named(surface, "surface")
         if scene is None:
             self._core = _core.Scene.of_text(_core.builtin_scene, "built-in scene", file, measured)
-        elif isinstance(scene, str) and "\n" in scene:
-            self._core = _core.Scene.of_text(scene, "scene", file, measured)
+        elif text:
+            try:
+                self._core = _core.Scene.of_text(text, "scene", file, measured)
+            except ValueError as error:
+                if not is_dict:
+                    raise
+                raise type(error)(re.sub(r"^scene:\d+: ", "scene: ", str(error))) from None  # a dict has no lines
         else:
             self._core = _core.Scene.of_file(named(scene, "scene"), file, measured)
 
@@ -191,14 +230,12 @@ def _contact_of(scene: Any, surface: Any, law: str | None, peaks: int) -> Contac
     return Scene(scene, surface=surface).contact(law, peaks)
 
 
-def run(
-    scene: str | os.PathLike[str] | None = None, *, surface: str | os.PathLike[str] | Measurement | None = None
-) -> Curves:
-    """The curves of a scene, a file or a text, as `fstiff run` computes them; see Scene and Curves."""
-    return Scene(scene, surface=surface).run()
+def run(scene: Scene | Given = None, *, surface: str | os.PathLike[str] | Measurement | None = None) -> Curves:
+    """The curves of a scene, a file, a text or a dict, as `fstiff run` computes them; see Scene and Curves."""
+    return scene_of(scene, surface).run()
 
 
-def scene_of(scene: Scene | str | os.PathLike[str] | None, surface: str | os.PathLike[str] | Measurement | None) -> Scene:
+def scene_of(scene: Scene | Given, surface: str | os.PathLike[str] | Measurement | None) -> Scene:
     """The scene that a function was given, or what Scene() takes."""
     if not isinstance(scene, Scene):
         return Scene(scene, surface=surface)
@@ -219,7 +256,7 @@ class Export(str):
 
 
 def export(
-    scene: Scene | str | os.PathLike[str] | None = None,
+    scene: Scene | Given = None,
     to: Literal["calculix", "abaqus", "moose", "comsol", "law"] = "calculix",
     *,
     units: str | None = None,

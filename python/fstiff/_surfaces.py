@@ -3,9 +3,14 @@
 
 from __future__ import annotations
 
+import atexit
+import functools
+import hashlib
 import json
 import os
-from collections.abc import Sequence
+import pickle
+import warnings
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Union
 
 from . import _core
@@ -22,6 +27,7 @@ if TYPE_CHECKING:
 
     Source: TypeAlias = Union["Surface", npt.ArrayLike, str, os.PathLike[str], Sequence[Union[str, os.PathLike[str]]], Any]
     Length: TypeAlias = Union[float, str]
+    Part: TypeAlias = tuple[Numbers, float, float, str, str]
 
 
 class SurfaceOptions(TypedDict, total=False):
@@ -82,6 +88,13 @@ def metres(value: Any, name: str) -> float:
     return _core.parse_length(value, name)
 
 
+def warn_of_height(sigma: float) -> None:
+    """Warns of an rms height [m] that was given in another unit."""
+    if sigma > 1e-3:
+        sentence = f'rms height of {shown(sigma)} m: above 1 mm; lengths are numbers in m, or texts such as "0.8 um"'
+        warnings.warn(sentence, stacklevel=3)
+
+
 class Surface:
     """Heights of a surface [m]: a profile (1-D) of equal spacing, or a map (2-D, rows along y).
 
@@ -102,15 +115,25 @@ class Surface:
         array: Any = heights
         if isinstance(array, np.ma.MaskedArray):
             array = np.ma.filled(array.astype(np.float64), np.nan)
-        array = np.asarray(array)
+        try:
+            array = np.asarray(array)
+            if array.dtype.kind == "O":  # None is missing
+                array = array.astype(np.float64)
+        except (TypeError, ValueError):
+            raise ValueError(
+                f"{name}: must be real numbers, the rows of a map equally long; several traces are a list of 1-D arrays"
+            ) from None
         if array.dtype.kind not in "fiu":
-            raise ValueError(f"heights: must be real numbers, not {array.dtype}")
+            raise ValueError(f"{name}: must be real numbers, not {array.dtype}")
         self.heights: Numbers = np.asarray(array, dtype=np.float64, order="C")
         self.name = name
         self.decisions: list[str] = []
         self.warnings: list[str] = []
         if self.heights.ndim not in (1, 2):
-            raise ValueError(f"heights have {self.heights.ndim} dimensions: must have 1 (a profile) or 2 (a map)")
+            raise ValueError(f"{name} have {self.heights.ndim} dimensions: must have 1 (a profile) or 2 (a map)")
+        of_array: Any = spacing
+        if hasattr(of_array, "tolist"):  # of NumPy
+            spacing = of_array.tolist()
         if isinstance(spacing, (tuple, list)):
             if len(spacing) != 2:
                 raise ValueError("spacing: must be one length, or (dx, dy)")
@@ -251,8 +274,8 @@ def options_of(options: dict[str, Any]) -> dict[str, Any]:
     return made
 
 
-def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], list[str], _core.Heights]:
-    """Options, files and heights of what a function was given; `own` are the options of that function."""
+def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], list[str], list[Part]]:
+    """Options of what a function was given, and its files or its arrays; `own` are the options of that function."""
     unknown = set(options) - set(SurfaceOptions.__annotations__)
     if unknown:
         raise TypeError(f"unexpected keyword argument: {', '.join(sorted(unknown))}")
@@ -264,24 +287,51 @@ def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict
     if files:
         if isinstance(options.get("spacing"), (tuple, list)):
             raise ValueError("spacing: of a file must be one length; dx and dy are of a map")
-        return options_of({**options, **own, "file": files[0]}), files, _core.Heights(None, 0.0, 0.0, "")
+        return options_of({**options, **own, "file": files[0]}), files, []
     useless = OF_FILES & set(options)
     if useless:
         raise ValueError(f"{sorted(useless)[0]}: is an option of files; must not be given for an array")
-    steps = {name: options.pop(name) for name in ("spacing", "dx", "dy") if name in options}
+    steps: dict[str, Any] = {name: options.pop(name) for name in ("spacing", "dx", "dy") if name in options}
+    if _are_several(source, steps):
+        parts = [_part(one, steps, f"heights[{i}]") for i, one in enumerate(source)]
+    else:
+        parts = [_part(source, steps, "heights")]
+    return options_of({**options, **own, "file": parts[0][3]}), [], parts
+
+
+def _are_several(source: Any, steps: dict[str, Any]) -> bool:
+    """Whether a list holds arrays or surfaces; 1-D arrays with two distances of points are the rows of one map."""
+    if not isinstance(source, (list, tuple)):
+        return False
+    sides = [getattr(one, "ndim", 0) for one in source]
+    of_map = steps.get("dy") is not None or isinstance(steps.get("spacing"), (tuple, list))
+    return any(hasattr(one, "heights") for one in source) or max(sides, default=0) > (1 if of_map else 0)
+
+
+def _part(source: Any, steps: dict[str, Any], name: str) -> Part:
+    """Heights, dx, dy, name and origin of one array or surface."""
     origin = "an array"
     if isinstance(source, Surface):
         surface = source
+        name = name if surface.name == "heights" else surface.name
     elif hasattr(source, "heights") and hasattr(source, "physical_sizes"):
-        surface = surface_of_topography(source, "topography")
+        name = name.replace("heights", "topography")
+        surface = surface_of_topography(source, name)
         origin = "a topography of SurfaceTopography"
+    elif isinstance(source, Mapping):
+        raise ValueError(f"{name}: must be an array or a list of arrays, not of type {type(source).__name__}")
     else:
-        surface = Surface(source, **steps)
+        surface = Surface(source, name=name, **steps)
         steps = {}
     if steps:
         raise ValueError(f"{next(iter(steps))}: must not be given for a surface that has its own")
-    heights = _core.Heights(surface.heights, surface.dx, surface.dy or 0.0, origin)
-    return options_of({**options, **own, "file": surface.name}), [], heights
+    if surface.dy is not None and min(surface.heights.shape) < 3:
+        shape = " x ".join(map(str, surface.heights.shape))
+        raise ValueError(
+            f"{name}: {shape} points are no map, which has at least 3 rows and 3 columns; a profile is a 1-D array, "
+            "several traces are a list of them"
+        )
+    return surface.heights, surface.dx, surface.dy or 0.0, name, origin
 
 
 def _with_arrays(value: Any) -> Any:
@@ -321,15 +371,60 @@ class Parameter(NamedTuple):
     unit: str
 
 
+@functools.lru_cache(maxsize=2)
+def _measured_again(state: bytes) -> _core.Measured:
+    options, files, contents, arrays = pickle.loads(state)
+    return _core.measure(options, files, contents, [_core.Heights(*one) for one in arrays]).measured
+
+
+atexit.register(_measured_again.cache_clear)  # else nanobind reports what Python never frees
+
+
+class Origin:
+    """What was measured, and what it was measured of: options, files with their paths and SHA-256, arrays; or a pickle of it.
+
+    A pickle holds the arrays, or the contents of the files. They are measured again where they are needed, with the same
+    numbers; a process does it once, however often it loads them.
+    """
+
+    def __init__(self, of: Any, measured: _core.Measured | None = None) -> None:
+        self._of, self._measured = of, measured
+
+    def measured(self) -> _core.Measured:
+        if self._measured is None:
+            self._measured = _measured_again(self._of)
+        return self._measured
+
+    def __deepcopy__(self, _: Any) -> Origin:
+        return self  # nothing changes it
+
+    def __reduce__(self) -> tuple[type[Origin], tuple[bytes]]:
+        if not isinstance(self._of, bytes):
+            options, files, paths, hashes, arrays = self._of
+            contents = [_content_of(path, hashes) for path in paths]
+            self._of = pickle.dumps((options, files, contents, arrays))
+        return Origin, (self._of,)
+
+
+def _content_of(path: str, hashes: set[str]) -> bytes:
+    with open(path, "rb") as file:
+        content = file.read()
+    if hashlib.sha256(content).hexdigest() not in hashes:
+        raise FileError(f"{path}: has changed since it was measured; measure it again")
+    return content
+
+
 class Measurement(Document):
     """What `fstiff measure` finds of a surface: the keys of its JSON. Scene, run() and Contact take it as their surface.
 
     The parameters of ["surface"] are attributes too: `measured.rms_height.value`, `measured.r.error`.
     """
 
-    def __init__(self, found: _core.Found) -> None:
-        super().__init__(found)
-        self._measured = found.measured
+    _origin: Origin
+
+    @property
+    def _measured(self) -> _core.Measured:
+        return self._origin.measured()
 
     def __getattr__(self, name: str) -> Parameter:
         surface = self.__dict__.get("_values", {}).get("surface", {})
@@ -455,23 +550,31 @@ def measure(
 ) -> Measurement:
     """Every parameter of a scene's surface, with errors, as `fstiff measure` finds them.
 
-    surface     a 1-D or 2-D array of heights [m] with `spacing`, a Surface, a topography of SurfaceTopography, a file, or
-                several files of one surface, which are pooled
+    surface     a 1-D or 2-D array of heights [m] with `spacing`, a Surface, a topography of SurfaceTopography or a file; or
+                a list of several of one surface, which are pooled: files, or arrays such as the 1-D arrays of traces
     peaks       of a map, for R and D_p: its islands (default) or its summits
     window      shortest and longest lag that give D [m]; None chooses them
     resamples   for the standard errors, 400 by default, drawn with `seed`
     options     see SurfaceOptions
     """
     own = {"peaks": peaks, "window": window, "resamples": resamples, "seed": seed}
-    made, files, heights = _of(surface, dict(options), own)
-    return Measurement(_core.measure(made, files, heights))
+    made, names, arrays = _of(surface, dict(options), own)
+    files = _core.without_folders(names)
+    found = _core.measure(made, files, [], [_core.Heights(*one) for one in arrays])
+    measured = Measurement(found)
+    hashes = {one["source"]["sha256"] for one in measured.get("files", [measured])}
+    kept = [(one[0].copy(), *one[1:]) for one in arrays]
+    measured._origin = Origin((made, files, [os.path.abspath(name) for name in files], hashes, kept), found.measured)
+    if arrays:
+        warn_of_height(measured.rms_height.value)
+    return measured
 
 
 def one_source(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], _core.Heights]:
-    made, files, heights = _of(source, options, own)
-    if len(files) > 1:
-        raise ValueError("files: must be one; measure() pools several")
-    return made, heights
+    made, files, arrays = _of(source, options, own)
+    if len(files) > 1 or len(arrays) > 1:
+        raise ValueError(f"{'files' if files else 'arrays'}: must be one; measure() pools several")
+    return made, _core.Heights(*arrays[0]) if arrays else _core.Heights(None, 0.0, 0.0, "", "")
 
 
 def fit(

@@ -84,6 +84,7 @@ nb::dict run(const Scene& scene) {
     all["bands"] = bands;
     all["curves"] = curves;
     all["warnings"] = results.warnings;
+    all["answer_table"] = results.answer ? answer_table(scene, results) : TextRows();
     all["document"] = run_document(scene, results).str();
     all["best"] = scene.best;
     all["effective_modulus"] = results.modulus;

@@ -50,11 +50,11 @@ SurfaceOptions surface_options(const Given& given) {
 
 namespace {
 
-/// Heights of the caller [m], and what a message calls them.
+/// Heights of the caller [m].
 struct Heights {
-    std::optional<In> array;  ///< none: a file
-    double dx = 0, dy = 0;    ///< [m]
-    std::string origin;
+    std::optional<In> array;   ///< none: a file
+    double dx = 0, dy = 0;     ///< [m]
+    std::string name, origin;  ///< in messages, and where they come from
 };
 
 /// Reads the file, or copies the heights. Without the GIL.
@@ -78,16 +78,26 @@ SurfaceInput input_of(const SurfaceOptions& options, const Heights& heights) {
         heights.origin);
 }
 
-Found measure(const nb::dict& options, const std::vector<std::string>& files, const Heights& heights) {
+/// Measures files, or what files called so \p contain, or \p arrays.
+Found measure(const nb::dict& options, const std::vector<std::string>& files, const std::vector<nb::bytes>& contents,
+              const std::vector<Heights>& arrays) {
     const Given given(options);
+    std::vector<std::string> bytes;
+    for (const nb::bytes& one : contents) bytes.emplace_back(one.c_str(), one.size());
     scene::MeasureOptions how;
     how.input = surface_options(given);
     given.whole("resamples", how.resamples, 2, 100000, "from 2 to 100000");
     given.whole("seed", how.seed, 0, Given::most_seed, "from 0 to 2^53 - 1");
     const nb::gil_scoped_release free;
-    const auto surface = std::make_shared<const MeasuredSurface>(
-        heights.array ? measure_surface(how, input_of(how.input, heights), until_interrupted())
-                      : measure_files(how, files, until_interrupted()));
+    const auto measure = [&](scene::MeasureOptions of, std::size_t i) {
+        of.input.file = arrays.empty() ? files[i] : arrays[i].name;
+        return arrays.empty() ? measure_surface(of, bytes[i], until_interrupted())
+                              : measure_surface(of, input_of(of.input, arrays[i]), until_interrupted());
+    };
+    const auto surface =
+        std::make_shared<const MeasuredSurface>(!arrays.empty()  ? measure_parts(how, arrays.size(), measure, "array")
+                                                : !bytes.empty() ? measure_parts(how, bytes.size(), measure)
+                                                                 : measure_files(how, files, until_interrupted()));
     return found(measure_json(how, *surface), surface->warnings, is_doubtful(*surface), surface);
 }
 
@@ -200,15 +210,16 @@ void add_surfaces(nb::module_& m) {
     nb::class_<Heights>(m, "Heights", "Where the heights are.")
         .def(
             "__init__",
-            [](Heights* self, std::optional<In> array, double dx, double dy, std::string origin) {
-                new (self) Heights{std::move(array), dx, dy, std::move(origin)};
+            [](Heights* self, std::optional<In> array, double dx, double dy, std::string name, std::string origin) {
+                new (self) Heights{std::move(array), dx, dy, std::move(name), std::move(origin)};
             },
-            nb::arg("array").none(), nb::arg("dx"), nb::arg("dy"), nb::arg("origin"));
+            nb::arg("array").none(), nb::arg("dx"), nb::arg("dy"), nb::arg("name"), nb::arg("origin"));
     nb::class_<Found>(m, "Found", "A document of the command.")
         .def_ro("json", &Found::json)
         .def_ro("doubtful", &Found::doubtful)
         .def_ro("measured", &Found::measured);
-    m.def("measure", &measure, nb::arg("options"), nb::arg("files"), nb::arg("heights"));
+    m.def("measure", &measure, nb::arg("options"), nb::arg("files"), nb::arg("contents"), nb::arg("arrays"));
+    m.def("without_folders", &without_folders, nb::arg("names"));
     m.def("fit", &fit, nb::arg("options"), nb::arg("heights"));
     m.def("islands", &islands, nb::arg("options"), nb::arg("heights"));
     m.def("spectrum", &spectrum, nb::arg("options"), nb::arg("heights"));

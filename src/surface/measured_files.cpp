@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several files of one surface as one.
+// Several files or arrays of one surface as one.
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
 #include "surface/measured_surface.hpp"
@@ -10,9 +10,7 @@
 #include <filesystem>
 
 namespace fstiff::scene {
-namespace {
 
-/// \p names with the files of a folder in its place.
 std::vector<std::string> without_folders(const std::vector<std::string>& names) {
     std::vector<std::string> files;
     for (const std::string& name : names) {
@@ -34,11 +32,15 @@ std::vector<std::string> without_folders(const std::vector<std::string>& names) 
     return files;
 }
 
-/// \throws domain_error unless \p one can be pooled with \p first.
-void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, const SurfaceOptions& options) {
+namespace {
+
+/// \throws domain_error unless \p one can be pooled with \p first; messages call both a \p noun.
+void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, const SurfaceOptions& options,
+                   const std::string& noun) {
     const auto shown = [](const std::optional<double>& a) { return a ? shown_length(*a) : std::string("none"); };
     const auto unlike = [&](const std::string& mine, const std::string& other, std::string_view option) {
-        return domain_error(one.file + ": " + mine + first.file + " " + other + "; files of " + std::string(option));
+        return domain_error(one.file + ": " + mine + first.file + " " + other + "; " + noun + "s of " +
+                            std::string(option));
     };
     const parts::CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
     switch (parts::unlikeness(first.found, one.found)) {
@@ -103,7 +105,7 @@ void gather_warnings(MeasuredSurface& whole) {
         }
 }
 
-MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
+MeasuredSurface pooled(std::vector<MeasuredSurface> parts, const std::string& noun) {
     MeasuredSurface whole;
     whole.parts = std::move(parts);
     whole.found = fstiff::pooled(found_of(whole.parts));
@@ -112,10 +114,10 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
     whole.file = names_of(whole.parts);
     whole.sha256 = sha256(hashes);
     whole.kind = whole.parts.front().kind;
-    whole.decisions = {std::to_string(whole.parts.size()) + " files pooled, each by its " +
+    whole.decisions = {std::to_string(whole.parts.size()) + " " + noun + "s pooled, each by its " +
                            (whole.is_profile() ? "length" : "area") + ": " + names_of(whole.parts),
                        sentence_of(whole.found.cut_offs),
-                       "errors: those of the files, or of their scatter by Student's t where it is greater"};
+                       "errors: those of the " + noun + "s, or of their scatter by Student's t where it is greater"};
     gather_warnings(whole);
     for (std::string& line : peak_warnings(whole.found.concerns, whole.found.peaks_counted, whole.found))
         if (std::count(whole.warnings.begin(), whole.warnings.end(), line) == 0)
@@ -125,32 +127,40 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
 
 }  // namespace
 
-MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& names,
-                              const ProgressHook& progress) {
-    const std::vector<std::string> files = without_folders(names);
+MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const MeasurePart& measure,
+                              const std::string& noun, bool again) {
     std::vector<MeasuredSurface> parts;
     std::vector<std::string> copies;  // warnings of them
-    const auto measure = [&] {
+    const auto measure_all = [&] {
         parts.clear(), copies.clear();
-        for (const std::string& file : files) {
-            options.input.file = file;
-            MeasuredSurface part = measure_surface(options, read_all(file), progress);
+        for (std::size_t i = 0; i < count; ++i) {
+            MeasuredSurface part = measure(options, i);
             const auto same = std::find_if(parts.begin(), parts.end(),
                                            [&](const MeasuredSurface& other) { return other.sha256 == part.sha256; });
             if (same == parts.end())
                 parts.push_back(std::move(part));
             else
-                copies.push_back(part.file + ": is the same file as " + same->file +
+                copies.push_back(part.file + ": is the same " + noun + " as " + same->file +
                                  ", byte for byte (SHA-256), and is not counted again");
         }
     };
-    measure();
-    const bool once = std::count(files.begin(), files.end(), "-") > 0;  // standard input is read once
-    if (!once && share_cut_offs(options.input, found_of(parts))) measure();
-    for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input);
-    MeasuredSurface whole = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts));
+    measure_all();
+    if (again && share_cut_offs(options.input, found_of(parts))) measure_all();
+    for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input, noun);
+    MeasuredSurface whole = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts), noun);
     whole.warnings.insert(whole.warnings.begin(), copies.begin(), copies.end());
     return whole;
+}
+
+MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<std::string>& names,
+                              const ProgressHook& progress) {
+    const std::vector<std::string> files = without_folders(names);
+    const auto measure = [&](MeasureOptions of_file, std::size_t i) {
+        of_file.input.file = files[i];
+        return measure_surface(of_file, read_all(files[i]), progress);
+    };
+    const bool again = std::count(files.begin(), files.end(), "-") == 0;  // standard input is read once
+    return measure_parts(options, files.size(), measure, "file", again);
 }
 
 }  // namespace fstiff::scene

@@ -8,6 +8,7 @@
 #include <fstiff/measured/measure.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,13 +46,19 @@ struct MeasuredSurface {
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                               const ProgressHook& progress = {});
 
-/// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder is all its files in the
-/// order of their names, without those that begin with a dot. One file is measure_surface(). A file that is there
-/// twice, by its SHA-256, counts once, with a warning.
-/// \throws domain_error for a folder without files, files of unlike kinds, or files whose steps differ without one
-/// lambda_s.
-[[nodiscard]] MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& names,
+/// Measures one part of a surface, by its place.
+using MeasurePart = std::function<MeasuredSurface(MeasureOptions, std::size_t)>;
+/// \p count files or arrays of one surface, pooled (measured/pooled_surface.hpp). Messages call each a \p noun; unless
+/// \p again they are measured once. One is that of measure_surface(); one that is there twice, by its SHA-256, counts
+/// once, with a warning. \throws domain_error for parts of unlike kinds, or whose steps differ without one lambda_s.
+[[nodiscard]] MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const MeasurePart& measure,
+                                            const std::string& noun = "file", bool again = true);
+/// The same of files, without_folders(). \throws as both.
+[[nodiscard]] MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<std::string>& names,
                                             const ProgressHook& progress = {});
+/// \p names with the files of a folder in its place, in the order of their names, without those that begin with a dot.
+/// \throws domain_error for a folder without files.
+[[nodiscard]] std::vector<std::string> without_folders(const std::vector<std::string>& names);
 
 /// Whether \p bytes look like the document of `fstiff measure`, not like a surface.
 [[nodiscard]] bool is_measured_document(std::string_view bytes);

@@ -367,3 +367,54 @@ def test_sensitivities_are_differences_of_the_contact():
     assert by["rms_height"] == pytest.approx(float(slope), rel=1e-6)
     with pytest.raises(ValueError, match="^sensitivity.*plain numbers"):
         fstiff.Scene().contact().sensitivity(1e7)
+
+
+def test_sigma_and_gradient_are_enough_for_the_laws_of_a_spectrum():
+    modulus = 210e9 / (2 * (1 - 0.3**2))
+    curves = fstiff.run(
+        {
+            "material": {"upper": "steel"},
+            "surface": {"rms_height": "0.8 um", "rms_gradient": 0.1},
+            "contact": {"pressures": ["0.5 MPa", "2 MPa", "30 MPa"], "laws": ["hybrid", "persson"]},
+            "output": {"quantities": ["stiffness"]},
+            "uncertainty": {"samples": 0},
+        }
+    )
+    of_surface = {"rms_height": "0.8 um", "rms_gradient": 0.1, "effective_modulus": modulus}
+    for law in ("hybrid", "persson"):
+        of_law = curves["law"] == law
+        contact = fstiff.Contact(law, **of_surface)
+        found = contact.at_pressures(curves["pressure_Pa"][of_law], ["stiffness"]).stiffness
+        np.testing.assert_allclose(found, curves["stiffness_Pa_per_m"][of_law], rtol=1e-14)
+        assert pickle.loads(pickle.dumps(contact)).at_pressures(1e6) == contact.at_pressures(1e6)
+        slopes = contact.sensitivity(1e6)
+        assert slopes["rms_height"] < 0 and {"rms_gradient", "effective_modulus", "pressure"} <= set(slopes)
+    gaussian, skewed = (
+        fstiff.Contact("hybrid", skewness=skewness, kurtosis=kurtosis, **of_surface).at_pressures(2e6).stiffness
+        for skewness, kurtosis in ((0, 3), (-1, 4.5))
+    )
+    assert skewed > 1.3 * gaussian
+    del of_surface["rms_height"], of_surface["rms_gradient"]
+    for law, numbers in (("hertz", {"rms_gradient": 0.1, "r": 0.5, "theta": 1}), ("hybrid", {})):
+        with pytest.raises(ValueError, match="peak_radius: missing; a contact needs"):
+            fstiff.Contact(law, rms_height=0.8e-6, **numbers, **of_surface)
+    with pytest.raises(ValueError, match="rms_gradient = -0.1"):
+        fstiff.Contact("hybrid", rms_height=0.8e-6, rms_gradient=-0.1, **of_surface)
+
+
+def test_a_slip_of_the_unit_is_refused_or_warned_of():
+    contact = fstiff.Contact("hertz", **FINE)
+    with pytest.raises(ValueError, match="pressures: must not be masked"):
+        contact.at_pressures(np.ma.array([1e6, 2e6], mask=[False, True]))
+    unmasked = np.ma.array([1e6, 2e6], mask=[False, False])
+    assert contact.at_pressures(unmasked) == contact.at_pressures([1e6, 2e6])
+    with pytest.raises(ValueError, match="youngs_modulus = '210 GPa': must be a number in SI units"):
+        fstiff.effective_modulus("210 GPa", 0.3, "210 GPa", 0.3)
+    with pytest.warns(UserWarning, match="effective_modulus of 112.6 Pa: below 1 kPa"):
+        fstiff.Contact("hertz", **{**FINE, "effective_modulus": 112.6})
+    law = contact.tabulate(1e5, 1e8, "extrapolate")
+    for nan in (np.nan, -np.nan):
+        with pytest.raises(ValueError, match="^pressure = nan: must be a number$"):
+            law.stiffness(nan)
+        with pytest.raises(ValueError, match="^separation = nan: must be a number$"):
+            law.at_separation([1e-6, nan])

@@ -177,3 +177,115 @@ def test_a_scene_gives_its_contacts(root):
     again = pickle.loads(pickle.dumps(scene)).contact("hertz").at_pressures(1e6)
     assert again.stiffness == scene.contact("hertz").at_pressures(1e6).stiffness
     assert fstiff.Scene().contact("hertz").at_pressures(1e6).stiffness > 0  # of a scene that names no law, any
+
+
+BODIES = {
+    "name": "bodies",
+    "surface": {"rms_height": "0.8 µm", "rms_gradient": 0.1, "skewness": None},
+    "material": {"upper": "steel", "lower": {"youngs_modulus": "70 GPa", "poisson_ratio": 0.34}},
+    "contact": {"pressures": ("1 MPa", "10 MPa"), "laws": ["hybrid", "persson"], "nominal_area": None},
+    "uncertainty": {"samples": np.int64(40), "seed": 7},
+}
+AS_TOML = """
+name = "bodies"
+surface = { rms_height = "0.8 µm", rms_gradient = 0.1 }
+material.upper = "steel"
+material.lower = { youngs_modulus = "70 GPa", poisson_ratio = 0.34 }
+[contact]
+pressures = ["1 MPa", "10 MPa"]
+laws = ["hybrid", "persson"]
+[uncertainty]
+samples = 40
+seed = 7
+"""
+
+
+def test_a_dict_is_the_scene_of_its_toml(trace):
+    curves, wanted = fstiff.run(BODIES), fstiff.run(AS_TOML)
+    assert curves == wanted and curves.answer == wanted.answer and curves.name == "bodies"
+    assert curves.answer.explanation == wanted.answer.explanation and curves.warnings == wanted.warnings
+    assert pickle.loads(pickle.dumps(fstiff.Scene(BODIES))).run() == wanted == fstiff.run(fstiff.Scene(BODIES))
+    exported = [fstiff.export(of, law="hybrid", pressures=(1e6, 1e7)).splitlines() for of in (BODIES, AS_TOML)]
+    assert [line for line in exported[0] if "SHA-256" not in line] == [line for line in exported[1] if "SHA-256" not in line]
+    measured = fstiff.measure(trace, spacing=0.5e-6)
+    of_trace = fstiff.run({"material": {"upper": "steel"}, "contact": {"pressures": ["1 MPa"]}}, surface=measured)
+    assert of_trace == fstiff.run("material.upper = 'steel'\ncontact.pressures = ['1 MPa']\n", surface=measured)
+
+
+TEXTS = [
+    'a "quoted" name',
+    "back\\slash \\n \\u0041",
+    "two\nlines\ttab\r",
+    "a = 1 # no comment",
+    '"""',
+    "'''",
+    "\"]\n[contact]\nlaws = ['hertz']",
+    "delete \x7f, bell \x07",
+    "µm °C 表面 \U0001f600",
+    "true",
+    "1979-05-27",
+    "{ a = 1 }",
+]
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_a_text_of_a_dict_stays_that_text(text):
+    curves = fstiff.run({**BODIES, "name": text})
+    assert curves.name == text and curves == fstiff.run(BODIES)
+
+
+@pytest.mark.parametrize("key", ["a.b", 'a"] = 2\n[contact', "a b", "", "'", "\\", "µ", "[x]", "#"])
+def test_a_key_of_a_dict_stays_that_key(key):
+    for scene, path in (({key: 1}, key), ({**BODIES, "surface": {key: {"x": 1}}}, f"surface.{key}")):
+        with pytest.raises(ValueError) as caught:
+            fstiff.run(scene)
+        assert str(caught.value).startswith(f"scene: {path}: unknown key; valid keys")
+
+
+@pytest.mark.parametrize(
+    "scene, sentence",
+    [
+        ({}, "scene: surface: is missing"),
+        ({"surface": {"rms_height": 1e-6}}, "scene: surface.rms_height = 1e-06: a number without a unit"),
+        ({"surface": {"rms_height": np.float32(1)}}, "scene: surface.rms_height = 1"),
+        ({"surface": {"rms_height": True}}, "scene: surface.rms_height = true: must be a text"),
+        ({"surface": {"rms_height": "1 um", "rms_gradient": float("nan")}}, "must be a finite number"),
+        ({"surface": {"rms_height": "1 apple"}}, 'scene: surface.rms_height = "1 apple"'),
+        ({"surface": {"rms_height": ["1 um", None]}}, "scene: surface.rms_height[1] = None: must be a number, a text"),
+        ({"surface": {"rms_height": 2**70}}, "scene: surface.rms_height = 1180591620717411303424: must be a number"),
+        ({"surface": {"rms_height": 1j}}, "scene: surface.rms_height = 1j: must be a number"),
+        ({"surface": {1: "1 um"}}, "scene: surface.1: its name must be a text"),
+        ({"surface": b"1 um"}, "scene: surface = b'1 um': must be a number"),
+        ({"surface": fstiff.peaks(r=0.5, theta=1.0)}, "scene: surface: must not be a Peaks; surface= takes"),
+        ({"name": "\ud800"}, "surrogates not allowed"),
+    ],
+)
+def test_what_is_wrong_with_a_dict_is_named_by_its_keys(scene, sentence):
+    with pytest.raises(ValueError) as caught:
+        fstiff.run(scene)
+    assert sentence in str(caught.value)
+
+
+def test_a_dict_that_holds_itself_is_refused():
+    scene = {"surface": {}}
+    scene["surface"]["surface"] = scene
+    with pytest.raises(ValueError, match="must not be nested more than 50 deep"):
+        fstiff.run(scene)
+    with pytest.raises(ValueError, match="scene: must name a file, not be of type list"):
+        fstiff.run([1])
+
+
+def test_the_answer_is_shown_as_the_command_shows_it(command, tmp_path):
+    file = tmp_path / "light.toml"
+    file.write_text(
+        "material.upper = 'steel'\nsurface = { rms_height = '2 um', rms_gradient = 0.1 }\n"
+        "contact.pressures = ['1 MPa', '3 MPa']\n"
+    )
+    answer = fstiff.run(file).answer
+    table = [line.split() for line in command("run", file).splitlines()]
+    shown = [line.split() for line in repr(answer).splitlines()[1:4]]
+    assert shown[0][:3] == ["pressure", "K/A0", "[MPa/µm]"]  # 74.9 MPa/µm, not 0.0749 GPa/µm
+    for row in shown:
+        assert row in table, row
+    assert float(shown[1][2]) == float(f"{answer['stiffness_Pa_per_m'][0] * 1e-12:.3g}")
+    assert "<th>K/A0 [MPa/µm]</th>" in answer._repr_html_() and "_" not in "".join(map("".join, shown))

@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measured surfaces: arrays, files and topographies give the JSON of the command, and the numbers of C++."""
 
+import concurrent.futures
+import copy
+import importlib.util
+import multiprocessing
 import os
 import pathlib
+import pickle
+import subprocess
+import sys
 import threading
+import warnings
 
 import numpy as np
 import pytest
@@ -96,6 +104,143 @@ def test_several_files_are_pooled(command, trace, tmp_path):
     assert list(pooled) == list(document) and pooled["surface"] == document["surface"]
     with pytest.raises(ValueError, match="must be one"):
         fstiff.fit(files, **OF_TRACE)
+
+
+def test_arrays_of_several_traces_are_pooled_as_their_files_are(command, trace, rough_map, tmp_path):
+    traces = [trace, trace[::-1] * 1.1, trace[:1500] * 0.9]
+    files = [save(tmp_path / f"{i}.npy", one) for i, one in enumerate(traces)]
+    document = command.json("measure", *files, *TRACE)
+    pooled = fstiff.measure(traces, spacing=0.5e-6)
+    for key in ("surface", "moments", "neighbours", "concerns", "lambda_s_m", "lambda_c_m", "roughness", "correlation_of_errors"):
+        assert plain(pooled[key]) == document[key], key
+    assert pooled["source"]["decisions"][0] == "3 arrays pooled, each by its length: heights[0], heights[1], heights[2]"
+    given = [
+        tuple(traces),
+        [np.ma.array(one, mask=False) for one in traces],
+        [fstiff.Surface(one, "0.5 um") for one in traces],
+        [trace, list(traces[1]), traces[2]],
+    ]
+    for some in given:
+        spacing = {} if isinstance(some[0], fstiff.Surface) else {"spacing": 0.5e-6}
+        assert fstiff.measure(some, **spacing)["surface"] == pooled["surface"]
+    assert plain(fstiff.run(surface=pooled).answer.rows) == command.json("run", "--surface", *pooled_document(command, files, tmp_path))["answer"]
+    maps = [rough_map, rough_map[:, ::-1]]
+    of_maps = fstiff.measure(maps, spacing=(1e-6, 1.5e-6))
+    assert of_maps["source"]["kind"] == "map" and of_maps["source"]["decisions"][0].startswith("2 arrays pooled, each by its area")
+    # a trace twice counts once
+    twice = fstiff.measure([trace, trace.copy()], spacing=0.5e-6)
+    assert twice["surface"] == fstiff.measure(trace, spacing=0.5e-6)["surface"]
+    assert twice.warnings[0].startswith("heights[1]: is the same array as heights[0], byte for byte")
+
+
+def pooled_document(command, files, folder):
+    document = folder / "pooled.json"
+    document.write_text(command("measure", *files, *TRACE, "--format", "json"))
+    return [document]
+
+
+def test_a_map_stays_a_map_however_its_rows_are_given(rough_map):
+    wanted = fstiff.measure(rough_map, spacing=(1e-6, 1.5e-6))["surface"]
+    assert fstiff.measure(rough_map.tolist(), dx=1e-6, dy=1.5e-6)["surface"] == wanted
+    assert fstiff.measure(list(rough_map), dx=1e-6, dy=1.5e-6)["surface"] == wanted  # rows that have a distance of their own
+    assert fstiff.measure(list(rough_map), spacing=(1e-6, 1.5e-6))["surface"] == wanted
+    assert fstiff.measure([rough_map], spacing=(1e-6, 1.5e-6))["surface"] == wanted
+    assert fstiff.measure(np.asfortranarray(rough_map), spacing=(1e-6, 1.5e-6))["surface"] == wanted
+
+
+@pytest.mark.parametrize("shape", [(5, 2048), (2048, 5), (4, 1100), (16, 2048)])
+def test_a_strip_is_measured_as_what_it_is(shape):
+    strip = fstiff.generate("map", 0.5e-6, points=max(shape), rows=max(shape) // 8, hurst=0.8, rms=1e-6, seed=1).heights
+    strip = strip[: min(shape), : max(shape)]
+    found = fstiff.measure(strip if shape[0] < shape[1] else strip.T, spacing=0.5e-6)
+    assert found["source"]["kind"] == "map"
+    assert found.rms_height.value == pytest.approx(np.std(strip), rel=0.5)  # less a plane, above lambda_s
+
+
+ORIGINALS = {
+    "trace": lambda trace, _map, _folder: fstiff.measure(trace, spacing="0.5 um", lambda_c="0.2 mm"),
+    "map": lambda _trace, map, _folder: fstiff.measure(map, dx=1e-6, dy="1.5 um", peaks="summits"),
+    "traces": lambda trace, _map, _folder: fstiff.measure([trace, 1.2 * trace[:1200]], spacing=5e-7),
+    "file": lambda trace, _map, folder: fstiff.measure(save(folder / "a.npy", trace), units="m", spacing=5e-7),
+    "files": lambda trace, _map, folder: fstiff.measure(
+        [save(folder / "a.npy", trace), save(folder / "b.npy", trace[::-1] * 1.1)], units="m", spacing=5e-7
+    ),
+    "folder": lambda trace, _map, folder: save(folder / "a.npy", trace) and fstiff.measure(folder, units="m", spacing=5e-7),
+}
+
+
+@pytest.mark.parametrize("kind", ORIGINALS)
+def test_a_measurement_is_pickled_and_copied_with_all_its_numbers(kind, trace, rough_map, tmp_path):
+    original = ORIGINALS[kind](trace.copy(), rough_map, tmp_path)
+    scene = "contact.pressures = ['1 MPa', '20 MPa']\nmaterial.upper = 'steel'\n"
+    wanted = fstiff.run(scene, surface=original)
+    state = pickle.dumps(original)
+    for file in tmp_path.glob("*"):
+        file.unlink()  # what is pickled needs no file
+    copied, deep, loaded = copy.copy(original), copy.deepcopy(original), pickle.loads(state)
+    for again in (copied, deep, loaded, pickle.loads(pickle.dumps(loaded)), copy.deepcopy(loaded)):
+        assert again == original and again.warnings == original.warnings and again.rms_height == original.rms_height
+        assert repr(again) == repr(original) and again.doubtful == original.doubtful
+        curves = fstiff.run(scene, surface=again)
+        assert curves.answer == wanted.answer and curves.warnings == wanted.warnings
+    deep["surface"]["rms_height"]["value"] = 0
+    assert original.rms_height.value > 0
+    contact = fstiff.Contact("hybrid", surface=original, effective_modulus=1e11)
+    assert pickle.loads(pickle.dumps(contact)).at_pressures(1e7) == contact.at_pressures(1e7)
+
+
+def test_another_process_gets_a_measurement(trace, tmp_path):
+    measured = fstiff.measure(trace, spacing=5e-7)
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+        of_pool = [task.result() for task in [pool.submit(fstiff.run, surface=measured) for _ in range(2)]]
+    assert of_pool[0] == of_pool[1] == fstiff.run(surface=measured)
+    (tmp_path / "measured.pickle").write_bytes(pickle.dumps(measured))
+    program = "import pickle, fstiff; print(fstiff.run(surface=pickle.load(open('measured.pickle', 'rb'))).answer)"
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, encoding="utf-8",
+                          env={**os.environ, "PYTHONUTF8": "1"})
+    assert (done.stdout, done.stderr) == (f"{of_pool[0].answer}\n", "")
+
+
+def test_a_pickle_holds_what_was_measured_not_what_came_later(trace, tmp_path):
+    heights = trace.copy()
+    measured = fstiff.measure(heights, spacing=5e-7)
+    heights[:] = 0
+    assert fstiff.run(surface=pickle.loads(pickle.dumps(measured))) == fstiff.run(surface=measured)
+    of_file = fstiff.measure(save(tmp_path / "a.npy", trace), units="m", spacing=5e-7)
+    save(tmp_path / "a.npy", 2 * trace)
+    with pytest.raises(fstiff.FileError, match="a.npy: has changed since it was measured"):
+        pickle.dumps(of_file)
+    assert copy.deepcopy(of_file) == of_file
+
+
+def test_arrays_of_any_kind_are_the_heights_that_they_hold(trace):
+    wanted = fstiff.measure(trace, spacing=5e-7)["surface"]
+    read_only, strided = trace.copy(), np.repeat(trace, 2)[::2]
+    read_only.flags.writeable = False
+    kinds = [list(trace), tuple(trace), read_only, strided, trace.astype(">f8"), trace.astype(object), np.ma.array(trace)]
+    if importlib.util.find_spec("pandas"):
+        import pandas
+
+        kinds += [pandas.Series(trace), pandas.Series(trace, dtype="Float64")]
+    for heights in kinds:
+        assert fstiff.measure(heights, spacing=np.float64(5e-7))["surface"] == wanted
+    holes = [None if i % 100 == 7 else height for i, height in enumerate(trace)]
+    with_nan = np.where(np.arange(trace.size) % 100 == 7, np.nan, trace)
+    assert fstiff.measure(holes, spacing=5e-7)["surface"] == fstiff.measure(with_nan, spacing=5e-7)["surface"]
+    counts = np.round(trace * 1e9).astype(np.int16)
+    with pytest.warns(UserWarning, match="rms height"):
+        of_counts, of_numbers = (fstiff.measure(heights, spacing=0.5) for heights in (counts, counts.astype(float)))
+    assert of_counts["surface"] == of_numbers["surface"]
+
+
+def test_heights_in_another_unit_are_warned_of(trace):
+    with pytest.warns(UserWarning, match=r"rms height of 0\.\d+ m: above 1 mm; lengths are numbers in m"):
+        fstiff.measure(trace * 1e6, spacing=0.5)
+    with pytest.warns(UserWarning, match="rms height of 0.832 m: above 1 mm"):
+        fstiff.Contact("hertz", rms_height=0.832, peak_radius=40, peak_density=5e8, r=0.5, theta=1, effective_modulus=1e11)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        fstiff.measure(trace, spacing=0.5e-6)
 
 
 def test_numbers_are_those_of_cpp_bit_for_bit(numbers):
@@ -279,7 +424,7 @@ def test_reprs_frames_and_plots(rough_map, trace):
 def test_every_option_of_the_table_is_a_keyword(key):
     keywords = {*fstiff._surfaces.SurfaceOptions.__annotations__, "peaks", "window"}
     assert keywords == set(fstiff._core.surface_options())
-    with pytest.raises((TypeError, ValueError), match=f"{key} = <object|expected str"):
+    with pytest.raises((TypeError, ValueError), match=f"{key} = <object|{key}: must name a file, not be of type object"):
         fstiff.measure("no such file", **{key: object()})
 
 
@@ -292,6 +437,26 @@ def test_every_option_of_the_table_is_a_keyword(key):
         (lambda z: fstiff.measure(z, spacing=[1e-6]), "spacing: must be one length, or (dx, dy)"),
         (lambda z: fstiff.measure(z[0, :9], spacing=1e-6), "profile has 9 points: must be at least 16"),
         (lambda z: fstiff.measure(z[None], spacing=1e-6), "heights have 3 dimensions"),
+        (lambda z: fstiff.measure(z[:1], spacing=1e-6), "heights: 1 x 96 points are no map"),
+        (lambda z: fstiff.measure(z[:, :2], spacing=1e-6), "heights: 64 x 2 points are no map"),
+        (lambda z: fstiff.measure([], spacing=1e-6), "profile has 0 points"),
+        (lambda z: fstiff.measure(np.zeros((0, 5)), spacing=1e-6), "heights: 0 x 5 points are no map"),
+        (lambda z: fstiff.measure([z[0], z[1, :9]], spacing=1e-6), "heights[1]: profile has 9 points"),
+        (lambda z: fstiff.measure([z[0], z], spacing=1e-6), "arrays of one surface must be of one kind"),
+        (lambda z: fstiff.measure([z[0], "a.csv"], spacing=1e-6), "heights[1]: must be real numbers"),
+        (lambda z: fstiff.measure([[1.0, 2.0], [3.0]], spacing=1e-6), "several traces are a list of 1-D arrays"),
+        (lambda z: fstiff.measure(5.0, spacing=1e-6), "heights have 0 dimensions"),
+        (lambda z: fstiff.measure(None, spacing=1e-6), "heights have 0 dimensions"),
+        (lambda z: fstiff.measure({"z": z}, spacing=1e-6), "heights: must be an array or a list of arrays, not of type dict"),
+        (lambda z: fstiff.fit(fstiff.measure(z, spacing=1e-6)), "heights: must be an array or a list of arrays, not of type Meas"),
+        (lambda z: fstiff.measure((one for one in z), spacing=1e-6), "heights: must be real numbers"),
+        (lambda z: fstiff.measure(z[0], spacing=np.arange(96.0)), "spacing: must be one length, or (dx, dy)"),
+        (lambda z: fstiff.truth(z, "1 MPa", effective_modulus=1e11, spacing=1e-6), "pressures: must be real numbers, not <U5"),
+        (lambda z: fstiff.run(fstiff.Scene(), surface="a"), "surface: must not be given for a Scene"),
+        (lambda z: fstiff.measure([fstiff.Surface(z, 1e-6), z], spacing=1e-6), "spacing: must not be given"),
+        (lambda z: fstiff.fit([z[0], z[1]], spacing=1e-6), "arrays: must be one; measure() pools several"),
+        (lambda z: fstiff.run(surface=z), "surface: must name a file, not be of type ndarray; measure() takes arrays"),
+        (lambda z: fstiff.Contact("hybrid", surface=z, effective_modulus=1e11), "surface: must be what measure() returned"),
         (lambda z: fstiff.measure(np.full((32, 32), 1e-6), spacing=1e-6), "constant height"),
         (lambda z: fstiff.measure(z / 0, spacing=1e-6), "finite, or NaN where missing"),
         (lambda z: fstiff.measure(z.astype(complex), spacing=1e-6), "must be real numbers"),
