@@ -38,8 +38,8 @@ inline constexpr std::uint64_t longest_scene = std::uint64_t(1) << 20;
 [[nodiscard]] std::string display_name(const std::string& file);
 
 /// \p text of UTF-8 without control characters (below U+0020, U+007F to U+009F, those of lines and of the direction of
-/// writing), so that no name of a file moves a cursor, turns a line round or begins one of its own: each is a blank, but
-/// for those in \p kept. Bytes that are no UTF-8 are U+FFFD.
+/// writing), so that no name of a file moves a cursor, turns a line round or begins one: each is a blank, but for those
+/// in \p kept. Bytes that are no UTF-8 are U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text, std::string_view kept = {});
 
 /// How tables and titles call \p file.
