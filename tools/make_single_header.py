@@ -16,7 +16,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = ROOT / "include"
 SOURCE = ROOT / "src"
-PACKED = ("x3p.cpp", "zip_archive.cpp", "plux.cpp", "inflate.cpp")  # need other libraries
+PACKED = ("x3p.cpp", "zip_archive.cpp", "plux.cpp", "inflate.cpp", "whole_file.cpp")  # need other libraries, or POSIX
 DIRECTIVE = re.compile(r"\s*#\s*(include|if|ifdef|ifndef|endif|pragma)\b\s*(.*)")
 NAME = re.compile(r"<([^<>]+)>|\"(io/[^\"]+)\"")
 

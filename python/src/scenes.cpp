@@ -29,7 +29,7 @@ Scene scene_of_text(const std::string& text, const std::string& name, const std:
 Scene scene_of_file(const std::string& file, const std::string& surface, const MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
     return read_scene(
-        read_all(file),
+        read_all(file, longest_scene),
         {.name = display_name(file), .surface = surface, .progress = until_interrupted(), .measured = measured});
 }
 

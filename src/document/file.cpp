@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
@@ -50,22 +49,21 @@ std::filesystem::path output_target(const std::string& file) {
     return error ? at : target;
 }
 
-std::string read_all(const std::string& file) {
+std::string read_all(const std::string& file, std::uint64_t enough) {
     std::string bytes;
     if (file == "-") {
-        io::detail::append_bytes(std::cin, "standard input", bytes);
+        io::detail::append_bytes(std::cin, "standard input", bytes, enough);
     } else {
         std::error_code error;
         const std::filesystem::path path = path_of(file);
         if (!std::filesystem::exists(path, error))
             throw file_error(file, "no such file; the input must be an existing file");
         if (std::filesystem::is_directory(path, error)) throw file_error(file, "is a folder; the input must be a file");
-        std::ifstream stream(path, std::ios::binary);
-        if (!stream) throw file_error(file, "cannot be read; the input must be a readable file");
         const std::uintmax_t size =
             std::filesystem::is_regular_file(path, error) ? std::filesystem::file_size(path, error) : 0;
-        if (!error && size <= io::detail::most_bytes) bytes.reserve(static_cast<std::size_t>(size));
-        io::detail::append_bytes(stream, file, bytes);
+        if (!error && size <= enough) bytes.reserve(static_cast<std::size_t>(size));
+        if (!io::detail::append_file(path, file, bytes, enough))
+            throw file_error(file, "cannot be read; the input must be a readable file");
     }
     if (bytes.find_first_not_of(" \t\r\n") == std::string::npos)
         throw domain_error(display_name(file) + ": is empty; the input must hold text");
@@ -90,7 +88,9 @@ std::string printable(std::string_view text, std::string_view kept) {
         const auto byte = static_cast<unsigned char>(character[0]);
         const bool is_control =
             byte < 0x20 || byte == 0x7f ||
-            (character.size() == 2 && byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0);
+            (character.size() == 2 && byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0) ||
+            (character >= "\u200E" && character <= "\u200F") || (character >= "\u2028" && character <= "\u202E") ||
+            (character >= "\u2066" && character <= "\u2069");
         if (length == 0)
             shown += "\uFFFD";
         else if (is_control && kept.find(character) == std::string_view::npos)

@@ -29,14 +29,17 @@ public:
 /// Target of \p file: at the end of symbolic links, which stay links, even if the last one leads to a missing
 /// file. \throws file_error for links that lead in a circle.
 [[nodiscard]] std::filesystem::path output_target(const std::string& file);
-/// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing or unreadable,
-/// domain_error for one that is empty or too long.
-[[nodiscard]] std::string read_all(const std::string& file);
+/// All bytes of \p file, or somewhat more than \p enough; "-" is standard input. \throws file_error for a file that is
+/// missing, unreadable or without an end, domain_error for one that is empty or too long.
+[[nodiscard]] std::string read_all(const std::string& file, std::uint64_t enough = std::uint64_t(1) << 31);
+/// Most bytes of the text of a scene or a grid.
+inline constexpr std::uint64_t longest_scene = std::uint64_t(1) << 20;
 /// How messages call \p file.
 [[nodiscard]] std::string display_name(const std::string& file);
 
-/// \p text of UTF-8 without control characters (below U+0020, U+007F to U+009F), so that no name of a file moves a
-/// cursor or begins a line of its own: each is a blank, but for those in \p kept. Bytes that are no UTF-8 are U+FFFD.
+/// \p text of UTF-8 without control characters (below U+0020, U+007F to U+009F, those of lines and of the direction of
+/// writing), so that no name of a file moves a cursor, turns a line round or begins one: each is a blank, but for those
+/// in \p kept. Bytes that are no UTF-8 are U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text, std::string_view kept = {});
 
 /// How tables and titles call \p file.

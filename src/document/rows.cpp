@@ -26,8 +26,11 @@ std::string text_of(const Cell& cell, const Heading& heading) {
     return cell_text(cell, "-", [&](double x) { return rounded(x * heading.factor, heading.digits); });
 }
 
+/// A text that a spreadsheet would take for a formula begins with an apostrophe.
 std::string csv_of(const Cell& cell) {
-    return cell_text(cell, "", [](double x) { return exact(x); });
+    const bool formula = cell.kind == Kind::text && !cell.words.empty() &&
+                         std::string_view("=+-@").find(cell.words.front()) != std::string_view::npos;
+    return (formula ? "'" : "") + cell_text(cell, "", [](double x) { return exact(x); });
 }
 
 Json json_of(const Cell& cell) {

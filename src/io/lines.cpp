@@ -27,14 +27,17 @@ namespace {
 
 }  // namespace
 
-void append_bytes(std::istream& input, const std::string& name, std::string& bytes) {
+bool takes_more(std::string_view block, const std::string& name, std::string& bytes, std::uint64_t enough) {
+    bytes += block;
+    if (block.find('\0') != std::string_view::npos && !may_hold_nul_bytes(bytes)) return false;
+    if (bytes.size() > most_bytes) refuse_file(name, {"is longer than 2^31 bytes (2 GiB); must be shorter"});
+    return bytes.size() <= enough;
+}
+
+void append_bytes(std::istream& input, const std::string& name, std::string& bytes, std::uint64_t enough) {
     std::vector<char> chunk(std::size_t(1) << 16);
-    while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0) {
-        const std::string_view block(chunk.data(), static_cast<std::size_t>(input.gcount()));
-        bytes += block;
-        if (block.find('\0') != std::string_view::npos && !may_hold_nul_bytes(bytes)) return;
-        if (bytes.size() > most_bytes) refuse_file(name, {"is longer than 2^31 bytes (2 GiB); must be shorter"});
-    }
+    while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0)
+        if (!takes_more({chunk.data(), static_cast<std::size_t>(input.gcount())}, name, bytes, enough)) return;
     if (input.bad()) throw file_error(name, "cannot be read to its end; must be a readable file");
 }
 

@@ -49,9 +49,16 @@ struct NamedBytes {
 /// Limit of the size of a file: a map of 8000 x 8000 points with 17 digits each has 1.5e9 bytes.
 inline constexpr std::uint64_t most_bytes = std::uint64_t(1) << 31;
 
-/// Appends the bytes of \p input, to its end, or to the end of the first block with a NUL byte of a text, not a binary
-/// form that is read: no reader takes that, and endless input ends there. \throws domain_error, file_error
-void append_bytes(std::istream& input, const std::string& name, std::string& bytes);
+/// Appends \p block to \p bytes. \return whether append_bytes needs more
+bool takes_more(std::string_view block, const std::string& name, std::string& bytes, std::uint64_t enough);
+/// Appends the bytes of \p input, to its end, to somewhat more than \p enough, or to the end of the first block with a
+/// NUL byte of a text, not a binary form that is read: no reader takes that, and endless input ends there.
+/// \throws domain_error, file_error
+void append_bytes(std::istream& input, const std::string& name, std::string& bytes, std::uint64_t enough = most_bytes);
+/// The same of a file. A pipe is read while a program writes it, and is waited for 2 s to be; what else makes wait, a
+/// device, is refused. \return false where it cannot be opened
+[[nodiscard]] bool append_file(const std::filesystem::path& path, const std::string& name, std::string& bytes,
+                               std::uint64_t enough = most_bytes);
 
 /// All bytes of \p input.
 NamedBytes read_bytes(std::istream& input, std::string_view name);

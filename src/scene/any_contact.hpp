@@ -140,8 +140,8 @@ private:
     double critical_over_radius_;
 };
 
-/// K of a law of hybrid of one of many surfaces for a band, as \p of_hybrid makes it of K of hybrid; of the law itself
-/// where that is not known.
+/// K of a law of hybrid of one of many surfaces for a band, as \p of_hybrid makes K(K of hybrid, p) of it, and p(p of
+/// hybrid, d); of the law itself where that is not known.
 template <class OfHybrid>
 class QuickContact final : public AnyContact {
 public:
@@ -152,7 +152,7 @@ public:
         std::vector<ContactPoint<double>> points;
         for (const double& p : pressures) {
             const auto hybrid = inputs_.similar->stiffness(inputs_, p);
-            const std::optional<double> K = hybrid ? of_hybrid_(*hybrid, p) : std::nullopt;
+            const std::optional<double> K = hybrid ? of_hybrid_.stiffness(*hybrid, p) : std::nullopt;
             if (!K) {
                 points.push_back(itself().at_pressures(std::span(&p, 1), wanted).front());
                 continue;
@@ -166,7 +166,14 @@ public:
     }
     std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                      Quantity wanted) const override {
-        return itself().at_separations(separations, wanted);
+        std::vector<ContactPoint<double>> points;
+        for (const double& d : separations) {
+            const auto hybrid = inputs_.similar->pressure(inputs_, d);
+            const double p = hybrid ? of_hybrid_.pressure(*hybrid, d) : 0;
+            points.push_back(p > 0 ? at_pressures(std::span(&p, 1), wanted).front()
+                                   : itself().at_separations(std::span(&d, 1), wanted).front());
+        }
+        return points;
     }
 
 private:

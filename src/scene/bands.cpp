@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 namespace fstiff::scene {
 namespace {
@@ -66,13 +67,47 @@ Scene with_face(Scene scene, const Face& face) {
     return scene;
 }
 
+/// K at the points of \p scene, of which there are many, by a polynomial through ln K at some over ln p or d: of a law
+/// each of whose states is an integral in two dimensions. Empty where a state of those is missing.
+std::vector<double> by_few(Scene scene, const Law& law, const AnyContact& contact) {
+    const auto x_of = [&](double point) { return scene.at_separations ? point : std::log(point); };
+    const std::vector<double> wanted = std::move(scene.points);
+    const auto [least, greatest] = std::minmax_element(wanted.begin(), wanted.end());
+    const double from = x_of(*least), half = (x_of(*greatest) - from) / 2,
+                 unit = scene.at_separations ? scene.face.parameters.rms_height.value : 1;
+    const int last = 12 + static_cast<int>(std::min(2 * half / unit, 30.0));  // of Chebyshev's points
+    std::vector<double> nodes, logs, all;
+    for (int k = 0; k <= last; ++k) nodes.push_back(from + half * (1 - std::cos(std::numbers::pi * k / last)));
+    scene.points.clear();
+    for (const double x : nodes) scene.points.push_back(scene.at_separations ? x : std::exp(x));
+    for (const auto& point : points_of(scene, law, contact, Quantity::pressure | Quantity::stiffness)) {
+        if (!point.ok() || !(point.state.stiffness.value > 0)) return {};
+        logs.push_back(std::log(point.state.stiffness.value));
+    }
+    for (const double point : wanted) {
+        double sum = 0, weights = 0;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const double apart = x_of(point) - nodes[k], end = k == 0 || k + 1 == nodes.size() ? 0.5 : 1.0;
+            const double weight = (k % 2 == 0 ? end : -end) / (apart == 0 ? 1e-300 : apart);
+            sum += weight * logs[k], weights += weight;
+        }
+        all.push_back(std::exp(sum / weights));
+    }
+    return all;
+}
+
 /// K of every curve and point of \p scene, one after the other; NaN for a surface that the law does not take, such as a
 /// D next to 2.
 std::vector<double> stiffnesses(const Scene& scene, double modulus) {
     std::vector<double> all;
     for_each_contact(scene, modulus, {}, [&](const Curve& curve, const auto& contact) {
         try {
-            for (const auto& point : points_of(scene, *curve.law, *contact(), Quantity::pressure | Quantity::stiffness))
+            constexpr std::size_t many = 48;
+            const auto made = contact();
+            if (scene.similar && curve.law->needs_yield && scene.points.size() > many)
+                if (const auto few = by_few(scene, *curve.law, *made); !few.empty())
+                    return void(all.insert(all.end(), few.begin(), few.end()));
+            for (const auto& point : points_of(scene, *curve.law, *made, Quantity::pressure | Quantity::stiffness))
                 all.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         } catch (const domain_error&) {
             all.insert(all.end(), scene.points.size(), std::numeric_limits<double>::quiet_NaN());

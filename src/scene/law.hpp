@@ -106,6 +106,8 @@ public:
     virtual ~QuickHybrid() = default;
     /// K [Pa/m] of the surface of \p inputs; none where it takes the contact itself.
     [[nodiscard]] virtual std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const = 0;
+    /// The pressure [Pa] at the separation \p separation [m]; none where it takes the contact itself.
+    [[nodiscard]] virtual std::optional<double> pressure(const ContactInputs& inputs, double separation) const = 0;
 };
 
 /// What a contact is made of.

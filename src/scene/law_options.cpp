@@ -33,8 +33,7 @@ struct Reader {
     Scene& scene;
 
     void operator()(bool Of::*field) const {
-        const auto value =
-            node.is_boolean() ? std::optional(node.as_boolean()->get() ? 1.0 : 0.0) : node.value<double>();
+        const auto value = node.is_boolean() ? std::optional(node.as_boolean()->get() ? 1.0 : 0.0) : plain_number(node);
         if (!value || (*value != 0 && *value != 1)) source.refuse(node, key, "must be true or false, or 1 or 0");
         source.record(key, written(node), *value);
         scene.law_options.*field = *value == 1;

@@ -156,7 +156,9 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
                 "of thousands");
         const double x = found ? *found * column.factor : -1;
         if (!found || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
-            throw domain_error(at + " = " + text::shown_cell(cells[column.index]) + ": must be a finite number " +
+            throw domain_error(at + " = " + text::shown_cell(cells[column.index]) +
+                               (x > 1 ? ": is beyond the range of double precision in SI; must be a finite number "
+                                      : ": must be a finite number ") +
                                (zero_allowed ? "that is not negative" : "greater than 0"));
         return x;
     };

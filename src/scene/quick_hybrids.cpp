@@ -6,13 +6,71 @@
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace fstiff::scene {
 namespace {
+
+/// d of one surface over ln p, an e-fold after the other from 0.7 E g downwards: the integral of p/K by the parabola
+/// through three of its values, and cubics between half e-folds.
+class FallOfSeparation {
+public:
+    explicit FallOfSeparation(const ContactInputs& of) : numbers_(numbers_of(of)) {
+        const BandSpectrum<double> band = band_of_moments(of.moments, of.hurst);
+        const auto keep = [&](auto contact) {
+            const auto held = std::make_shared<decltype(contact)>(std::move(contact));
+            log_top_ = std::log(0.7 * of.effective_modulus * std::sqrt(2 * of.moments.m2));
+            knots_.push_back({held->separation(std::exp(log_top_)).value, 0});
+            rise_ = [held](double log_p) { return std::exp(log_p) / held->stiffness(std::exp(log_p)); };
+        };
+        of.bearing ? keep(hybrid_of_band(band, *of.bearing, of.effective_modulus, of.options.gamma))
+                   : keep(hybrid_of_band(band, of.effective_modulus, of.options.gamma));
+        knots_.front().rise = rise_(log_top_);
+    }
+    bool is_of(const ContactInputs& other) const { return numbers_of(other) == numbers_; }
+    /// The pressure at \p separation; none above 0.7 E g, and more than 24 e-folds below it.
+    std::optional<double> pressure(double separation) {
+        if (!(separation > knots_.front().d)) return std::nullopt;
+        while (knots_.back().d < separation) {
+            if (knots_.size() > 48) return std::nullopt;
+            const Knot& last = knots_.back();
+            const double from = log_top_ - static_cast<double>(knots_.size() / 2 + 1), rise = rise_(from);
+            const double middle = rise_(from + 0.5);
+            const Knot half{last.d + (5 * last.rise + 8 * middle - rise) / 24, middle},
+                whole{last.d + (last.rise + 4 * middle + rise) / 6, rise};
+            knots_.insert(knots_.end(), {half, whole});
+        }
+        std::size_t i = 0;
+        while (knots_[i + 1].d < separation) ++i;
+        const Knot &a = knots_[i], &b = knots_[i + 1];
+        double low = 0, high = 1;
+        while (high - low > 1e-9) {
+            const double t = (low + high) / 2, all = b.d - a.d, left = a.rise / 2, right = b.rise / 2;
+            const double d = a.d + t * (left + t * (3 * all - 2 * left - right + t * (left + right - 2 * all)));
+            (d < separation ? low : high) = t;
+        }
+        return std::exp(log_top_ - (static_cast<double>(i) + low) / 2);
+    }
+
+private:
+    struct Knot {
+        double d, rise;  ///< rise: over an e-fold down
+    };
+    static std::array<double, 5> numbers_of(const ContactInputs& of) {
+        return {of.moments.m0, of.moments.m2, of.moments.m4, of.hurst, of.effective_modulus};
+    }
+    std::array<double, 5> numbers_;
+    double log_top_ = 0;
+    std::function<double(double)> rise_;
+    std::vector<Knot> knots_;
+};
 
 class HybridsOfDraws final : public QuickHybrid {
 public:
@@ -20,9 +78,19 @@ public:
     std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const override {
         return table_.stiffness(inputs.moments, inputs.hurst, inputs.effective_modulus, pressure);
     }
+    std::optional<double> pressure(const ContactInputs& inputs, double separation) const override {
+        try {
+            if (!last_ || !last_->is_of(inputs)) last_.emplace(inputs);
+            return last_->pressure(separation);
+        } catch (const domain_error&) {  // the contact itself gives the reason
+            last_.reset();
+            return std::nullopt;
+        }
+    }
 
 private:
     parts::SimilarHybrids<double> table_;
+    mutable std::optional<FallOfSeparation> last_;  ///< of the surface that was drawn last
 };
 
 /// K sigma/(E g) is a function of p/(E g), alpha, H and the bearing curve.
@@ -30,16 +98,16 @@ class HybridsOfNumbers final : public QuickHybrid {
 public:
     explicit HybridsOfNumbers(double gamma) : gamma_(gamma) {}
     std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const override {
-        // the same alpha after rounding is one surface
-        const double alpha = std::exp(std::round(std::log(inputs.moments.bandwidth()) * 1e9) / 1e9);
-        const auto found = surfaces_.try_emplace(std::pair(alpha, inputs.hurst)).first;
-        const double closing = inputs.effective_modulus * std::sqrt(2 * inputs.moments.m2);
-        try {
-            return unit_stiffness(found->second, alpha, inputs.hurst, inputs.bearing, pressure / closing) * closing /
+        const double closing = closing_of(inputs);
+        return of_unit(inputs, [&](const auto& unit) {
+            return unit.at_pressure(pressure / closing, Quantity::stiffness).stiffness.value * closing /
                    std::sqrt(inputs.moments.m0);
-        } catch (const domain_error&) {  // beyond reach: the contact itself gives the reason
-            return std::nullopt;
-        }
+        });
+    }
+    std::optional<double> pressure(const ContactInputs& inputs, double separation) const override {
+        return of_unit(inputs, [&](const auto& unit) {
+            return std::exp(unit.log_pressure(separation / std::sqrt(inputs.moments.m0)).log) * closing_of(inputs);
+        });
     }
 
 private:
@@ -50,20 +118,34 @@ private:
         std::optional<Gaussian> gaussian;
         std::map<const parts::BearingSlope<double>*, Scaled> scaled;
     };
-    double unit_stiffness(Surface& of, double alpha, double hurst, const parts::BearingSlope<double>* bearing,
-                          double pressure) const {
-        const auto band = [&] { return band_of_moments<double>({1, 0.5, alpha / 4}, hurst); };
-        if (!bearing) {
-            if (!of.gaussian) of.gaussian = hybrid_of_band(band(), 1.0, gamma_);
-            return of.gaussian->at_pressure(pressure, Quantity::stiffness).stiffness.value;
-        }
-        auto found = of.scaled.find(bearing);
-        if (found == of.scaled.end())
-            found = of.scaled
+    static double closing_of(const ContactInputs& inputs) {
+        return inputs.effective_modulus * std::sqrt(2 * inputs.moments.m2);
+    }
+    /// What \p call returns of the contact of the alpha, H and bearing curve of \p inputs; none where there is no such
+    /// contact or state: the contact itself gives the reason.
+    template <class Call>
+    std::optional<double> of_unit(const ContactInputs& inputs, const Call& call) const {
+        // the same alpha after rounding is one surface
+        const double alpha = std::exp(std::round(std::log(inputs.moments.bandwidth()) * 1e9) / 1e9);
+        Surface& of = surfaces_[std::pair(alpha, inputs.hurst)];
+        const auto band = [&] { return band_of_moments<double>({1, 0.5, alpha / 4}, inputs.hurst); };
+        const parts::BearingSlope<double>* const bearing = inputs.bearing;
+        try {
+            if (!bearing) {
+                if (!of.gaussian) of.gaussian = hybrid_of_band(band(), 1.0, gamma_);
+                return call(*of.gaussian);
+            }
+            auto found = of.scaled.find(bearing);
+            if (found == of.scaled.end())
+                found =
+                    of.scaled
                         .emplace(bearing, of.scaled.empty() ? hybrid_of_band(band(), *bearing, 1.0, gamma_)
                                                             : parts::with_bearing(of.scaled.begin()->second, *bearing))
                         .first;
-        return found->second.at_pressure(pressure, Quantity::stiffness).stiffness.value;
+            return call(found->second);
+        } catch (const domain_error&) {
+            return std::nullopt;
+        }
     }
 
     double gamma_;

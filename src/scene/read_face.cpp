@@ -83,7 +83,7 @@ struct OptionReader {
         source.record(key, written(node));
     }
     void operator()(double& to) const {
-        const auto number = node.value<double>();
+        const auto number = plain_number(node);
         if (!number || !(*number >= row.more.low && *number <= row.more.high))
             source.refuse(node, key, "must be a number " + row.range());
         source.record(key, written(node), to = *number);

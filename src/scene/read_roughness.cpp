@@ -111,7 +111,7 @@ void read_roughness(Source& source, const Section& surface, Face& face) {
 double over_written(const Section& surface, std::string_view key, double value) {
     const toml::node& node = surface.at(key);
     return value / (node.is_string() ? io::parse_quantity(written(node), Dimension::length, std::string(key))
-                                     : *node.value<double>());
+                                     : plain_number(node).value_or(value));
 }
 
 }  // namespace fstiff::scene

@@ -7,32 +7,75 @@
 namespace fstiff::scene {
 namespace {
 
-/// TOML allows characters beyond ASCII in quotation marks and comments only; elsewhere toml++ 3.3 runs into undefined
-/// behaviour on some of them, so that a forgotten quotation mark before a µ is reported here.
-void refuse_bare_unicode(std::string_view text, const std::string& file) {
+/// The depth of the tables and lists of a text, character after character; the parts of a.b.c count. Each level takes a
+/// part of the stack, in toml++ and wherever its tree is copied or freed.
+class Depth {
+public:
+    /// \p c is no part of a text or a comment, but may be the quotation mark of one. \return whether all is well
+    bool passes(char c) {
+        if (c == ' ' || c == '\t' || c == '\r') return blank_ = true;
+        if (c == '[' || c == '{') outer_.push_back(depth_++);
+        if (c == ']' || c == '}')
+            depth_ = outer_.empty() ? 0 : outer_.back(), outer_.resize(outer_.size() - !outer_.empty());
+        if (c == '.' && last_ != '.') ++depth_;  // between two points is no key
+        if (c == ',' || c == '\n' || (blank_ && last_ != '.' && is_word(c))) depth_ = base();
+        blank_ = c == '\n', last_ = c;
+        return depth_ <= deepest;
+    }
+    static constexpr std::size_t deepest = 100;  ///< keeps to a tenth of a stack of 1 MB
+
+private:
+    static bool is_word(char c) { return std::string_view(".=[]{},\n").find(c) == std::string_view::npos; }
+    std::size_t base() const { return outer_.empty() ? 0 : outer_.back() + 1; }
+
+    std::vector<std::size_t> outer_;  ///< depths before the brackets that are open
+    std::size_t depth_ = 0;
+    char last_ = '\n';  ///< that is not blank
+    bool blank_ = true;
+};
+
+/// The place in \p text after the comment, or the text in quotation marks, that begins at \p at; \p at elsewhere.
+std::size_t after_quoted(std::string_view text, std::size_t at) {
+    const char c = text[at];
+    if (c == '#') return std::min(text.find('\n', at), text.size());
+    if (c != '"' && c != '\'') return at;
+    const std::string mark(text.substr(at, 3) == std::string(3, c) ? 3 : 1, c);
+    at += mark.size();
+    while (at < text.size() && text.substr(at, mark.size()) != mark && (mark.size() == 3 || text[at] != '\n'))
+        at += c == '"' && text[at] == '\\' && at + 1 < text.size() ? 2 : 1;
+    if (at < text.size() && text[at] == c) at += mark.size();
+    for (int more = 0; mark.size() == 3 && more < 2 && text.substr(at).starts_with(c); ++more) ++at;  // of the text
+    return at;
+}
+
+/// Whether \p quoted, a text in double quotation marks, has the escape of U+0000.
+bool holds_nul(std::string_view quoted) {
+    for (std::size_t i = 0; i + 1 < quoted.size(); i += quoted[i] == '\\' ? 2 : 1)
+        if (quoted.substr(i).starts_with("\\u0000") || quoted.substr(i).starts_with("\\U00000000")) return true;
+    return false;
+}
+
+/// Refuses what toml++ 3.3 must not see: characters beyond ASCII outside quotation marks and comments, which TOML does
+/// not allow, run it into undefined behaviour, so that a forgotten quotation mark before a µ is reported here; tables
+/// in tables without end overflow the stack; and U+0000 would end a message.
+void refuse_unsafe(std::string_view text, const std::string& file) {
     std::size_t line = 1;
-    std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    const auto step = [&] { line += text[i++] == '\n' ? 1 : 0; };
-    while (i < text.size()) {
-        const char c = text[i];
-        if (c == '#') {
-            while (i < text.size() && text[i] != '\n') ++i;
-        } else if (c == '"' || c == '\'') {
-            const std::string_view mark =
-                text.substr(i, 3) == std::string(3, c) ? text.substr(i, 3) : text.substr(i, 1);
-            i += mark.size();
-            while (i < text.size() && text.substr(i, mark.size()) != mark && (mark.size() == 3 || text[i] != '\n')) {
-                if (c == '"' && text[i] == '\\' && i + 1 < text.size()) step();
-                step();
-            }
-            if (i < text.size() && text[i] == c) i += mark.size();
-        } else if (static_cast<unsigned char>(c) >= 0x80) {
-            throw domain_error(
-                file + ":" + std::to_string(line) +
-                ": is not valid TOML: a character beyond ASCII is outside quotation marks; it must be inside");
-        } else {
-            step();
-        }
+    const auto refuse = [&](const std::string& reason) {
+        throw domain_error(file + ":" + std::to_string(line) + ": " + reason);
+    };
+    Depth depth;
+    for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size();) {
+        if (static_cast<unsigned char>(text[i]) >= 0x80)
+            refuse("is not valid TOML: a character beyond ASCII is outside quotation marks; it must be inside");
+        const std::size_t end = after_quoted(text, i);
+        const std::string_view quoted = text.substr(i, end - i);
+        if (!quoted.starts_with('#') && !depth.passes(text[i]))
+            refuse("has keys or lists more than " + std::to_string(Depth::deepest) + " levels deep; must have fewer");
+        if (quoted.starts_with('"') && holds_nul(quoted))
+            refuse("holds \\u0000, which is no character of a text; must be left out");
+        line += static_cast<std::size_t>(std::count(quoted.begin(), quoted.end(), '\n')) +
+                (quoted.empty() && text[i] == '\n');
+        i = std::max(end, i + 1);
     }
 }
 
@@ -119,7 +162,10 @@ std::string_view example(Dimension dimension) {
 std::string written(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* number = node.as_floating_point())
-        return std::isfinite(number->get()) ? shortest(number->get()) : std::isnan(number->get()) ? "nan" : "inf";
+        return std::isfinite(number->get()) ? shortest(number->get())
+               : std::isnan(number->get())  ? "nan"
+               : number->get() < 0          ? "-inf"
+                                            : "inf";
     if (const auto* number = node.as_integer()) return std::to_string(number->get());
     if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
     if (node.is_array()) return node.as_array()->empty() ? "[]" : "[...]";
@@ -127,16 +173,23 @@ std::string written(const toml::node& node) {
     return "a date or a time";
 }
 
+std::optional<double> plain_number(const toml::node& node) {
+    constexpr std::int64_t most = std::int64_t(1) << 53;
+    if (const auto* real = node.as_floating_point()) return real->get();
+    const auto* whole = node.as_integer();
+    if (!whole || whole->get() > most || whole->get() < -most) return std::nullopt;
+    return static_cast<double>(whole->get());
+}
+
 toml::table parse_toml(const std::string& text, const std::string& file) {
-    constexpr std::size_t most = std::size_t(1) << 20;
-    if (text.size() > most)
-        throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes; must be at most 1 MiB");
+    if (text.size() > longest_scene)
+        throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes or more; must be at most 1 MiB");
     const auto refuse = [&](std::size_t line, const std::string& reason) {
         return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason);
     };
     if (text.find('\0') != std::string::npos)
         throw domain_error(file + ": is binary, or UTF-16 (it holds NUL bytes); must be TOML, a text in UTF-8");
-    refuse_bare_unicode(text, file);
+    refuse_unsafe(text, file);
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {

@@ -40,6 +40,9 @@ using io::Dimension;
 /// The text of a value for messages and for the echo of the inputs.
 [[nodiscard]] std::string written(const toml::node& node);
 
+/// \p node as double: none where it is no number, or a whole one beyond 2^53, which a double may not hold.
+[[nodiscard]] std::optional<double> plain_number(const toml::node& node);
+
 /// The end of a refusal of several values where there must be one.
 inline std::string of_a_grid(const toml::node& node) {
     return node.is_table() || node.is_array() ? "; several values are for a grid, which fstiff sweep reads" : "";
@@ -81,6 +84,11 @@ struct Source {
         if (!node.is_string())
             refuse(node, key, "must be a text such as \"" + std::string(example(dimension)) + "\"" + of_a_grid(node));
         const double value = located(node, [&] { return io::parse_quantity(written(node), dimension, key); });
+        constexpr double most = 1e100;
+        if (value != 0 && !(std::abs(value) <= most && std::abs(value) >= 1 / most))
+            refuse(node, key,
+                   "must be 0, or from 1e-100 to 1e100 " + std::string(si_unit(dimension)) +
+                       " in size, so that results are in the range of double precision");
         record(key, written(node), value, si_unit(dimension));
         return value;
     }
@@ -89,9 +97,15 @@ struct Source {
         if (!(value > 0) || !std::isfinite(value)) refuse(node, key, "must be finite and greater than 0");
         return value;
     }
+    /// The number \p node as double; of whole numbers those that all are doubles.
+    double plain(const toml::node& node, const std::string& key) const {
+        const auto value = plain_number(node);
+        if (!value) refuse(node, key, "must be at most 2^53 as a whole number; write a greater one with an exponent");
+        return *value;
+    }
     double number(const toml::node& node, const std::string& key) {
         if (!node.is_number()) refuse(node, key, "must be a plain number" + of_a_grid(node));
-        const double value = *node.value<double>();
+        const double value = plain(node, key);
         if (!std::isfinite(value)) refuse(node, key, "must be a finite number");
         record(key, written(node), value);
         return value;

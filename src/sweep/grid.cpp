@@ -52,8 +52,8 @@ bool names_text(const std::string& key) {
 }
 
 /// \p node as a number, with a unit of any kind; none for other texts, lists, tables.
-std::optional<NumberWithUnit> quantity_of(const toml::node& node) {
-    if (node.is_number()) return NumberWithUnit{*node.value<double>(), {}, node.is_integer()};
+std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node& node, const std::string& key) {
+    if (node.is_number()) return NumberWithUnit{source.plain(node, key), {}, node.is_integer()};
     if (!node.is_string()) return std::nullopt;
     const std::string text = scene::written(node);
     for (const auto& [dimension, name] : names<Dimension>) {
@@ -70,7 +70,7 @@ std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, c
                                                          const toml::node& second, const std::string& first_key,
                                                          const std::string& second_key) {
     const auto one = [&](const toml::node& node, const std::string& key) {
-        const auto found = quantity_of(node);
+        const auto found = quantity_of(source, node, key);
         if (!found || !std::isfinite(found->value))
             source.refuse(node, key, "must be a finite number, or a text of a number and its unit such as \"0.8 um\"");
         return *found;
@@ -122,7 +122,7 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
     Distribution& drawn = found.axis.drawn.emplace();
     drawn.kind = static_cast<Distribution::Kind>(kind);
     if (log) {
-        const auto middle = quantity_of(first), spread = quantity_of(second);
+        const auto middle = quantity_of(source, first, key), spread = quantity_of(source, second, key);
         if (!middle || !spread || !(middle->value > 0) || !(spread->value > 0)) source.refuse(node, key, wanted);
         drawn.a = middle->value, drawn.b = spread->value;
         if (!second.is_number()) {  // a mean and a standard deviation of the quantity itself
@@ -162,17 +162,17 @@ void read_list(const Source& source, const toml::node& node, const std::string& 
     if (!list || list->empty()) source.refuse(node, key, "must be a list of at least one value");
     found.listed = *list;
     std::optional<NumberWithUnit> first;
-    if (!names_text(found.axis.key)) first = quantity_of((*list)[0]);
+    if (!names_text(found.axis.key)) first = quantity_of(source, (*list)[0], key + "[0]");
     for (std::size_t i = 0; i < list->size(); ++i) {
         const toml::node& item = (*list)[i];
         if (!first) {
             found.axis.texts.push_back(shown(item));
             continue;
         }
-        const auto one = quantity_of(item);
+        const std::string item_key = key + "[" + std::to_string(i) + "]";
+        const auto one = quantity_of(source, item, item_key);
         if (!one || one->dimension != first->dimension)
-            source.refuse(item, key + "[" + std::to_string(i) + "]",
-                          "must be of the same kind as the first of the list");
+            source.refuse(item, item_key, "must be of the same kind as the first of the list");
         found.axis.numbers.push_back(one->value);
     }
     if (first) found.axis.unit = unit_of(first->dimension);

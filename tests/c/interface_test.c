@@ -9,6 +9,7 @@
 #include <fstiff.h>
 
 #include <fenv.h>
+#include <inttypes.h>
 #include <math.h>
 #include <pthread.h> /* not <threads.h>: ThreadSanitizer does not know its threads */
 #include <stdint.h>
@@ -897,6 +898,17 @@ static uint64_t random_number(void) {
     return state;
 }
 
+/* Half of the texts of a changed law get the sum of their lines, to be read further. */
+static size_t sum_of_some(char* text, size_t length) {
+    size_t last = length;
+    while (last > 1 && text[last - 2] != '\n') --last;
+    if (random_number() % 2 == 0 || last <= 1) return length;
+    uint64_t sum = 0xcbf29ce484222325;
+    for (size_t i = 0; i + 1 < last; ++i)
+        if (text[i] != '\r') sum = (sum ^ (unsigned char)text[i]) * 0x100000001b3;
+    return last - 1 + (size_t)snprintf(text + last - 1, 32, "%" PRIx64 "\n", sum);
+}
+
 static void test_random(double seconds, const char* scene_file) {
     size_t scene_length = 0, law_length = 0, accepted = 0, refused = 0;
     char* scene = scene_file ? read_file(scene_file, &scene_length) : NULL;
@@ -934,7 +946,7 @@ static void test_random(double seconds, const char* scene_file) {
         int status;
         if (kind == 3) {
             double p = 0, k = 0, s = 0;
-            status = fstiff_law_of_text(bytes, length, &law);
+            status = fstiff_law_of_text(bytes, sum_of_some(bytes, length), &law);
             if (status == FSTIFF_OK) {
                 if (fstiff_law_at_separation(law, x, &p, &k, &s) == FSTIFF_OK)
                     CHECK(isfinite(p) && isfinite(k) && isfinite(s));

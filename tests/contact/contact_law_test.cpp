@@ -5,6 +5,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/files.hpp"
 #include "support/paper.hpp"
 #include "support/user_laws.hpp"
 
@@ -637,6 +638,18 @@ TEST_CASE("the separation of every pressure in the range is one that the law tak
         }
 }
 
+namespace {
+
+std::string without_sum(const std::string& text) { return text.substr(0, text.rfind('\n', text.size() - 2) + 1); }
+
+/// \p text whose last line is the sum of those above.
+std::string summed(const std::string& text) {
+    const std::string above = without_sum(text);
+    return above + detail::sum_of_text(above) + '\n';
+}
+
+}  // namespace
+
 TEST_CASE("a law goes to text and back bit for bit, and other text is refused") {
     const Law law = Law::tabulate(hertz(), {1e5, 1e8, OutsideRange::clamp});
     const std::string text = law.to_text();
@@ -659,11 +672,12 @@ TEST_CASE("a law goes to text and back bit for bit, and other text is refused") 
     std::string crlf;  // as git or a mail may turn it
     for (const char c : text) crlf += c == '\n' ? "\r\n" : std::string(1, c);
     CHECK(Law::from_text(crlf) == law);
-    const auto refused = [](const std::string& t) {
+    const auto refused_as_it_is = [](const std::string& t) {
         return test::refusal([&] { static_cast<void>(Law::from_text(t)); });
     };
-    CHECK(refused("").starts_with("contact law text: begins with something else"));
-    CHECK(refused("nonsense").starts_with("contact law text: begins"));
+    const auto refused = [&](const std::string& t) { return refused_as_it_is(summed(t)); };
+    CHECK(refused_as_it_is("").starts_with("contact law text: begins with something else"));
+    CHECK(refused_as_it_is("nonsense").starts_with("contact law text: begins"));
     std::string later = text;
     later.replace(later.find(" 3 "), 3, " 6 ");
     CHECK(refused(later).starts_with("contact law text: is of another version"));
@@ -679,22 +693,57 @@ TEST_CASE("a law goes to text and back bit for bit, and other text is refused") 
     CHECK(refused(own).find("contradicts itself") != std::string::npos);
     later.replace(later.find(" 6 "), 3, " 4 ");
     CHECK(refused(later).find("contradicts itself") != std::string::npos);
-    CHECK_FALSE(refused(text + "1").empty());
+    CHECK(refused(without_sum(text) + "1\n" + "sum")
+              .ends_with("goes on after its end: must be what to_text wrote for this scalar type"));
     CHECK_FALSE(refused(text.substr(0, text.size() / 2)).empty());
     std::string huge = text;
-    huge.insert(text.find('\n') + 1, "999999999999 ");
-    CHECK_FALSE(refused(huge).empty());
+    const std::size_t pieces = huge.find('\n') + 1;
+    huge.replace(pieces, huge.find(' ', pieces) - pieces, "999999999999");
+    CHECK(test::contains(refused(huge), "impossible sizes"));
     std::string not_finite = text;
-    not_finite.replace(text.rfind(' ') + 1, std::string::npos, "nan\n");
-    CHECK_FALSE(refused(not_finite).empty());
+    not_finite.replace(text.rfind(' ') + 1, std::string::npos, "nan\nsum");
+    CHECK(test::contains(refused(not_finite), "no number"));
     CHECK_FALSE(test::refusal([&] { static_cast<void>(ContactLaw<float>::from_text(text)); }).empty());
     // the third line begins with the range of pressures: one power of 2 more has more pieces than the text
     std::string longer = text;
     const std::size_t line = longer.find('\n', longer.find('\n') + 1) + 1, second = longer.find(' ', line) + 1;
     longer.replace(second, longer.find(' ', second) - second, "1.8p+27");
-    CHECK_FALSE(refused(longer).empty());
+    CHECK(test::contains(refused(longer), "ends early"));
     longer.replace(second, longer.find(' ', second) - second, "1.8p+2");
     CHECK(refused(longer).find("contradicts itself") != std::string::npos);
+}
+
+TEST_CASE("A law text of which any character was changed, left out or put in is refused") {
+    CHECK(detail::sum_of_text("") == "cbf29ce484222325");  // the published vectors of FNV-1a with 64 bits
+    CHECK(detail::sum_of_text("foobar") == "85944171f73967e8");
+    const std::string refusal =
+        "contact law text: was changed or cut short, as its check sum shows: must be what to_text wrote for this "
+        "scalar "
+        "type";
+    for (const Law& law : {Law::tabulate(hertz(), {1e6, 3e6}), Law::tabulate(plastic(), {1e6, 3e6})}) {
+        const std::string text = law.to_text();
+        const std::size_t head = text.find('\n');
+        std::size_t accepted = 0;
+        const auto refused_or_the_same = [&](const std::string& changed, std::size_t place) {
+            try {
+                ++accepted;
+                if (Law::from_text(changed) != law) FAIL("changed at " << place);
+            } catch (const domain_error& error) {
+                --accepted;
+                if (place > head && error.what() != refusal) FAIL(error.what());
+            }
+        };
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            for (const char other : {'0', '1', '7', 'f', 'p', '-', '+', '.', ' ', '\n', char(text[i] ^ 1), char(0)})
+                if (other != text[i]) refused_or_the_same(text.substr(0, i) + other + text.substr(i + 1), i);
+            refused_or_the_same(text.substr(0, i) + text.substr(i + 1), i);
+            refused_or_the_same(text.substr(0, i) + "0" + text.substr(i), i);
+            if (i % 16 == 0) refused_or_the_same(text.substr(0, i), i);
+        }
+        CHECK(accepted <= 2);  // the last line without its end, or with a blank there
+        CHECK(test::refusal([&] { static_cast<void>(Law::from_text(without_sum(text))); }) ==
+              refusal);  // no sum at all
+    }
 }
 
 TEST_CASE("threads may share a law", "[threads]") {

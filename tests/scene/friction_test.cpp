@@ -95,7 +95,7 @@ TEST_CASE("Friction is printed where a scene has it, and refused where it lacks 
     CHECK(refusal(text + "[friction]\ncoefficient = -0.1\n") ==
           "s.toml:9: friction.coefficient = -0.1: must be greater than 0 and 10 at most");
     CHECK(refusal(text + "[friction]\ncoefficient = \"0.1\"\n").starts_with("s.toml:9: friction.coefficient"));
-    CHECK(std::abs(at(results_of(text + "[friction]\ncoefficient = 0.1\namplitude = \"1e300 m\"\n").answer->curve, 0,
+    CHECK(std::abs(at(results_of(text + "[friction]\ncoefficient = 0.1\namplitude = \"1e90 m\"\n").answer->curve, 0,
                       loss_factor, Statistic::p95) -
                    4 / std::numbers::pi) < 1e-14);
     CHECK(refusal(text + "[friction]\ncoefficient = 0.1\namplitude = 1e-6\n")

@@ -110,6 +110,7 @@ public:
         require_positive("factor of the heights", factor);
         BearingContact taller = *this;
         taller.factor_ *= factor, taller.rms_height_ *= factor, taller.last_scale_ *= factor;
+        taller.panels_ = detail::Panels<T>(panels);
         return taller;
     }
 
@@ -185,8 +186,10 @@ public:
             return {rho * gaussian_.separation(pressure / rho).value, error_of_separation * rms_height_, 0};
         T d = rho * gaussian_.separation(full / rho).value;
         const T from = std::log(pressure), to = std::log(full);
-        const auto whole = static_cast<int>((to - from) * 4);  // panels at the same places for every pressure
-        for (int i = 1; i <= whole; ++i) d += this->template fall_of_separation<4>(to - T(i) / 4, T(1) / 4);
+        const auto whole = static_cast<int>((to - from) * 4);  // at the same places for every pressure
+        for (int i = 1; i <= whole; ++i)
+            d += panels_.at(static_cast<std::size_t>(i - 1),
+                            [&] { return this->template fall_of_separation<4>(to - T(i) / 4, T(1) / 4); });
         d += this->template fall_of_separation<4>(from, to - T(whole) / 4 - from);
         return {d, error_of_separation * (d + rms_height_), 4 * (whole + 1)};
     }
@@ -220,6 +223,7 @@ public:
 private:
     static constexpr T scale_tolerance = (std::max)(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
     static constexpr T error_of_separation = T(1e-5);
+    static constexpr std::size_t panels = 160;  ///< of a quarter of an e-fold
 
     [[nodiscard]] bool is_plain() const {
         return !bearing_ && factor_ == T(1) && rms_height_ == gaussian_.rms_height();
@@ -234,12 +238,14 @@ private:
     void set_curve(BearingSlope<T> curve, parts::PerssonSeparation<T> separation, T rms_height) {
         last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;  // all in contact: P = 1, d = 0
         bearing_ = std::make_shared<const Bearing>(Bearing{std::move(curve), std::move(separation), rms_height});
+        panels_ = detail::Panels<T>(panels);
     }
 
     PerssonContact<T> gaussian_;
     T rms_height_, factor_ = 1;               ///< [m]; heights over those of the curve
     T last_scale_ = 1;                        ///< rho where all is in contact
     std::shared_ptr<const Bearing> bearing_;  ///< none of a Gaussian surface; copies share it
+    detail::Panels<T> panels_{0};             ///< of the separation
 };
 
 /// \p Of is the contact of the Gaussian surface: HybridContact of its peaks and its spectrum.
@@ -276,9 +282,11 @@ public:
         const T to = std::log(bearing_.full_pressure()), from = std::log(pressure);
         const T error = T(1e-4) * rms_height();
         if (from >= to) return {T(0), error, 0};
-        const auto whole = static_cast<int>((to - from) * 2);  // panels at the same places for every pressure
+        const auto whole = static_cast<int>((to - from) * 2);  // at the same places for every pressure
         T d = this->template fall_of_separation<8>(from, to - T(whole) / 2 - from);
-        for (int i = 1; i <= whole; ++i) d += this->template fall_of_separation<8>(to - T(i) / 2, T(1) / 2);
+        for (int i = 1; i <= whole; ++i)
+            d += panels_.at(static_cast<std::size_t>(i - 1),
+                            [&] { return this->template fall_of_separation<8>(to - T(i) / 2, T(1) / 2); });
         return {d, error, 8 * (whole + 1)};
     }
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
@@ -298,6 +306,7 @@ public:
 private:
     Of of_;
     BearingContact<T> bearing_;
+    detail::Panels<T> panels_{80};  ///< of the separation, of half an e-fold
 };
 
 template <class Of, class Bearing>

@@ -8,7 +8,7 @@
 ///     real area and number of contacts            of the peaks, at the same pressure
 ///
 /// K_crowded is Persson's, at the local scale of a bearing curve (contact/bearing_contact.hpp). The peaks are taken
-/// without interaction. d is integrated once, in ln p over panels; a pressure then costs the rest of one panel.
+/// without interaction. d is integrated in ln p over panels, each once; a pressure then costs the rest of one.
 ///
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski et al. (2014), eq. (4.9); docs/validation.md
 /// Units       SI
@@ -19,8 +19,6 @@
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/slope_contact.hpp>
-
-#include <atomic>
 
 namespace fstiff::inline v0_1 {
 
@@ -96,9 +94,8 @@ public:
         if (above <= 0) return {T(0), rms_height() * std::numeric_limits<T>::epsilon(), 0};
         const T width = width_of_panel();
         const auto whole = static_cast<std::size_t>(above / width);
-        const std::vector<T>& at = knots();
-        T d = at[(std::min)(whole, at.size() - 1)];
-        for (std::size_t i = at.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1) * width, width);
+        T d = 0;
+        for (std::size_t i = 0; i < whole; ++i) d += panel(i);
         d += panel(std::log(pressure), log_end() - T(whole) * width - std::log(pressure));
         return {d, (error_share() + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
     }
@@ -107,10 +104,11 @@ public:
     /// \throws domain_error unless 0 < eta and its pressure is within reach.
     [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
-        const std::vector<T>& at = knots();
-        const auto beyond = std::upper_bound(at.begin(), at.end(), eta * rms_height()) - at.begin();
         const T width = width_of_panel();
-        const T high = log_end() - T(beyond - 1) * width, low = high - (beyond < std::ssize(at) ? width : T(500));
+        std::size_t whole = 0;
+        T d = 0;
+        while (T(whole) * width < e_folds && (d += panel(whole)) <= eta * rms_height()) ++whole;
+        const T high = log_end() - T(whole) * width, low = high - (T(whole) * width < e_folds ? width : T(500));
         return this->searched_log_pressure(eta, low, high, high - width / 2, "within the reach of the laws");
     }
 
@@ -130,6 +128,11 @@ private:
     /// Error of the separation over the rms height.
     [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-11); }
 
+    /// The same over panel \p i below 2 E g.
+    [[nodiscard]] T panel(std::size_t i) const {
+        const T width = width_of_panel();
+        return panels_.at(i, [&] { return panel(log_end() - T(i + 1) * width, width); });
+    }
     /// int p/K d ln p
     [[nodiscard]] T panel(T from, T length) const {
         return has_kinks() ? this->template fall_of_separation<4>(from, length)
@@ -139,32 +142,7 @@ private:
     Peaks peaks_;
     parts::BearingContact<T> crowded_;
     Join join_;
-    /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of
-    /// them publishes its own: std::call_once would need the threads library, which the target does not link.
-    struct Knots {
-        std::atomic<const std::vector<T>*> at{nullptr};
-        Knots() = default;
-        Knots(const Knots&) = delete;
-        Knots& operator=(const Knots&) = delete;
-        ~Knots() { delete at.load(); }
-    };
-    [[nodiscard]] const std::vector<T>& knots() const {
-        if (const std::vector<T>* at = knots_->at.load(std::memory_order_acquire)) return *at;
-        auto made = std::make_unique<const std::vector<T>>(separations_of_knots());
-        const std::vector<T>* published = nullptr;
-        if (knots_->at.compare_exchange_strong(published, made.get(), std::memory_order_acq_rel))
-            published = made.release();
-        return *published;
-    }
-    /// Separations at 2 E g, and below it at the ends of the panels.
-    [[nodiscard]] std::vector<T> separations_of_knots() const {
-        const T width = width_of_panel();
-        std::vector<T> at{T(0)};
-        for (int i = 0; T(i) * width < e_folds; ++i)
-            at.push_back(at.back() + panel(log_end() - T(i + 1) * width, width));
-        return at;
-    }
-    std::shared_ptr<Knots> knots_ = std::make_shared<Knots>();  ///< copies share it
+    detail::Panels<T> panels_{static_cast<std::size_t>(T(e_folds) / width_of_panel())};
 };
 
 }  // namespace fstiff::inline v0_1

@@ -6,6 +6,7 @@
 ///     fstiff contact law 3 8                            version of the form (3, 4 or 5), bytes of a number
 ///     pieces  policy  evaluations                       of the table by separation; OutsideRange
 ///     p_min p_max separation_min separation_max K/slope error         then a row of coefficients a line
+///     sum                                               of the lines above, which no changed character leaves as it is
 ///
 /// Version 3 holds p(separation), K(p), separation(p); version 4 also K(separation), with K/slope 0. Version 5 is a law
 /// of parabolas: d, p, -dp/dd and its change by -d, K and its change by -d of each piece and at the end.
@@ -21,6 +22,15 @@ namespace fstiff::inline v0_1::detail {
 template <parts::ReadableReal T>
 [[nodiscard]] std::string law_text_head(int version) {
     return "fstiff contact law " + std::to_string(version) + ' ' + std::to_string(sizeof(T));
+}
+
+/// FNV-1a of \p text without carriage returns, in hexadecimal digits.
+[[nodiscard]] inline std::string sum_of_text(std::string_view text) {
+    std::uint64_t sum = 0xcbf29ce484222325;
+    for (const char c : text)
+        if (c != '\r') sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    char digits[16];
+    return {digits, std::to_chars(digits, digits + sizeof digits, sum, 16).ptr};
 }
 
 template <parts::ReadableReal T>
@@ -61,7 +71,7 @@ template <parts::ReadableReal T>
     for (const auto* rows :
          {&law.by_separation.rows, &law.stiffness.rows, &law.separation.rows, &law.own_stiffness.rows})
         for (const math::Coefficients<T>& row : *rows) add(row.c, math::Row::terms);
-    return text;
+    return text + sum_of_text(text) + '\n';
 }
 
 /// Reads the text of law_text, number after number.
@@ -78,6 +88,7 @@ public:
         if (!own_stiffness && !kinked && line != law_text_head<T>(3))
             throw wrong(line.starts_with("fstiff contact law ") ? "is of another version or another scalar type"
                                                                 : "begins with something else");
+        require_sum();
         at_ += line.size();
         const auto pieces = number(Eigen::Index{});
         read_head();
@@ -97,6 +108,14 @@ private:
         return domain_error(
             parts::Refusal{.parameter = "contact law text",
                            .reason = std::string(what) + ": must be what to_text wrote for this scalar type"});
+    }
+    /// Takes the last line from the text, which it must be the sum of.
+    void require_sum() {
+        const std::size_t end = text_.find_last_not_of(" \r\n") + 1, last = text_.rfind('\n', end - 1) + 1;
+        if (text_.substr(last, end - last) != sum_of_text(text_.substr(0, last)))
+            throw wrong("was changed or cut short, as its check sum shows");
+        text_ = text_.substr(0, last);
+        end_ = text_.data() + last;
     }
     void skip() {
         while (at_ != end_ && (*at_ == ' ' || *at_ == '\n' || *at_ == '\r')) ++at_;

@@ -45,6 +45,14 @@ template <Real T>
     return most * std::exp(std::log1p(std::pow((std::min)(cut, elastic) / most, n)) / n);
 }
 
+/// Logarithm of the pressure on first loading, of those of the elastic contact and of the cut at one separation:
+/// log((p_elastic^-1.3 + p_cut^-1.3)^(-1/1.3)), from the lesser of the two.
+template <Real T>
+[[nodiscard]] T plastic_log_pressure(T elastic, T cut) {
+    constexpr T n = T(1.3);
+    return (std::min)(elastic, cut) - std::log1p(std::exp(-std::abs(n * (elastic - cut)))) / n;
+}
+
 /// Cut of a Gaussian surface.
 template <Real T = double>
 class GaussianCut {
@@ -208,9 +216,7 @@ public:
         const T cut = std::log(share * hardness_), apart = loading_exponent * (elastic.log - cut);
         const T of_elastic = 1 / (1 + std::exp(apart));  // its part in the sum of the inverse powers
         const T slope = of_elastic * elastic.slope * to_elastic + (1 - of_elastic) * change / share * rms_height();
-        // log(e^(-n a) + e^(-n b)) from the greater of the two
-        const T sum = std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
-        return {(std::min)(elastic.log, cut) - sum, slope, elastic.error};
+        return {parts::plastic_log_pressure(elastic.log, cut), slope, elastic.error};
     }
 
     /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
@@ -253,7 +259,7 @@ private:
         const T cut = std::log(share * hardness_), apart = loading_exponent * (log_q - cut);
         const T of_elastic = 1 / (1 + std::exp(apart)),
                 per_height = of_elastic * K / q - (1 - of_elastic) * change / share;
-        const T log_p = (std::min)(log_q, cut) - std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
+        const T log_p = parts::plastic_log_pressure(log_q, cut);
         return {log_p, per_height * q / K, d, per_height * std::exp(log_p), q / K};
     }
     /// The root of p(d) = p by Newton's steps of the elastic pressure there, which is more than p: flow brings the

@@ -288,6 +288,7 @@ private:
     /// The root of eta_effective - Delta(eta_effective) = eta: increasing, between eta and eta + Delta(eta).
     Estimate<T> effective_eta(T eta) const {
         const T shift = bulk_compliance_ / scales_.rms_height;  // Delta = shift p
+        const T rough = options_.integrals.relative_tolerance * options_.integrals.relative_tolerance;
         const T highest =
             (std::min)(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, (std::max)(eta, T(1e6)));
         const auto found = math::newton_bracketed(
@@ -295,7 +296,8 @@ private:
                 const auto j = unscaled(sums(x, slope_quantities), x);
                 return std::pair(x - shift * j.load.value - eta, 1 + shift * j.loading.value * scales_.rms_height);
             },
-            eta, highest, eta + (highest - eta) / 4, 4 * std::numeric_limits<T>::epsilon() * (1 + std::abs(eta)));
+            eta, highest, eta + (highest - eta) / 4,
+            (std::max)(4 * std::numeric_limits<T>::epsilon(), rough) * (1 + std::abs(eta)));
         return {found.root, found.error};
     }
 

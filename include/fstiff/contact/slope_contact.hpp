@@ -11,7 +11,32 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/root.hpp>
 
+#include <atomic>
+#include <memory>
+#include <vector>
+
 namespace fstiff::inline v0_1::detail {
+
+/// Integrals over panels of one length, from a pressure downwards, each computed when it is first asked for. Copies
+/// share them; threads that ask at once compute the same number.
+template <Real T>
+class Panels {
+public:
+    explicit Panels(std::size_t most) : known_(std::make_shared<std::vector<std::atomic<T>>>(most)) {
+        for (auto& one : *known_) one.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
+    }
+    /// The integral over panel \p i, which \p integral computes.
+    template <class Integral>
+    [[nodiscard]] T at(std::size_t i, const Integral& integral) const {
+        if (i >= known_->size()) return integral();
+        T value = (*known_)[i].load(std::memory_order_relaxed);
+        if (std::isnan(value)) (*known_)[i].store(value = integral(), std::memory_order_relaxed);
+        return value;
+    }
+
+private:
+    std::shared_ptr<std::vector<std::atomic<T>>> known_;
+};
 
 /// \p Derived has at_pressure, at_separation, log_pressure and rms_height.
 template <class Derived, Real T>

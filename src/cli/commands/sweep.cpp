@@ -164,7 +164,7 @@ Report execute(const Options& options) {
     sweep::require_lines(file);
     require_writable(file);
     keep_for_output(file);
-    const sweep::Grid grid = sweep::read_grid(read_all(options.grid), display_name(options.grid));
+    const sweep::Grid grid = sweep::read_grid(read_all(options.grid, longest_scene), display_name(options.grid));
     for (const std::string& named : grid.files) require_no_output(named);
     if (options.sensitivity) require_draws(grid);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values

@@ -20,7 +20,7 @@ Scene read_scene(const SceneOptions& options) {
     if (options.scene == "-" && options.surface == "-")
         throw Usage("the scene and --surface are both standard input; one of them must be a file");
     const bool builtin = options.scene.empty();
-    Scene scene = scene::read_scene(builtin ? builtin_scene : read_all(options.scene),
+    Scene scene = scene::read_scene(builtin ? builtin_scene : read_all(options.scene, longest_scene),
                                     {.name = builtin ? "built-in scene" : display_name(options.scene),
                                      .surface = options.surface,
                                      .progress = progress_bar()});
