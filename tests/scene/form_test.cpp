@@ -125,12 +125,12 @@ TEST_CASE("Maps of a ball, a cylinder, a saddle and a wedge with a step are in d
     CHECK(contains(oblique.said(), "one step; crop or mask keeps one side of it"));
 }
 
-TEST_CASE("A form that is wanted, and a sigma that is written, are in no doubt") {
+TEST_CASE("A form that stays by choice, and a sigma that is written, are in no doubt") {
     const test::Folder folder;
     const std::string ring =
         folder.write("ring.csv", profile_text([](double x) { return std::pow(x - 0.5e-3, 2) / 8e-3; }));
-    for (const char* wanted : {"detrend = \"none\"\n", "detrend = \"mean\"\n"})
-        CHECK_FALSE(contains(Run(scene_of(ring, wanted)).said(), "parabola"));
+    for (const char* chosen : {"detrend = \"none\"\n", "detrend = \"mean\"\n"})
+        CHECK_FALSE(contains(Run(scene_of(ring, chosen)).said(), "parabola"));
     const Run written(scene_of(ring, "rms_height = \"0.3 um\"\n"));
     CHECK_FALSE(written.results.doubtful);
     // next to another face: in doubt where most of the sum is the form
