@@ -169,13 +169,35 @@ std::string missing_points(const MapOfSurface& map) {
            " missing; fill = true next to surface.from, or --fill, fills them";
 }
 
+namespace {
+
+/// The summits of \p map; where none is above its eight neighbours, because the highest points are equal, one of these.
+Summits<double> summits_or_highest(const HeightMap<double>& map) {
+    Summits<double> found = summits_of(map);
+    if (!found.summits.empty() || map.rows() < 5 || map.columns() < 5) return found;
+    Eigen::Index j = 0, i = 0;
+    const auto inner = map.heights.block(1, 1, map.rows() - 2, map.columns() - 2);
+    inner.isNaN().select(-std::numeric_limits<double>::infinity(), inner).maxCoeff(&j, &i);
+    ++j, ++i;
+    if (map.heights.block(j - 1, i - 1, 3, 3).isNaN().any()) return found;
+    auto top = parts::top_of(parts::shape_by_differences<double>(map.heights, j, i), map.dx, map.dy, 1.0);
+    if (!(top.min_curvature > parts::min_curvature_ratio<double> * top.max_curvature)) return found;
+    const parts::MapHeights<double> heights(map);
+    top.height += (heights.of(map.heights(j, i)) - heights.mean) * heights.unit;
+    top.x += static_cast<double>(i) * map.dx, top.y += static_cast<double>(j) * map.dy;
+    found.summits.push_back(top);
+    return found;
+}
+
+}  // namespace
+
 std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
     MapOfSurface of;
     of.maps = std::move(maps);
     double area = 0;
     bool whole = true;
     for (const auto& map : of.maps) {
-        of.summits.push_back(parts::with_hertz_factors(summits_of(*map)));
+        of.summits.push_back(parts::with_hertz_factors(summits_or_highest(*map)));
         const double rms = of.summits.back().rms_height;
         of.mean_square_height += map->area() * rms * rms;
         area += map->area();

@@ -188,6 +188,13 @@ std::vector<Parameter> unknown_parameters(const Scene& scene) {
         all = unknown_parameters(*scene.face.measured, scene.face.parameters);
     else if (!measured_faces(scene).empty())  // of a sum: what is unknown of one face may not matter next to the other
         all = parts::unknown_parameters(scene.face.parameters);
+    if (all.empty() && scene.faces.size() == 2)
+        for (const auto& [name, face] : measured_faces(scene)) {
+            const double share = face->parameters.rms_height.value / scene.face.parameters.rms_height.value;
+            const auto own = unknown_parameters(*face->measured, face->parameters);
+            if (2 * share * share > 1 && std::count(own.begin(), own.end(), Parameter::rms_height) > 0)
+                all = {Parameter::rms_height};
+        }
     if (scene.best) std::erase_if(all, [](Parameter one) { return one != Parameter::rms_height; });
     return all;
 }

@@ -62,12 +62,13 @@ TEST_CASE("unlike measurements: means of the spectra, and the scatter is the err
     auto without = b;
     without.fractal_dimension.reset(), without.fractal_roughness.reset();
     CHECK(test::relative_error(pooled(std::vector{a, without}).fractal_dimension->value, 1.4) < 1e-14);
-    without.peak_radius = without.peak_density = {}, without.why_no_density = "one island";
+    const HeightStatistics<double> heights{.rms_gradient = {0.1, 0.01}, .moments = {4e-12, 0.005, 1e8}};
+    without.peak_radius = without.peak_density = {}, without.why_no_density = "one island", without.heights = heights;
     const auto known_of_one = pooled(std::vector{a, without});
     CHECK(test::relative_error(known_of_one.peak_radius.value, a.peak_radius.value) < 1e-13);
     CHECK(test::relative_error(known_of_one.peak_density.value, a.peak_density.value) < 1e-13);
     auto neither = a;
-    neither.peak_radius = neither.peak_density = {}, neither.why_no_density = "one island";
+    neither.peak_radius = neither.peak_density = {}, neither.why_no_density = "one island", neither.heights = heights;
     CHECK(pooled(std::vector{neither, without}).why_no_density == "one island");
     CHECK(pooled(std::vector{neither, without}).find(Parameter::peak_radius) == nullptr);
     CHECK_THROWS_AS(pooled(std::vector<Surface<double>>{}), domain_error);

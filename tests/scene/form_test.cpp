@@ -125,21 +125,29 @@ TEST_CASE("Maps of a ball, a cylinder, a saddle and a wedge with a step are in d
     CHECK(contains(oblique.said(), "one step; crop or mask keeps one side of it"));
 }
 
-TEST_CASE("A form that is wanted, and a sigma that is written, are in no doubt") {
+TEST_CASE("A form that stays by choice, and a sigma that is written, are in no doubt") {
     const test::Folder folder;
     const std::string ring =
         folder.write("ring.csv", profile_text([](double x) { return std::pow(x - 0.5e-3, 2) / 8e-3; }));
-    for (const char* wanted : {"detrend = \"none\"\n", "detrend = \"mean\"\n"})
-        CHECK_FALSE(contains(Run(scene_of(ring, wanted)).said(), "parabola"));
+    for (const char* chosen : {"detrend = \"none\"\n", "detrend = \"mean\"\n"})
+        CHECK_FALSE(contains(Run(scene_of(ring, chosen)).said(), "parabola"));
     const Run written(scene_of(ring, "rms_height = \"0.3 um\"\n"));
     CHECK_FALSE(written.results.doubtful);
+    // next to another face: in doubt where most of the sum is the form
+    const auto two = [&](const char* other) {
+        return Run("material = { upper = \"steel\" }\n[surface.upper]\nfrom = '" + ring +
+                   "'\n[surface.lower]\nSq = \"" + other +
+                   "\"\nSdq = 0.2\n[contact]\npressures = [\"10 MPa\"]\n[uncertainty]\nsamples = 20\n")
+            .results.doubtful;
+    };
+    CHECK(two("1 um"));
+    CHECK_FALSE(two("100 um"));
 }
 
 TEST_CASE("Sigma with an error above half its value is in doubt in a scene as in a measurement") {
     const test::Folder folder;
-    for (const std::string& text :
-         {profile_text([](double x) { return 3e-6 * std::sin(1.2e4 * x); }),
-          map_text([](double x, double y) { return 2e-6 * std::sin(6e4 * x) * std::cos(4e4 * y); })}) {
+    for (const std::string& text : {profile_text([](double x) { return 3e-6 * std::sin(7.5e3 * x); }),
+                                    map_text([](double x, double) { return 2e-6 * std::sin(5e4 * x); })}) {
         const auto measured = test::measured("", text);
         const auto& height = measured["surface"]["rms_height"];
         REQUIRE(height["error"].get<double>() > 0.5 * height["value"].get<double>());
@@ -153,12 +161,12 @@ TEST_CASE("Sigma with an error above half its value is in doubt in a scene as in
 
 TEST_CASE("Lengths of metres are a warning") {
     const auto warned = [](const std::string& how) {
-        const auto document = test::measured(how, test::profile_text(400, 1e-6, {.rms = 0.3e-6}));
+        const auto document = test::measured(how, test::profile_text(400, 1e-6, {.hurst = 0.8, .rms = 0.3e-6}));
         return contains(document["source"]["warnings"].dump(), "a unit of its lengths is likely wrong");
     };
     CHECK(warned("--spacing '0.5 m' --units m"));
     CHECK_FALSE(warned(""));
-    const std::string map = test::map_text(64, 1e-6, {.rms = 0.3e-6});
+    const std::string map = test::map_text(64, 1e-6, {.hurst = 0.8, .rms = 0.3e-6});
     const auto of_map = test::measured("--units m --dx '0.5 m' --dy '0.5 m'", map);
     CHECK(contains(of_map["warnings"].dump(), "a unit of its lengths is likely wrong"));
 }

@@ -59,7 +59,7 @@ TEST_CASE("K of a smooth ball is that of Hertz, and R and D_p are not known: one
     CHECK(K > hertz);
     CHECK(K < 1.15 * hertz);
     HeightMap<double> centred = ball();
-    const auto exact = parts::truth(centred, E, std::vector{1e6}, {.points = 128});
+    const auto exact = truth(centred, E, std::vector{1e6}, {.points = 128});
     CHECK(test::relative_error(K, exact.front().state.stiffness) < 1e-6);
     CHECK_FALSE(of.face.has_radius_and_density());
     CHECK(of.face.parameters.why_no_density == "one island");
