@@ -37,8 +37,10 @@ std::string of_open_body(const Scene& scene) { return scene.open_body.empty() ? 
 std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     const std::optional<double>& ratio = answer.relative_hardness;
-    const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, 2) : "",
-                      limit = rounded(parts::flowing_hardness);
+    const std::string limit = rounded(parts::flowing_hardness);
+    int digits = 2;  // as many as differ from the limit
+    while (ratio && digits < 9 && rounded(*ratio, digits) == limit) ++digits;
+    const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, digits) : "";
     const std::string flow = "The peaks yield at first loading " + number + " is below " + limit + ")";
     const bool loads = std::any_of(answer.reasons.begin(), answer.reasons.end(),
                                    [](const AnswerReason& one) { return one.loading_stiffness.has_value(); });
