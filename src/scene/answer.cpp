@@ -288,6 +288,10 @@ StiffnessAnswer answer_of(const Scene& scene, const Results& results, Curve base
         }
         put(parts::Cause::law, law_error(scene, law->which, reason, std::isfinite(grid) ? grid : 0));
         const double K = base.states[i].stiffness.value;
+        if (reason.loading_stiffness) {  // that of the law, next to K of boundary elements
+            *reason.loading_stiffness = std::min(*reason.loading_stiffness, K);
+            base.states[i].loading_stiffness.value = *reason.loading_stiffness;
+        }
         const auto whole = parts::band_of(reason.causes);
         constexpr double most = std::numeric_limits<double>::max() / 2;  // as in_range() of a state
         bands.push_back({K * std::exp(whole.low), K, std::min(most, K * std::exp(whole.high))});

@@ -37,8 +37,10 @@ std::string of_open_body(const Scene& scene) { return scene.open_body.empty() ? 
 std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     const std::optional<double>& ratio = answer.relative_hardness;
-    const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, 2) : "",
-                      limit = rounded(parts::flowing_hardness);
+    const std::string limit = rounded(parts::flowing_hardness);
+    int digits = 2;  // as many as differ from the limit
+    while (ratio && digits < 9 && rounded(*ratio, digits) == limit) ++digits;
+    const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, digits) : "";
     const std::string flow = "The peaks yield at first loading " + number + " is below " + limit + ")";
     const bool loads = std::any_of(answer.reasons.begin(), answer.reasons.end(),
                                    [](const AnswerReason& one) { return one.loading_stiffness.has_value(); });
@@ -74,10 +76,12 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
         text = "K is computed from the numbers of the map: " + missing;
     else if (count > 0)
         text = "Boundary elements solve the map itself" +
-               (count == curve.by.size() ? ""
-                                         : " at the pressures of the summary where " + least +
-                                               " points touch; elsewhere K is computed from its summits and bearing "
-                                               "curve");
+               (count == curve.by.size()
+                    ? ""
+                    : (points_of_answer(scene).size() < scene.points.size() ? " at the pressures of the summary" : "") +
+                          std::string(" where ") + least +
+                          " points touch; elsewhere K is computed from its summits and bearing "
+                          "curve");
     else if (map && scene.face.spectrum_of_map)
         text = curve.law->needs_spectrum
                    ? "K is computed from the map's summits and bearing curve"

@@ -219,6 +219,49 @@ TEST_CASE("The report of a measured map shows it in colours") {
     CHECK(seen["figures"][6]["lines"] == 1);
 }
 
+TEST_CASE("report -o FILE.html writes that file, whether its folder exists or not, and -o FOLDER its report.html") {
+    const Folder folder;
+    for (const char* place : {"page.html", "new/deep/page.html"}) {
+        const Outcome outcome = run_fstiff("report -o '" + folder / place + "'");
+        CHECK(outcome.status == 0);
+        CHECK(contains(outcome.out, folder / place));
+        REQUIRE(std::filesystem::is_regular_file(folder / place));
+        CHECK(contains(read(folder / place), "<!DOCTYPE html>"));
+        CHECK(run_fstiff("report -o '" + folder / place + "'").status == 0);  // over itself
+    }
+    REQUIRE(run_fstiff("report -o '" + folder / "new" + "'").status == 0);
+    CHECK(std::filesystem::is_regular_file(folder / "new/report.html"));
+    const std::string foreign = folder.write("mine.html", "<p>mine</p>");
+    CHECK(run_fstiff("report -o '" + foreign + "'").status == 3);
+    CHECK(read(foreign) == "<p>mine</p>");
+}
+
+TEST_CASE("The report has the hardness, and is amber where a K is lost or no hardness is known") {
+    const Folder folder;
+    const auto page = [&](const std::string& upper, const std::string& contact, int status) {
+        const std::string scene = folder.write("s.toml",
+                                               "[surface]\nSq = \"0.8 um\"\nSdq = 0.1\n[material.upper]\nname = "
+                                               "\"steel\"\n" +
+                                                   upper + "[contact]\n" + contact);
+        CHECK(run_fstiff("report '" + scene + "' -o '" + folder / "s.html" + "'").status == status);
+        return read(folder / "s.html");
+    };
+    const std::string soft = "hardness = \"20 MPa\"\n", warned = "class=\"result warned\"";
+    const std::string lost = page(soft, "laws = [\"hertz\"]\npressures = [\"25 MPa\"]\n", 4);
+    for (const char* part : {"hardness 20 MPa", "class=\"result warned\"", "Result: doubtful", "the answer has no K"})
+        CHECK(contains(lost, part));
+    CHECK_FALSE(contains(lost, "yielding is not checked"));
+    const std::string partly = page(soft, "pressures = [\"1 MPa\", \"25 MPa\"]\n", 4);
+    CHECK(contains(partly, "no K at 25 MPa: at the hardness, 20 MPa"));
+    CHECK(contains(partly, warned));
+    const std::string elastic = page("", "pressures = [\"1 MPa\"]\n", 0);
+    CHECK(contains(elastic, warned));
+    CHECK(contains(elastic, "K is elastic and its band does not include yielding"));
+    const std::string sound = page("hardness = \"2 GPa\"\n", "pressures = [\"1 MPa\"]\n", 0);
+    CHECK_FALSE(contains(sound, warned));
+    CHECK(contains(sound, "the other face is smooth"));
+}
+
 TEST_CASE("report refuses what run refuses, and leaves no folder then") {
     const Folder folder;
     const Outcome bad = run_fstiff("report '" + folder.write("bad.toml", "x = 1") + "' -o '" + folder / "out" + "'");
@@ -255,7 +298,7 @@ TEST_CASE("The report begins with the answer and names the assumed material") {
                                                                   "[material.lower]\nyoungs_modulus = \"70 GPa\""));
     REQUIRE(run_fstiff("report '" + scene + "' -o '" + folder / "own" + "'").status == 0);
     const std::string own = read(folder / "own/report.html");
-    CHECK(contains(own, "Material: E = 205 GPa, ν = 0.3 on E = 70 GPa, ν = 0.3; no yield strength is given"));
+    CHECK(contains(own, "Material: E = 205 GPa, ν = 0.3 on E = 70 GPa, ν = 0.3; no hardness is given"));
     CHECK_FALSE(contains(own, "assumed"));
     CHECK(contains(own, "<td>0.86"));  // K with its band in brackets
     CHECK(contains(own, " to "));

@@ -354,4 +354,22 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
     CHECK(contains(closed.err, "m.txt: all points of the map are in contact at 9e+10 Pa, so that there is no K"));
 }
 
+TEST_CASE("A lost pressure has its sentence and exit code 4 in the table, the CSV and the JSON of run") {
+    const Folder folder;
+    for (const char* laws : {"", "laws = [\"hertz\"]\n"}) {
+        const std::string scene = folder.write(
+            "s.toml", "[surface]\nSq = \"0.8 um\"\nSdq = 0.01\n[material]\nupper = \"steel\"\n[contact]\n" +
+                          std::string(laws) + "pressures = [\"10 MPa\", \"2 GPa\"]\n");
+        // 0.75 E g with E = 210 GPa/(2 (1 - 0.3^2))
+        for (const char* format : {"table", "csv", "json"}) {
+            const Outcome outcome = run_fstiff("run '" + scene + "' --format " + format);
+            INFO(outcome.out << outcome.err);
+            CHECK(outcome.status == 4);
+            std::string all = outcome.out + outcome.err;
+            std::replace(all.begin(), all.end(), '\n', ' ');
+            CHECK(contains(all, "above 865 MPa the contact is closed and the bulk carries the load"));
+        }
+    }
+}
+
 }  // namespace run_test

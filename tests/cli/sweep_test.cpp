@@ -2,6 +2,8 @@
 // fstiff sweep and fstiff merge as people run them.
 #include "cli/command.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <cmath>
 #include <map>
@@ -215,6 +217,30 @@ TEST_CASE("Measured files may be swept") {
     CHECK(contains(scene("\"trace1.csv\"", "\"10 MPa\""), value(fields(all[1]), "stiffness_Pa_per_m")));
     CHECK(
         contains(scene("[\"trace1.csv\", \"trace2.csv\"]", "\"1 MPa\""), value(fields(all[2]), "stiffness_Pa_per_m")));
+}
+
+TEST_CASE("The band of a named law of a measured surface has the digits of fstiff run") {
+    const Folder folder;
+    REQUIRE(run_fstiff(
+                "generate profile --points 1024 --spacing '0.5 um' --hurst 0.7 --rms '0.4 um' --shortest '5 um' -o '" +
+                folder / "p.csv" + "'")
+                .status == 0);
+    const std::string rest =
+        "[surface]\nfrom = \"p.csv\"\n[material]\nupper = \"steel\"\n[uncertainty]\nsamples = 40\n[contact]\n"
+        "laws = [\"hertz\"]\npressures = ";
+    const Csv run(
+        run_fstiff("run '" + folder.write("run.toml", rest + "[\"2 MPa\", \"30 MPa\"]\n") + "' --format csv").out);
+    REQUIRE(run_fstiff("sweep '" + folder.write("grid.toml", rest + "[\"2 MPa\", { values = [\"30 MPa\"] }]\n") +
+                       "' -o '" + folder / "out.jsonl" + "'")
+                .status == 0);
+    std::istringstream written(read(folder / "out.jsonl"));
+    std::string line;
+    for (std::size_t row = 2; row < 4; ++row) {  // after the answer's
+        REQUIRE(std::getline(written, line));
+        const auto found = nlohmann::json::parse(line);
+        for (const char* key : {"stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m"})
+            CHECK(found.at(key).get<double>() == run.number(row, key));
+    }
 }
 
 TEST_CASE("K by the table of a law is within its stated error, for any number of shards") {

@@ -40,7 +40,8 @@ std::string line(const char* key, double value, const char* unit = "") {
 
 /// The texts of \p one with each measurement that is open, at the value that was assumed.
 std::map<std::string, std::string> followed(const Case& one) {
-    const auto& face = test::face(test::scene_of(one.text()));
+    const scene::Scene read = test::scene_of(one.text());
+    const scene::Face& face = test::face(read);
     std::map<std::string, std::string> all;
     if (face.is_open(Unknown::gradient)) all["Sdq"] = one.text(line("Sdq", *face.rms_gradient));
     if (face.is_open(Unknown::alpha)) all["alpha"] = one.text(line("alpha", *face.alpha));

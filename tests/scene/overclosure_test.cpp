@@ -114,8 +114,7 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
         "law = \"plastic\": is not a law of the scene that gives a separation; must be one of \"fractal\", \"hertz\", "
         "\"greenwood_williamson\"");
     CHECK(refusal({.peaks = 0}) == "peaks = 0: must be between 1 and 2, as many as contact.peaks has");
-    CHECK(refusal({.from = 2e6, .to = 1e6}) ==
-          "until = 1000000: must be greater than from, 2e+06 Pa; the scene may have one pressure only");
+    CHECK(refusal({.from = 2e6, .to = 1e6}) == "until = 1000000: must be greater than from, 2e+06 Pa");
     CHECK(refusal({.from = -1.0}) == "from = -1: must be finite and greater than 0");
     CHECK(refusal({.tolerance = 0.3}) == "tolerance = 0.3: must be between 0.001 % and 20 %");
 }

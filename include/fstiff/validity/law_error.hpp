@@ -8,9 +8,8 @@
 ///
 ///     low  = -sqrt(low(p*)^2 + sum low_i^2),  high = sqrt(high(p*)^2 + sum high_i^2)
 ///
-/// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*; of the
-/// height alone the greater of p* and 0.7 p/H, which no law's error depends on below 1.5e-4. Terms
-/// low_i, high_i of long waves, skewness and kurtosis: docs/theory.md, section 15.
+/// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*; height
+/// alone: the greater of p* and 0.7 p/H, at least 1.5e-4. Terms low_i, high_i: docs/theory.md, section 15.
 ///
 /// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13
 /// Units       p* = p/(E g_rms), ln K
