@@ -12,7 +12,9 @@ std::string_view title_unit(std::string_view title) {
         const std::size_t end = title.rfind(close);
         const std::size_t begin = title.substr(0, end).rfind(open);
         if (end == std::string_view::npos || begin == std::string_view::npos) continue;
-        if (const auto inside = trimmed(title.substr(begin + 1, end - begin - 1)); known(inside)) return inside;
+        const auto inside = trimmed(title.substr(begin + 1, end - begin - 1));
+        if (known(inside)) return inside;
+        if (measures_no_length(inside)) return {};  // "force (N/m)" is in no metres
     }
     const std::size_t last = title.find_last_of(" \t/_:=");
     const std::string_view word = last == std::string_view::npos ? title : title.substr(last + 1);

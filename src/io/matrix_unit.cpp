@@ -57,7 +57,7 @@ MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view
     const bool factor_stated = std::any_of(entries.begin(), entries.end(), [](const HeaderEntry& entry) {
         return entry.key.starts_with("height conversion factor");
     });
-    if (!factor_stated) refuse_no_length(entries, name);
+    if (!factor_stated && !given.empty()) refuse_no_length(entries, name);
     if (!given.empty()) {
         MatrixUnit unit{.factor = unit_factor(given, Dimension::length),
                         .shown = std::string(given),

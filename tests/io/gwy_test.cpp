@@ -141,7 +141,7 @@ TEST_CASE("Files of Gwyddion that cannot be meant are refused with component, va
     CHECK(has(refusal(file(part("/x", 'S', little(0xFFFFFFFF, 4)))), "ends within the text of \"/x\""));
 }
 
-TEST_CASE("A file of Gwyddion is known by its first bytes, one row is a profile, and the option channel is its own") {
+TEST_CASE("A file of Gwyddion is known by its first bytes, one row is a profile, and the option channel names one") {
     const io::Surface map = io::read_surface(file(channel(0)), "file");
     CHECK(map.record.format == io::SurfaceFormat::gwy);
     CHECK(map.record.format_from == "the first bytes");
@@ -152,8 +152,8 @@ TEST_CASE("A file of Gwyddion is known by its first bytes, one row is a profile,
     CHECK(profile.profile().spacing == 6e-6 / 20);
     const std::string two = file(channel(0) + channel(1, {.values = {1, 2, 3, 4, 5, 7}}));
     CHECK(io::read_surface(two, "file", {.channel = "1"}).map().heights(0, 0) == 1e-9);
-    CHECK(has(test::refusal([] { (void)io::read_surface("1 2\n3 4\n"s, "file", {.channel = "1"}); }),
-              "has no use for channel"));
+    CHECK(has(test::refusal([] { (void)io::read_surface("1 2\n3 4\n"s, "file", {.channel = "2"}); }),
+              "has no channel \"2\""));
     CHECK(has(test::refusal([] { (void)io::read_surface(file(channel(0)), "file", {.spacing = 1.0}); }),
               "no use for spacing"));
 }

@@ -39,6 +39,25 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
             has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, "));
     }
     CHECK(has(refusal("1 2\n\0"s), "holds NUL bytes"));
+    const std::pair<std::string, const char*> others[] = {{"Binary TrueMap Data File v2.0\r\n\0"s, ".tmd"},
+                                                          {"fileType      Image\n\0"s, ".mi"},
+                                                          {"[DataSet]\r\nGroupCount=1\r\n\0"s, ".nid"},
+                                                          {"FRTM_GLIDERV1.00\0"s, ".frt"},
+                                                          {"fileformat = bcrf\n\0"s, ".bcrf"},
+                                                          {"WSxM file copyright UAM\nSxM Image file\n\0"s, ".stp"},
+                                                          {"BM\x36\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0"s, "BMP"},
+                                                          {"\5\0\xFB\xFF"s + std::string(380, '\0'), ".ibw"},
+                                                          {"P5\n2 2\n255\nabcd", "PGM"},
+                                                          {"P2\n2 2\n255\n1 2\n3 4\n", "PGM"},
+                                                          {"{\\rtf1\\ansi 1 2 3}", ".rtf"},
+                                                          {"# Blender\no Cube\nv 1 2 3\nv 1 2 4\n", ".obj"},
+                                                          {"v 1 2 3\nv 1 2 4\nf 1 2 3\n", ".obj"},
+                                                          {"ply\nformat ascii 1.0\n", ".ply"}};
+    for (const auto& [bytes, name] : others) {
+        INFO(name);
+        CHECK(has(refusal(bytes), name));
+        CHECK(has(refusal(bytes), "which is not read; must be text"));
+    }
 }
 
 TEST_CASE("Endless input is refused at its first block") {

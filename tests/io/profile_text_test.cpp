@@ -5,7 +5,9 @@
 #include "support/skip.hpp"
 #include "support/surfaces.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <sstream>
 
@@ -514,6 +516,43 @@ TEST_CASE("Heads of Hommel and Mitutoyo give the spacing and the unit", "[header
         CHECK(has(test::said(found, "spacing"), "line 1"));
     }
     check_rows(read("# Punktabstand: 0,5 um\n# Einheit: nm\n" + with_commas(one)), 1e-6, 1e-9);
+}
+
+TEST_CASE("A length and the number of rows above the heights are a header", "[header]") {
+    std::string heights;
+    for (int i = 0; i < 20; ++i) heights += std::to_string(height(i)) + ".5\n";
+    for (const std::string head : {"2.00000\n20\n", "20\n", "0.01\n2.0\n20\n"}) {
+        CAPTURE(head);
+        const io::Surface found = read(head + heights, {.units = "um", .spacing = 1e-7});
+        CHECK(found.profile().size() == 20);
+        CHECK(found.profile().heights[0] == (height(0) - 0.5) * 1e-6);
+    }
+    CHECK(read("21\n" + heights, {.units = "um", .spacing = 1e-7}).profile().size() == 21);
+    CHECK(has(refusal("2.00000\n20\n" + heights), "would be units = um and spacing = \"0.1 mm\""));
+}
+
+TEST_CASE("Rows beside words are read by their columns, or counted in the header", "[header]") {
+    std::string sheet;
+    for (int i = 0; i < 20; ++i)
+        sheet += (i < 3 ? "Rz 1," : ",") + std::to_string(i) + "," + std::to_string(height(i)) + "\n";
+    const io::Surface found = read(sheet, {.units = "um", .column = 3, .x_column = 2});
+    CHECK(found.profile().size() == 20);
+    const auto sentences = read(sheet, {.units = "um", .spacing = 1e-6, .column = 3}).record.sentences();
+    CHECK(std::any_of(sentences.begin(), sentences.end(), [](const std::string& sentence) {
+        return sentence == "header: 3 lines, 3 of which hold numbers beside words and are left out";
+    }));
+}
+
+TEST_CASE("A line of the header costs no more than some rows", "[header]") {
+    std::string head, rows;
+    for (int i = 0; i < 20000; ++i) head += "# Remark " + std::to_string(i) + " of the operator: nothing here\n";
+    for (int i = 0; i < 20000; ++i) rows += std::to_string(height(i)) + ".125 " + std::to_string(i) + ".5\n";
+    const auto seconds = [](const std::string& text, std::size_t column) {
+        const std::clock_t begin = std::clock();
+        (void)read(text, {.units = "um", .spacing = 1e-6, .column = column});
+        return static_cast<double>(std::clock() - begin);
+    };
+    CHECK(seconds(head + rows, 1) < 30 * seconds(rows, 1));
 }
 
 TEST_CASE("Options that contradict the file are used and reported", "[contradiction]") {

@@ -115,6 +115,14 @@ TEST_CASE("Reals that are no numbers or infinite are missing, those that the sca
     CHECK(read(Header{.version = "bBCR-1.0"}.bytes() + six(1.75e308)).record.missing == 1);
 }
 
+TEST_CASE("The maker in the first line may be another") {
+    check_heights(read(text("9 1 2\n3 4 5", "aNIST-1.0", "3", "2", "7", "\n")));
+    CHECK(io::is_sdf(text("9 1 2\n3 4 5", "aNPL-2.0", "3", "2", "7", "\n")));
+    check_heights(read(Header{.version = "bNPL-1.0"}.bytes() + six(9.0)));
+    CHECK_FALSE(io::is_sdf("aNIST-1.0\n1 2 3\n"));
+    CHECK_FALSE(io::is_sdf("aNIST-10\nNumPoints = 3\nZscale = 1\n"));
+}
+
 TEST_CASE("Text is read with any line ends, in any layout of the heights, with BAD points") {
     const std::string end = GENERATE("\n", "\r\n", "\r");
     const std::string version = GENERATE("aISO-1.0", "aISO-2.0", "aBCR-1.0", "AISO-1.0");

@@ -184,6 +184,18 @@ TEST_CASE("Binary files are known by their first bytes") {
     CHECK_THROWS_AS(io::read_surface(std::filesystem::path(".")), fstiff::file_error);
 }
 
+TEST_CASE("A second file behind the first one is reported") {
+    const std::string gsf =
+        "Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 2\nXReal = 1\nYReal = 1\nXYUnits = m\nZUnits = m\n" +
+        std::string(4, '\0') + std::string(12, '\0') + std::string("\0\0\x80\x3F", 4);
+    const std::string padded =
+        gsf.substr(0, gsf.find('\0')) + std::string(4 - gsf.find('\0') % 4, '\0') + gsf.substr(gsf.find('\0') + 4);
+    CHECK(read(padded).record.warnings.empty());
+    const auto warnings = read(padded + padded).record.warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(has(warnings[0], "a second one of the form gsf from byte " + std::to_string(padded.size())));
+}
+
 TEST_CASE("Formats have names") {
     for (const char* name : {"auto", "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur"})
         CHECK(io::surface_format_name(io::surface_format(name)) == name);
