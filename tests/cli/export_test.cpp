@@ -77,7 +77,7 @@ TEST_CASE("The comments give the source of the table and its range") {
     const std::string text = test::run_fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
     for (const std::string part :
          {"** fstiff " FSTIFF_VERSION_TEXT ": contact law for calculix, pressure against overclosure; its slope is "
-                                           "-dp/dd, which is K of law hertz, within ",
+          "-dp/dd, which is K of law hertz, within ",
           "(built-in scene), SHA-256 ", "hertz, theta = 1.0472, r = ",
           "mm, N, MPa; pressure [MPa] against overclosure [mm]", "0.1 to 100 MPa", "tolerance 5 %", "tolerance 2 %",
           "faces drawn in contact have overclosure 0", "the pressure stays constant"}) {
