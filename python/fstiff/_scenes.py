@@ -261,6 +261,7 @@ def export(
     *,
     units: str | None = None,
     tolerance: float | str | None = None,
+    slope_tolerance: float | str | None = None,
     pressures: tuple[float | str, float | str] | None = None,
     law: str | None = None,
     peaks: int = 1,
@@ -273,13 +274,15 @@ def export(
     to         the program; "law": the tabulated law itself, for Law.from_text
     units      of the model: length, force and pressure, "mm,N,MPa" by default
     tolerance  largest error of the pressure between two rows, 0.01 by default
+    slope_tolerance  of the slope between two rows, which is K of an elastic law, 0.02 by default
     pressures  from and until which the table reaches [Pa]; the least and the greatest of the scene by default
     law        of the scene, its first that gives a separation by default
     peaks      which of contact.peaks, from 1 on
     at         pressure whose tangential stiffness a card of friction holds [Pa]; the middle of the range in decades by default
     """
     given: dict[str, Any] = {"to": to, "units": units, "law": law, "peaks": peaks, "at": at}
-    given["tolerance"] = repr(tolerance) if isinstance(tolerance, (int, float)) else tolerance
+    for key, share in (("tolerance", tolerance), ("slope_tolerance", slope_tolerance)):
+        given[key] = repr(share) if isinstance(share, (int, float)) else share
     given["from"], given["until"] = pressures or (None, None)
     made, warnings, doubtful = _core.export(scene_of(scene, surface)._core, options_of(given))
     text = Export(made)

@@ -24,7 +24,7 @@ CardRows card_rows(const LawInModel& law, const std::vector<double>& value, cons
     const std::vector<Line> lines{LawColumns::line(by, value)};
     const std::vector<std::size_t> chosen = rows_within(lines, fine_tolerance(law.tolerance));
     CardRows rows{.text = number(value[0]) + ", " + number(by[0]) + end + "\n",
-                  .error = error_of_rows(lines, chosen),
+                  .error = error_of_rows(lines, chosen).value,
                   .count = chosen.size() + 1};
     for (const std::size_t i : chosen) rows.text += number(value[i + 1]) + ", " + number(by[i + 1]) + end + "\n";
     return rows;
@@ -135,7 +135,7 @@ std::string abaqus_friction(const LawInModel& law) {
 /// A column of a table, by the name of what it holds.
 struct NamedColumn {
     std::string name, unit;
-    std::vector<double> values;
+    std::vector<double> values, slopes{};  ///< over the overclosure, where rows keep them
 };
 
 std::vector<NamedColumn> columns_of(const LawInModel& law) {
@@ -143,7 +143,8 @@ std::vector<NamedColumn> columns_of(const LawInModel& law) {
     const ModelUnits& units = law.units;
     std::vector<NamedColumn> columns{
         {"overclosure", units.length, converted(all.overclosure, [&](double x) { return x * units.metre; })},
-        {"pressure", units.pressure, pressures_of(law)},
+        {"pressure", units.pressure, pressures_of(law),
+         converted(all.slope, [&](double K) { return units.stiffness(K); })},
         {"tangential_stiffness", units.of_stiffness(),
          converted(all.tangential, [&](double K) { return units.stiffness(K); })},
         {"thermal_conductance", units.of_heat(), heat_of(law)},
@@ -156,7 +157,7 @@ std::vector<NamedColumn> columns_of(const LawInModel& law) {
 std::vector<Line> lines_of(const std::vector<NamedColumn>& columns) {
     std::vector<Line> lines;
     for (std::size_t c = 1; c < columns.size(); ++c) {
-        lines.push_back(LawColumns::line(columns[0].values, columns[c].values));
+        lines.push_back(LawColumns::line(columns[0].values, columns[c].values, columns[c].slopes));
         if (c > 1) lines.push_back(LawColumns::line(columns[1].values, columns[c].values));
     }
     return lines;
@@ -173,12 +174,15 @@ std::string table_of(const LawInModel& law, const std::vector<NamedColumn>& colu
                      const std::string& names, const std::string& between) {
     const std::vector<Line> lines = lines_of(columns);
     const std::vector<std::size_t> chosen = rows_within(lines, fine_tolerance(law.tolerance));
+    const ChordErrors error = error_of_rows(lines, chosen);
     std::vector<std::string> units;
     for (const NamedColumn& column : columns) units.push_back(column.name + " [" + column.unit + "]");
     std::string text = comment + "columns   " + joined(units, ", ") + "\n";
     if (law.friction) text += comment + "friction  coefficient " + number(*law.friction) + "\n";
-    text += comment + "rows      " + std::to_string(chosen.size() + 1) + ", at most " +
-            rounded(100 * error_of_rows(lines, chosen), 3) + " % off between them in every column\n" + names;
+    text += comment + "rows      " + std::to_string(chosen.size() + 1) + ", at most " + rounded(100 * error.value, 3) +
+            " % off between them in every column" +
+            (error.slope > 0 ? ", and " + rounded(100 * error.slope, 3) + " % in the slope of the pressure" : "") +
+            "\n" + names;
     const auto add = [&](std::size_t row) {
         std::vector<std::string> numbers;
         for (const NamedColumn& column : columns) numbers.push_back(number(column.values[row]));
@@ -201,11 +205,15 @@ std::string LawInModel::pressure(double pascals) const { return number(pascals *
 std::string LawInModel::length(double metres) const { return number(metres * units.metre); }
 
 std::string comment_of_pressure(const LawInModel& law) {
-    const PressureTable& table = law.table;
-    return "** rows      " + std::to_string(table.rows.size()) +
-           "; between them the pressure is linear in the overclosure, at most " + rounded(100 * table.error, 3) +
-           " % off the law\n**           at " + std::to_string(table.columns.pressure.size() - 1) +
-           " pressures in the range (tolerance " + rounded(100 * law.tolerance, 3) + " %)\n";
+    const auto [p, slope] = law.table.error;
+    const auto within = [](double error, double tolerance) {
+        return rounded(100 * error, 3) + " % (tolerance " + rounded(100 * tolerance, 3) + " %)";
+    };
+    return "** rows      " + std::to_string(law.table.rows.size()) + "; lines between them, against the law at " +
+           std::to_string(law.table.columns.pressure.size() - 1) +
+           " pressures of the range, are off\n**           in the pressure by at most " +
+           within(p, law.tolerance.value) +
+           (slope > 0 ? "\n**           in the slope by at most " + within(slope, law.tolerance.slope) : "") + "\n";
 }
 
 std::string calculix_cards(const LawInModel& law) {

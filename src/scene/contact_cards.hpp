@@ -14,7 +14,7 @@ namespace fstiff::scene {
 struct LawInModel {
     const PressureTable& table;
     ModelUnits units{};
-    double tolerance = 0.01;
+    ChordErrors tolerance{};
     std::optional<double> friction{};  ///< the coefficient
     double at = 0;                     ///< the pressure of the one stiffness that a card of friction holds [Pa]
 

@@ -13,11 +13,10 @@
 namespace fstiff::scene {
 namespace {
 
-double share_of(const ExportRequest& request) {
-    const std::string& text = request.tolerance;
+double share_of(const std::string& text, const std::string& name) {
     const bool percent = text.ends_with('%');
     const std::string number_alone = text.substr(0, text.size() - (percent ? 1 : 0));
-    const double number = io::parse_number(number_alone, option_name(request.prefix, "tolerance"));
+    const double number = io::parse_number(number_alone, name);
     return percent ? number / 100 : number;
 }
 
@@ -30,10 +29,14 @@ bool is_stiffness(const std::optional<PressureTable::Range>& slope_over_stiffnes
 /// The slope of the table against the K that run prints: the rest of a sentence "its slope is ...".
 std::string slope_of(const PressureTable& table) {
     const auto& ratio = table.slope_over_stiffness;
-    if (!ratio) return "-dp/dd of law " + table.law + ", not the K of its unloading";
-    if (is_stiffness(ratio)) return "-dp/dd, which is K of law " + table.law;
+    const std::string of_law = " of law " + table.law;
+    if (!ratio) return "-dp/dd" + of_law + ", not the K of its unloading";
+    const std::string within = ", within " + rounded(100 * table.error.slope, 3) + " %";
+    if (is_stiffness(ratio)) return "-dp/dd, which is K" + of_law + within;
     const std::string least = rounded(ratio->least, 3), greatest = rounded(ratio->greatest, 3);
-    return "-dp/dd, " + least + (least == greatest ? "" : " to " + greatest) + " of K of law " + table.law;
+    const std::string of_K = least + (least == greatest ? "" : " to " + greatest) + " of K" + of_law;
+    if (!table.follows_slope) return of_K + "; no table follows -dp/dd, which jumps between neighbouring pressures";
+    return "-dp/dd, " + of_K + within;
 }
 
 ModelUnits units_of(const ExportRequest& request) {
@@ -114,7 +117,8 @@ PressureTableOptions options_of(const ExportRequest& request) {
             .peaks = request.peaks,
             .from = pressure(request.from, "from"),
             .to = pressure(request.until, "until"),
-            .tolerance = share_of(request),
+            .tolerance = share_of(request.tolerance, option_name(request.prefix, "tolerance")),
+            .slope_tolerance = share_of(request.slope_tolerance, option_name(request.prefix, "slope_tolerance")),
             .prefix = request.prefix,
             .progress = request.progress};
 }
@@ -129,6 +133,21 @@ std::size_t longest_table(std::string_view text) {
     return longest;
 }
 
+/// CalculiX makes a table of so many rows from a longer one.
+void warn_of_resampling(const LawInModel& law, ExportedLaw& made) {
+    constexpr std::size_t kept = 200, sure = 186;  // a shorter range has other points to choose rows from
+    if (longest_table(made.text) <= kept) return;
+    std::string way_out = "give larger tolerances or a shorter range";
+    const auto& rows = law.table.rows;
+    const auto p = [&](std::size_t row) { return rounded(rows[row].pressure * law.units.pascal, 2); };
+    if (rows.size() > kept)
+        way_out += ", such as " + p(rows.size() - sure) + " to " + p(rows.size() - 1) + " or " + p(1) + " to " +
+                   p(sure) + " " + law.units.pressure;
+    made.warnings.push_back("CalculiX takes a table of more than " + std::to_string(kept) +
+                            " rows at as many equal steps, so that the tolerances do not hold at small pressures; " +
+                            way_out);
+}
+
 }  // namespace
 
 void check(const ExportRequest& request) {
@@ -141,18 +160,19 @@ ExportedLaw export_law(const Scene& scene, const ExportRequest& request) {
     const PressureTableOptions wanted = options_of(request);
     if (request.to == Solver::law) return {.text = law_text(scene, wanted)};
     const PressureTable table = pressure_table(scene, wanted);
-    LawInModel law{.table = table, .units = units, .tolerance = wanted.tolerance};
+    LawInModel law{.table = table, .units = units, .tolerance = {wanted.tolerance, wanted.slope_tolerance}};
     law.at = pressure_of_friction(scene, table, request);
     if (scene.friction) law.friction = scene.friction->coefficient;
     ExportedLaw made{.text = heading_of(scene, law, request) + body_of(law, request.to),
                      .warnings = table.warnings,
                      .doubtful = table.doubtful};
     if (!is_stiffness(table.slope_over_stiffness))
-        made.warnings.push_back("the slope of the table is " + slope_of(table) + ", which fstiff run prints");
-    constexpr std::size_t kept = 200;
-    if (request.to == Solver::calculix && longest_table(made.text) > kept)
-        made.warnings.push_back("CalculiX takes a table of more than " + std::to_string(kept) +
-                                " rows at as many equal steps, so that the tolerance does not hold at small pressures");
+        made.warnings.push_back("the slope of the table is " + slope_of(table) +
+                                (table.follows_slope
+                                     ? ", which fstiff run prints"
+                                     : "; give a larger " + option_name(request.prefix, "slope_tolerance") +
+                                           ", or the law hybrid, whose slope is K"));
+    if (request.to == Solver::calculix) warn_of_resampling(law, made);
     return made;
 }
 

@@ -31,13 +31,14 @@ namespace fstiff::scene {
 
 struct ExportRequest {
     Solver to = Solver::calculix;
-    std::string units = "mm,N,MPa";  ///< of the model: length, force and pressure
-    std::string tolerance = "1%";    ///< of the pressure between two rows: a share, or per cent
-    Amount from{}, until{};          ///< pressures; empty: the least and the greatest of the scene
-    std::string law{};               ///< of the scene; empty: that of the answer, or its first that has a separation
-    int peaks = 1;                   ///< which of contact.peaks, from 1 on
-    std::string_view prefix{};       ///< of the names of options in messages: "--" on a command line
-    Amount at{};  ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
+    std::string units = "mm,N,MPa";      ///< of the model: length, force and pressure
+    std::string tolerance = "1%";        ///< of the pressure between two rows: a share, or per cent
+    std::string slope_tolerance = "2%";  ///< of the slope between two rows, against -dp/dd
+    Amount from{}, until{};              ///< pressures; empty: the least and the greatest of the scene
+    std::string law{};          ///< of the scene; empty: that of the answer, or its first that has a separation
+    int peaks = 1;              ///< which of contact.peaks, from 1 on
+    std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
+    Amount at{};                ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
     ProgressHook progress{};
 
     template <class Take>
@@ -47,6 +48,8 @@ struct ExportRequest {
         take("units", units, "units of length, force and pressure in the model, such as m,N,Pa",
              {.shows_default = true});
         take("tolerance", tolerance, "largest error of the pressure between two rows", {.shows_default = true});
+        take("slope_tolerance", slope_tolerance, "largest error of the slope between two rows, K of an elastic law",
+             {.shows_default = true});
         take("from", from, "lowest pressure of the table; the default is that of the scene");
         take("until", until, "highest pressure of the table; the default is that of the scene");
         take("law", law,

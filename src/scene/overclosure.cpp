@@ -31,7 +31,8 @@ const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
                        "\": is not a law of the scene that gives a separation; must be one of " + list_of(names));
 }
 
-/// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows.
+/// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows,
+/// eight where the slope rules, or one for a law that takes seconds for each.
 Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     const std::string least_name = option_name(options.prefix, "from");
     const std::string most_name = option_name(options.prefix, "until");
@@ -43,7 +44,7 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     require_positive(least_name, from);
     require(to > from, most_name, to,
             "greater than " + least_name + ", " + shortest(from) + " Pa" +
-                (*least == *greatest ? "; the scene has one pressure only" : ""));
+                (*least == *greatest ? "; the scene has only one pressure" : ""));
 
     Scene fine = scene;
     fine.laws = {&law_of(scene, options)};
@@ -60,9 +61,11 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     fine.real_area = fine.contacts = false;
     fine.tangential_stiffness = scene.tangential_stiffness || scene.friction;
     fine.reflection = fine.shear_reflection = fine.loss_factor = fine.at_separations = false;
-    // the chord of an exponential is off by (log ratio)^2/8
-    const double decades = std::log(to / from), between_rows = std::sqrt(8 * options.tolerance);
-    const auto steps = static_cast<std::size_t>(std::max(32.0, std::ceil(16 * decades / between_rows)));
+    // the chord of an exponential is off by (log ratio)^2/8, and its slope by (log ratio)/2
+    const double decades = std::log(to / from), by_slope = 2 * options.slope_tolerance;
+    const double step =
+        std::min(std::sqrt(8 * options.tolerance) / 16, fine.laws[0]->varies ? by_slope / 8.2 : by_slope);
+    const auto steps = static_cast<std::size_t>(std::max(32.0, std::ceil(decades / step)));
     fine.points.clear();
     for (std::size_t i = 0; i <= steps; ++i)
         fine.points.push_back(from * std::exp(decades * static_cast<double>(i) / static_cast<double>(steps)));
@@ -84,25 +87,26 @@ std::vector<PressureTable::Answer> answer_between(Scene scene, double from, doub
     return rows;
 }
 
-/// The least and the greatest -dp/dd over K.
-std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve) {
+/// The least and the greatest slope of \p points over K.
+std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve, const Line& points) {
     if (!parts::has(curve.law->quantities, Quantity::stiffness) ||
         !parts::has(curve.law->quantities, Quantity::loading_stiffness))
         return std::nullopt;
     PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
-    for (const auto& state : curve.states) {
-        const double ratio = state.loading_stiffness.value / state.stiffness.value;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double ratio = points[i].slope / curve.states[i].stiffness.value;
         if (!(ratio > 0)) return std::nullopt;  // boundary elements that flow know K of unloading alone
         range = {std::min(range.least, ratio), std::max(range.greatest, ratio)};
     }
     return range;
 }
 
-/// The pressures of \p curve over the way that the faces have come closer since its first state.
+/// The pressures of \p curve, and -dp/dd, over the way that the faces have come closer since its first state.
 Line points_of(const Curve& curve) {
     Line points;
     for (const auto& state : curve.states) {
-        points.push_back({curve.states.front().separation.value - state.separation.value, state.pressure.value});
+        points.push_back({curve.states.front().separation.value - state.separation.value, state.pressure.value,
+                          state.loading_stiffness.value});
         if (points.size() > 1 && !(points.back().x > points[points.size() - 2].x))
             throw domain_error("law " + std::string(curve.law->name) + ": the separation does not fall at " +
                                shortest(state.pressure.value) +
@@ -111,6 +115,14 @@ Line points_of(const Curve& curve) {
     if (points.size() < 2)
         throw domain_error("law " + std::string(curve.law->name) + ": has no range of pressures there");
     return points;
+}
+
+/// Gives \p points the slopes of the chords between \p rows.
+void set_slopes_of_chords(Line& points, const std::vector<std::size_t>& rows) {
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+        const LinePoint a = points[rows[row - 1]], b = points[rows[row]];
+        for (std::size_t i = rows[row - 1]; i <= rows[row]; ++i) points[i].slope = (b.y - a.y) / (b.x - a.x);
+    }
 }
 
 /// The value \p at_zero, then those of \p quantity along \p curve; empty where it has none.
@@ -127,10 +139,11 @@ std::vector<double> values_after(double at_zero, const Curve& curve, CurveQuanti
 /// \p points, where the overclosure 0 is at \p foot, and the other columns of \p curve.
 LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& points, double foot,
                         double zero_separation) {
-    LawColumns columns{.overclosure = {0}, .pressure = {0}};
+    LawColumns columns{.overclosure = {0}, .pressure = {0}, .slope = {0}};
     for (const LinePoint& point : points) {
         columns.overclosure.push_back(point.x - foot);
         columns.pressure.push_back(point.y);
+        columns.slope.push_back(point.slope);
     }
     columns.tangential = values_after(0, curve, CurveQuantity::tangential_stiffness);
     columns.current = values_after(0, curve, CurveQuantity::electrical_conductance);
@@ -145,9 +158,9 @@ LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& poin
 
 }  // namespace
 
-Line LawColumns::line(const std::vector<double>& x, const std::vector<double>& y) {
+Line LawColumns::line(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& slope) {
     Line points;
-    for (std::size_t i = 1; i < x.size(); ++i) points.push_back({x[i], y[i]});
+    for (std::size_t i = 1; i < x.size(); ++i) points.push_back({x[i], y[i], slope.empty() ? 0 : slope[i]});
     return points;
 }
 
@@ -162,10 +175,17 @@ std::string law_text(const Scene& scene, const PressureTableOptions& options) {
 PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {
     require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, option_name(options.prefix, "tolerance"),
             options.tolerance, "between 0.001 % and 20 %");
+    require(options.slope_tolerance >= 1e-3 && options.slope_tolerance <= 1,
+            option_name(options.prefix, "slope_tolerance"), options.slope_tolerance, "between 0.1 % and 100 %");
     const Results results = compute(fine_scene(scene, options), options.progress);
     const Curve& curve = results.curves.front();
-    const Line points = points_of(curve);
-    const std::vector<std::size_t> chosen = rows_within({points}, fine_tolerance(options.tolerance));
+    Line points = points_of(curve);
+    const ChordErrors within = fine_tolerance({options.tolerance, options.slope_tolerance});
+    std::vector<std::size_t> chosen = rows_within({points}, within);
+    const bool follows = error_of_rows({points}, chosen).slope <= within.slope;
+    if (!follows) chosen = rows_within({points}, {within.value, std::numeric_limits<double>::infinity()});
+    const ChordErrors error = error_of_rows({points}, chosen);
+    if (!follows) set_slopes_of_chords(points, chosen);
     const LinePoint first = points.front(), second = points[chosen[1]];
     const double foot = -first.y * second.x / (second.y - first.y);
 
@@ -174,14 +194,16 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
                         .from = points.front().y,
                         .to = points.back().y,
                         .zero_separation = curve.states.front().separation.value - foot,
-                        .error = error_of_rows({points}, chosen),
+                        .error = error,
                         .answer = scene.best && options.law.empty()
                                       ? answer_between(scene, points.front().y, points.back().y, options.progress)
                                       : std::vector<PressureTable::Answer>(),
-                        .slope_over_stiffness = slope_over_stiffness(curve),
+                        .slope_over_stiffness = slope_over_stiffness(curve, points),
+                        .follows_slope = follows,
                         .warnings = results.warnings,
-                        .doubtful = results.doubtful};
+                        .doubtful = results.doubtful || !follows};
     table.columns = columns_from(scene, curve, points, foot, table.zero_separation);
+    if (!follows) table.columns.slope.clear();
     table.rows.push_back({0, 0});
     for (std::size_t i = 1; i < chosen.size(); ++i)
         table.rows.push_back({points[chosen[i]].y, points[chosen[i]].x - foot});

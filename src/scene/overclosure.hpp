@@ -6,9 +6,9 @@
 //     for (const auto& [pressure, overclosure] : table.rows) ...
 //
 // The first row is (0, 0). The rows after it lie on the law, from the second row on without a gap: each line between
-// two of them is as long as the tolerance allows. The line of the first two of the law is prolonged to zero pressure:
-// there the overclosure is 0, and the separation of the mean planes is zero_separation. Below `from` the table is that
-// line and not the law.
+// two of them is as long as the tolerances of the pressure and of its slope allow. The line of the first two of the law
+// is prolonged to zero pressure: there the overclosure is 0, and the separation of the mean planes is zero_separation.
+// Below `from` the table is that line and not the law.
 
 #include "scene/chords.hpp"
 #include "scene/scene.hpp"
@@ -30,21 +30,26 @@ struct PressureTableOptions {
     int peaks = 1;  ///< which of contact.peaks, from 1 on
     std::optional<double> from{}, to{};  ///< [Pa]; none: the least and the greatest pressure of the scene
     double tolerance = 0.01;             ///< of the interpolated pressure, relative; 1e-5 to 0.2
+    double slope_tolerance = 0.02;       ///< of the slope of a line against -dp/dd, relative; 1e-3 to 1
     std::string_view prefix{};           ///< of the names of options in messages: "--" on a command line
     ProgressHook progress{};
 };
 
-/// The tolerance at the points of the fine grid: between them the error is up to 1/16^2 larger.
-[[nodiscard]] inline double fine_tolerance(double tolerance) { return tolerance * (1 - 1.0 / 256); }
+/// The tolerances at the points of the fine grid: between them the error of the value is up to 1/16^2 larger.
+[[nodiscard]] inline ChordErrors fine_tolerance(ChordErrors tolerance) {
+    return {tolerance.value * (1 - 1.0 / 256), tolerance.slope};
+}
 
 /// A law at the overclosure 0 and at many pressures after it. Empty: not asked for, or not known to the law.
 struct LawColumns {
     std::vector<double> overclosure{}, pressure{};  ///< [m, Pa]; both rise
+    std::vector<double> slope{};                    ///< -dp/dd [Pa/m] at the pressures, where lines can follow it
     std::vector<double> tangential{};               ///< stiffness [Pa/m], where the scene has friction or asks for it
     std::vector<double> heat{}, current{};  ///< conductances, that of heat with what fills the gap [W/(m^2 K), S/m^2]
 
-    /// \p y over \p x without the overclosure 0, where it may be 0.
-    [[nodiscard]] static Line line(const std::vector<double>& x, const std::vector<double>& y);
+    /// \p y over \p x without the overclosure 0, where it may be 0; with the slopes \p slope where there are any.
+    [[nodiscard]] static Line line(const std::vector<double>& x, const std::vector<double>& y,
+                                   const std::vector<double>& slope = {});
 };
 
 struct PressureTable {
@@ -60,14 +65,17 @@ struct PressureTable {
     double from = 0, to = 0;     ///< [Pa]: where the tolerance holds
     double zero_separation = 0;  ///< of the mean planes at overclosure 0 [m]
     std::vector<Row> rows{};     ///< both rise from row to row
-    double error = 0;            ///< the largest relative one of the interpolated pressure between `from` and `to`
+    ChordErrors error{};         ///< of the lines between `from` and `to`: the pressure, and the slope against -dp/dd
     LawColumns columns{};        ///< of the fine grid that the rows are chosen from
     struct Answer {
         double pressure, stiffness, low, high;  ///< [Pa, Pa/m]; the ends of the 90 % band
         std::string law;
     };
     std::vector<Answer> answer{};  ///< of a scene that names no law: what run prints, by laws that have no table too
-    std::optional<Range> slope_over_stiffness{};  ///< -dp/dd over K of the law; none: one of them is not known
+    /// -dp/dd over K of the law; that of the lines where they cannot follow -dp/dd; none: one of them is not known.
+    std::optional<Range> slope_over_stiffness{};
+    bool follows_slope =
+        true;  ///< false: -dp/dd jumps between neighbouring pressures, and rows keep the pressure alone
     std::vector<std::string> warnings{};
     bool doubtful = false;  ///< as Results::doubtful
 };

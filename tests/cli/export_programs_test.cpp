@@ -253,6 +253,9 @@ TEST_CASE("export replaces its own tables, and reports where CalculiX resamples 
     }
     const auto warnings = [](const std::string& options) { return test::run_fstiff("export - " + options, scene).err; };
     CHECK(test::contains(warnings("--to calculix --tolerance 0.001%"), "more than 200 rows"));
+    const std::string shorter = warnings("--to calculix --slope-tolerance 0.5%");
+    CHECK(test::contains(shorter, "a shorter range, such as "));
+    CHECK(test::contains(shorter, " to 50 or 1 to "));
     CHECK_FALSE(test::contains(warnings("--to calculix --tolerance 0.1%"), "200"));
     CHECK_FALSE(test::contains(warnings("--to abaqus --tolerance 0.001%"), "200"));
 }

@@ -57,7 +57,7 @@ TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
     scene::Line points;
     for (int i = 0; i <= 7000; ++i) points.push_back({1e-3 * i, std::exp(1e-3 * i)});
     for (const double tolerance : {0.1, 0.01, 0.001}) {
-        const auto rows = scene::rows_within({points}, tolerance);
+        const auto rows = scene::rows_within({points}, {tolerance, 1});
         double length = 0;  // the longest chord, in steps of the points
         while (error_of_chord(length + 1e-3) <= tolerance) length += 1e-3;
         CHECK(rows.front() == 0);
@@ -67,11 +67,11 @@ TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
             CHECK(std::abs(1e-3 * static_cast<double>(rows[i] - rows[i - 1]) - length) < 2e-3);
         // a straight line asks for no rows of its own, and takes those of the other
         scene::Line straight;
-        for (const auto& [x, y] : points) straight.push_back({x, 1 + x});
-        CHECK(scene::rows_within({straight}, tolerance).size() == 2);
-        CHECK(scene::rows_within({straight, points}, tolerance) == rows);
-        CHECK(scene::rows_within({points, straight}, tolerance) == rows);
-        CHECK(std::abs(scene::error_of_rows({straight, points}, rows) - tolerance) < 0.01 * tolerance);
+        for (const scene::LinePoint& point : points) straight.push_back({point.x, 1 + point.x});
+        CHECK(scene::rows_within({straight}, {tolerance, 1}).size() == 2);
+        CHECK(scene::rows_within({straight, points}, {tolerance, 1}) == rows);
+        CHECK(scene::rows_within({points, straight}, {tolerance, 1}) == rows);
+        CHECK(std::abs(scene::error_of_rows({straight, points}, rows).value - tolerance) < 0.01 * tolerance);
     }
 }
 
@@ -81,13 +81,14 @@ TEST_CASE("Between the rows the pressure is off by the tolerance and no more, un
     const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
     for (const double tolerance : {0.1, 0.01, 1e-4}) {
         const auto check = [&](const char* law, const auto& contact) {
-            const auto table = pressure_table(fine(), {.law = law, .peaks = 2, .tolerance = tolerance});
+            const auto table =
+                pressure_table(fine(), {.law = law, .peaks = 2, .tolerance = tolerance, .slope_tolerance = 1});
             const double error = largest_error(table, contact);
             INFO(table.title << ", tolerance " << tolerance << ", error " << error);
             CHECK(error <= tolerance);
             CHECK(error > 0.87 * tolerance);  // no line could be a sixteenth longer
-            CHECK(table.error <= tolerance);
-            CHECK(std::abs(table.error - error) < 0.02 * tolerance);
+            CHECK(table.error.value <= tolerance);
+            CHECK(std::abs(table.error.value - error) < 0.02 * tolerance);
             CHECK(test::relative_error(table.from, 1e5) < 1e-12);
             CHECK(test::relative_error(table.to, 1e8) < 1e-12);
             CHECK(table.rows.front().pressure == 0);
@@ -99,6 +100,42 @@ TEST_CASE("Between the rows the pressure is off by the tolerance and no more, un
         };
         check("hertz", RoughContact(surface, peaks, HertzLaw<double>{}, modulus));
         check("fractal", RoughContact(surface, peaks, FractalLaw<double>(1.62), modulus));
+    }
+}
+
+TEST_CASE("Of an exponential the slopes of chords ask for two tolerances of its logarithm a row") {
+    scene::Line points;
+    for (int i = 0; i <= 7000; ++i) points.push_back({1e-3 * i, std::exp(1e-3 * i), std::exp(1e-3 * i)});
+    for (const double tolerance : {0.02, 0.1}) {
+        const auto rows = scene::rows_within({points}, {1, tolerance});
+        double length = 0;  // (e^x - 1)/x of the slope at the begin of a chord is its own
+        while (std::expm1(length + 1e-3) / (length + 1e-3) - 1 <= tolerance) length += 1e-3;
+        CHECK(rows.size() == 1 + static_cast<std::size_t>(std::ceil(7.0 / length - 1e-9)));
+        CHECK(scene::error_of_rows({points}, rows).slope <= tolerance);
+    }
+}
+
+TEST_CASE("Between the rows the slope is K of the law within its tolerance") {
+    const auto peaks = PeakDistribution<double>::exponential(std::numbers::pi / 3);
+    const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
+    const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
+    const RoughContact contact(surface, peaks, HertzLaw<double>{}, modulus);
+    for (const double tolerance : {0.02, 0.005, 0.1}) {
+        const auto table = pressure_table(fine(), {.law = "hertz", .peaks = 2, .slope_tolerance = tolerance});
+        double worst = 0;
+        for (std::size_t i = 2; i < table.rows.size(); ++i) {
+            const Row a = table.rows[i - 1], b = table.rows[i];
+            const double slope = (b.pressure - a.pressure) / (b.overclosure - a.overclosure);
+            for (const double share : {1e-6, 0.3, 0.5, 0.7, 1 - 1e-6}) {
+                const double p = a.pressure + share * (b.pressure - a.pressure);
+                worst =
+                    std::max(worst, std::abs(slope / contact.at_pressure(p, Quantity::stiffness).stiffness.value - 1));
+            }
+        }
+        CHECK(worst <= tolerance);
+        CHECK(worst > 0.8 * tolerance);  // one more of the eight points between two rows would be too many
+        CHECK(std::abs(table.error.slope - worst) < 0.01 * tolerance);
+        CHECK(table.follows_slope);
     }
 }
 
@@ -115,8 +152,13 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
         "\"greenwood_williamson\"");
     CHECK(refusal({.peaks = 0}) == "peaks = 0: must be between 1 and 2, as many as contact.peaks has");
     CHECK(refusal({.from = 2e6, .to = 1e6}) == "until = 1000000: must be greater than from, 2e+06 Pa");
+    scene::Scene one = fine();
+    one.points = {1e6};
+    CHECK(test::refusal([&] { (void)pressure_table(one, {}); }) ==
+          "until = 1000000: must be greater than from, 1e+06 Pa; the scene has only one pressure");
     CHECK(refusal({.from = -1.0}) == "from = -1: must be finite and greater than 0");
     CHECK(refusal({.tolerance = 0.3}) == "tolerance = 0.3: must be between 0.001 % and 20 %");
+    CHECK(refusal({.slope_tolerance = 1e-4}) == "slope_tolerance = 0.0001: must be between 0.1 % and 100 %");
 }
 
 }  // namespace overclosure_test

@@ -114,26 +114,9 @@ public:
     /// Tabulates \p contact, a RoughContact of any law or another Contact in the same scalar.
     /// \throws domain_error for a range that the model cannot reach or that is empty, for interaction as_printed, and
     /// for a K that is not greater than 0 or does not rise with p.
+    // Defined below: no file that is linked with fstiff::double compiles it again.
     template <Contact<T> Model>
-    [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range) {
-        detail::require_range(range);
-        require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
-                "none or effective_separation for a tabulated law (as_printed is not a function of one separation)");
-        ContactLaw law;
-        law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
-        law.tables_.outside = range.outside;
-        if (range.outside == OutsideRange::exact)
-            law.exact_ = [contact](T x, bool is_pressure) {
-                constexpr bool proportional = parts::ProportionalContact<Model, T>;
-                constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
-                                            (proportional ? Quantity::none : Quantity::loading_stiffness);
-                const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
-                T slope = state.loading_stiffness.value;
-                if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
-                return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
-            };
-        return law;
-    }
+    [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range);
     /// Tabulates states at pressures [Pa] whose K need not be -dp/dd; the error of the separation is relative to \p
     /// rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
     [[nodiscard]] static ContactLaw tabulate_points(const std::function<detail::LawPoint<T>(T pressure)>& law,
@@ -383,5 +366,27 @@ private:
     detail::LawTables<T> tables_;
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
 };
+
+template <parts::ReadableReal T>
+template <Contact<T> Model>
+ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
+    detail::require_range(range);
+    require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
+            "none or effective_separation for a tabulated law (as_printed is not a function of one separation)");
+    ContactLaw law;
+    law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
+    law.tables_.outside = range.outside;
+    if (range.outside == OutsideRange::exact)
+        law.exact_ = [contact](T x, bool is_pressure) {
+            constexpr bool proportional = parts::ProportionalContact<Model, T>;
+            constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
+                                        (proportional ? Quantity::none : Quantity::loading_stiffness);
+            const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
+            T slope = state.loading_stiffness.value;
+            if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
+            return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
+        };
+    return law;
+}
 
 }  // namespace fstiff::inline v0_1

@@ -49,7 +49,7 @@ public:
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
     }
     /// Contact of a Gaussian surface, without a bearing curve.
-    HybridContact(Peaks peaks, PerssonContact<T> crowded)
+    HybridContact(Peaks peaks, PerssonContact<T> crowded) requires std::default_initializable<Join>
         : HybridContact(std::move(peaks), parts::BearingContact<T>(std::move(crowded))) {}
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.

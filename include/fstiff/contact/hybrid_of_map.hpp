@@ -23,14 +23,13 @@ namespace fstiff::inline v0_1 {
 /// Returns the contact of \p map under the effective modulus \p effective_modulus [Pa]; \p edges continues the map
 /// beyond its edges. \throws domain_error for missing points, a map without summits, or a modulus that is not positive.
 template <Real T>
-[[nodiscard]] auto hybrid_of_map(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                                 Edges edges = Edges::mirrored) {
+[[nodiscard]] HybridContact<T, SummitContact<T>, parts::HandOver<T>> hybrid_of_map(
+    const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges = Edges::mirrored) {
     const parts::GaussianOrder<T> order = parts::gaussian_order(map);
     const Summits<T> summits = summits_of(map);
     const parts::BearingContact<T> crowded(PerssonContact<T>(map_spectrum(order.map, edges), effective_modulus),
                                            order.curve, order.rms_height);
-    return HybridContact(SummitContact<T>(summits, effective_modulus), crowded,
-                         parts::hand_over_of(summits, crowded, edges));
+    return {SummitContact<T>(summits, effective_modulus), crowded, parts::hand_over_of(summits, crowded, edges)};
 }
 
 }  // namespace fstiff::inline v0_1

@@ -9,12 +9,15 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
-#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/contact/tangential_law.hpp>
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
+#include <fstiff/fit/identify.hpp>
 
 namespace fstiff::inline v0_1 {
 
@@ -29,5 +32,37 @@ FSTIFF_DOUBLE class SummitContact<double>;
 FSTIFF_DOUBLE class ContactLaw<double>;
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const RoughContact<double, HertzLaw<double>>&,
                                                               const LawRange<double>&);
+
+FSTIFF_DOUBLE class HybridContact<double, SummitContact<double>, parts::HandOver<double>>;
+FSTIFF_DOUBLE HybridContact<double, SummitContact<double>, parts::HandOver<double>> hybrid_of_map(
+    const HeightMap<double>&, double, Edges);
+FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(
+    const HybridContact<double, SummitContact<double>, parts::HandOver<double>>&, const LawRange<double>&);
+FSTIFF_DOUBLE class HybridContact<double, detail::BandHills<double>>;
+FSTIFF_DOUBLE HybridContact<double, detail::BandHills<double>> hybrid_of_band(const BandSpectrum<double>&, double,
+                                                                              double);
+FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const HybridContact<double, detail::BandHills<double>>&,
+                                                              const LawRange<double>&);
+FSTIFF_DOUBLE class parts::ScaledContact<double, HybridContact<double, detail::BandHills<double>>>;
+FSTIFF_DOUBLE parts::ScaledContact<double, HybridContact<double, detail::BandHills<double>>> hybrid_of_band(
+    const BandSpectrum<double>&, const parts::BearingSlope<double>&, double, double);
+FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(
+    const parts::ScaledContact<double, HybridContact<double, detail::BandHills<double>>>&, const LawRange<double>&);
+
+FSTIFF_DOUBLE class TangentialLaw<double>;
+FSTIFF_DOUBLE TangentialLaw<double>::Response<1> TangentialLaw<double>::step(const SlipState<double, 1>&, double,
+                                                                             const TangentialLaw<double>::Vector<1>&,
+                                                                             SlipState<double, 1>&) const;
+FSTIFF_DOUBLE TangentialLaw<double>::Response<2> TangentialLaw<double>::step(const SlipState<double, 2>&, double,
+                                                                             const TangentialLaw<double>::Vector<2>&,
+                                                                             SlipState<double, 2>&) const;
+
+FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, HertzLaw<double>>&, double);
+FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, FractalLaw<double>>&, double);
+FSTIFF_DOUBLE class detail::CurveProblem<double>;
+FSTIFF_DOUBLE class parts::FitSummary<double>;
+FSTIFF_DOUBLE math::LeastSquaresFit<double> math::least_squares(const Eigen::VectorXd&, Eigen::Index,
+                                                                const parts::FitCurve<double>&,
+                                                                const math::LeastSquaresOptions<double>&);
 
 }  // namespace fstiff::inline v0_1

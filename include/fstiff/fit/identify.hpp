@@ -206,16 +206,20 @@ private:
     std::vector<bool> at_bound_;
 };
 
+/// Residuals and slopes of a curve as least_squares() takes them: a std::function, so that the search is compiled once
+/// for all laws.
+template <Real T>
+using FitCurve =
+    std::function<bool(const typename math::LeastSquaresFit<T>::Vector&, typename math::LeastSquaresFit<T>::Vector&,
+                       typename math::LeastSquaresFit<T>::Matrix&)>;
+
 /// Searches from where \p model begins.
 template <Real T, class Model>
 [[nodiscard]] Identification<T> fit_of(Model& model, const ContactParameters<T>& start,
                                        const math::LeastSquaresOptions<T>& search) {
     const auto points = static_cast<Eigen::Index>(model.data().size());
-    // as a std::function the search is compiled once for all laws
-    using Fit = math::LeastSquaresFit<T>;
-    const std::function<bool(const typename Fit::Vector&, typename Fit::Vector&, typename Fit::Matrix&)> evaluate =
-        [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); };
-    Fit fit = math::least_squares<T>(model.start(), points, evaluate, search);
+    const FitCurve<T> evaluate = [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); };
+    math::LeastSquaresFit<T> fit = math::least_squares<T>(model.start(), points, evaluate, search);
 
     Identification<T> out;
     out.errors_known = model.errors_known();
