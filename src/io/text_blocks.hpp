@@ -38,7 +38,7 @@ struct ChosenBlock {
 };
 ChosenBlock chosen_block(std::vector<TextBlock> blocks, const std::string& name, const SurfaceOptions& options);
 
-/// Says which block was read, and which were not, where there are several.
+/// States which block was read, and which were not, where there are several.
 void say_channels(Record& record, const ChosenBlock& chosen);
 
 }  // namespace fstiff::inline v0_1::io::detail

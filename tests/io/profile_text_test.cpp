@@ -531,7 +531,7 @@ TEST_CASE("A length and the number of rows above the heights are a header", "[he
     CHECK(has(refusal("2.00000\n20\n" + heights), "would be units = um and spacing = \"0.1 mm\""));
 }
 
-TEST_CASE("Rows beside words are read by their columns, or counted in the header", "[header]") {
+TEST_CASE("Rows next to words are read by their columns, or counted in the header", "[header]") {
     std::string sheet;
     for (int i = 0; i < 20; ++i)
         sheet += (i < 3 ? "Rz 1," : ",") + std::to_string(i) + "," + std::to_string(height(i)) + "\n";

@@ -184,7 +184,7 @@ TEST_CASE("Binary files are known by their first bytes") {
     CHECK_THROWS_AS(io::read_surface(std::filesystem::path(".")), fstiff::file_error);
 }
 
-TEST_CASE("A second file behind the first one is reported") {
+TEST_CASE("A second file after the first one is reported") {
     const std::string gsf =
         "Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 2\nXReal = 1\nYReal = 1\nXYUnits = m\nZUnits = m\n" +
         std::string(4, '\0') + std::string(12, '\0') + std::string("\0\0\x80\x3F", 4);

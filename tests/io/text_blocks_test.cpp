@@ -104,7 +104,7 @@ TEST_CASE("Blank lines and titles divide matrices, traces and triples that do no
     CHECK(read(triples + "\n" + triples, {.units = "um", .channel = "2"}).map().rows() == 4);
 }
 
-TEST_CASE("What goes on behind a blank line or a remark is one table") {
+TEST_CASE("What goes on after a blank line or a remark is one table") {
     const SurfaceOptions sized{.units = "um,um", .dx = 1e-6, .dy = 1e-6};
     std::string spaced, scans, curves, pages;
     for (int j = 0; j < 4; ++j) spaced += matrix(j, 1) + "\n";
