@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Band of K(p) over the errors of a measured surface, which contains K of 90 of 100 such surfaces.
+/// Band of K(p) over the errors of a measured surface under one law. The band of `fstiff run` has more causes, such as
+/// the law's own error, few contacts and longer waves: it is two to five times as wide in ln K.
 ///
 ///     const auto surface = fstiff::parts::surface_parameters(profile);
 ///     const auto law = [](double D) { return fstiff::FractalLaw<double>(D); };
