@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Band of K(p) over the errors of a measured surface under one law. The band of `fstiff run` has more causes, such as
-/// the law's own error, few contacts and longer waves: it is two to five times as wide in ln K.
+/// Band of K(p) over the errors of a surface. `fstiff run` adds the law's error, few contacts, long waves: 2 to 5 times.
 ///
 ///     const auto surface = fstiff::parts::surface_parameters(profile);
 ///     const auto law = [](double D) { return fstiff::FractalLaw<double>(D); };
