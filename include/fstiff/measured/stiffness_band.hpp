@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Band of K(p) over the errors of a surface. `fstiff run` adds the law's error, few contacts, long waves: 2 to 5 times.
+/// Band of K(p) over the errors of a surface; that of `fstiff run` has more causes and is two to five times as wide.
 ///
 ///     const auto surface = fstiff::parts::surface_parameters(profile);
 ///     const auto law = [](double D) { return fstiff::FractalLaw<double>(D); };
