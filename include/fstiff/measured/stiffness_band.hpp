@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Band of K(p) over the errors of a measured surface, which contains K of 90 of 100 such surfaces.
+/// Band of K(p) over the errors of a surface; that of `fstiff run` has more causes and is two to five times as wide.
 ///
 ///     const auto surface = fstiff::parts::surface_parameters(profile);
 ///     const auto law = [](double D) { return fstiff::FractalLaw<double>(D); };
