@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/ambiguous_signs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fstiff::inline v0_1::io::detail {
+
+bool has_both_signs(std::string_view cell) {
+    return cell.find_first_of(".,") != cell.find_last_of(".,") &&
+           cell.find_first_not_of("+-0123456789.,") == std::string_view::npos;
+}
+
+namespace {
+
+/// The way out where \p cell has separators of thousands; empty where it has none.
+std::string way_out(const NumberTable& table, std::string_view cell) {
+    const std::string_view sign = thousands_sign_of(cell);
+    if (sign.empty()) return "";
+    return ", or with those that are " + given_as(table.names, "thousands", "\"" + std::string(sign) + "\"");
+}
+
+}  // namespace
+
+void refuse_sign(const NumberTable& table, const std::string& name, std::size_t line, std::string_view cell,
+                 bool comma) {
+    refuse_line(name, line,
+                {shown_cell(cell), " is not a number where the decimal sign is the ", comma ? "comma" : "point",
+                 "; allowed are numbers with one decimal sign, without separators of thousands", way_out(table, cell)});
+}
+
+void refuse_grouped_row(const NumberTable& table, const std::string& name, const Line& line) {
+    std::vector<std::string_view> cells;
+    const auto is_cell = [](std::string_view cell) {
+        return cell.empty() || number_in(cell, true) || number_in(cell, false) || is_missing_word(cell) ||
+               !thousands_sign_of(cell).empty();
+    };
+    for (const char separator : {';', '\t', ',', ' '}) {
+        split_line(line.text, separator, cells);
+        const auto grouped =
+            std::find_if(cells.begin(), cells.end(), [](auto cell) { return !thousands_sign_of(cell).empty(); });
+        if (grouped == cells.end() || !std::all_of(cells.begin(), cells.end(), is_cell)) continue;
+        const std::string_view sign = thousands_sign_of(*grouped);
+        refuse_sign(table, name, line.number, *grouped,
+                    sign == "." || (sign != "," && grouped->find(',') != sign.npos));
+    }
+}
+
+void refuse_blank_groups(const NumberTable& table, const std::string& name, const Line& line, Dialect dialect) {
+    if (dialect.separator != ' ' || !dialect.decimal_comma || !table.thousands.empty()) return;
+    std::vector<std::string_view> cells;
+    split_line(line.text, ',', cells);
+    const auto is_cell = [](std::string_view cell) { return is_grouped(cell, " ") || number_in(cell, false); };
+    // a decimal comma has the whole digits of one number before the first and the decimals of one after the last
+    if (cells.size() < 2 || !std::all_of(cells.begin(), cells.end(), is_cell)) return;
+    const std::string_view grouped = is_grouped(cells.front(), " ") ? cells.front() : cells.back();
+    if (is_grouped(grouped, " ")) refuse_sign(table, name, line.number, grouped, true);
+}
+
+std::string without_points(const NumberTable& table) {
+    for (std::size_t i = table.first; i < table.lines.size(); ++i)
+        if (!is_comment(table.lines[i].text) && table.lines[i].text.find('.') != std::string_view::npos) return "";
+    return " (a comma cannot be the decimal sign and separate the columns)";
+}
+
+namespace {
+
+/// Whether every second comma alone is followed by a blank, as in "0,5, 9,8".
+bool has_alternate_blanks(std::string_view line) {
+    std::size_t commas = 0;
+    for (std::size_t i = line.find(','); i != std::string_view::npos; i = line.find(',', i + 1), ++commas)
+        if ((i + 1 < line.size() && line[i + 1] == ' ') != (commas % 2 == 1)) return false;
+    return commas > 2;
+}
+
+}  // namespace
+
+void refuse_double_comma(const NumberTable& table, const std::string& name) {
+    if (table.dialect.separator != ',' || table.columns < 4 || table.columns % 2 != 0) return;
+    std::vector<std::string_view> cells;
+    bool zero_before = false, alternate = true;
+    std::vector<double> first;  // of the first two cells as one number
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        const std::string_view line = without_comment(table.lines[i].text);
+        if (is_comment(table.lines[i].text)) continue;
+        if (line.find_first_of(".eE") != std::string_view::npos) return;
+        split_line(line, ',', cells);
+        alternate = alternate && has_alternate_blanks(line);
+        for (std::size_t c = 1; c < cells.size(); c += 2) {
+            if (cells[c].find_first_not_of("0123456789") != std::string_view::npos) return;
+            zero_before = zero_before || (cells[c].size() > 1 && cells[c].front() == '0');
+        }
+        if (cells.size() < 2 || cells[0].empty() || cells[1].empty()) return;
+        first.push_back(number_in(std::string(cells[0]) + "." + std::string(cells[1]), false).value_or(0));
+    }
+    const double step = first.size() < 16 ? 0 : (first.back() - first.front()) / static_cast<double>(first.size() - 1);
+    bool even = step != 0;
+    for (std::size_t r = 0; r < first.size(); ++r)
+        even = even && std::abs(first[r] - first.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step);
+    if (zero_before || even || alternate)
+        refuse_line(name, table.lines[table.first].number,
+                    {shown_cell(table.lines[table.first].text),
+                     " has commas between its columns and in its numbers; must have another separator, or points for "
+                     "its decimal signs"});
+}
+
+namespace {
+
+/// Whether \p cell is three digits, with decimals or none.
+bool is_group(std::string_view cell) {
+    const std::size_t digits = (std::min)(cell.find_first_not_of("0123456789"), cell.size());
+    return digits == 3 && (cell.size() == 3 || ((cell[3] == '.' || cell[3] == ',') &&
+                                                cell.find_first_not_of("0123456789", 4) == std::string_view::npos));
+}
+
+}  // namespace
+
+void refuse_split_thousands(const NumberTable& table, const std::string& name) {
+    const char separator = table.dialect.separator;
+    if ((separator != ' ' && separator != ',') || !table.thousands.empty()) return;
+    std::vector<std::size_t> columns(table.columns);  // where this may be so
+    for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = c;
+    std::vector<std::size_t> zeros(table.columns);  // the line of the first zero before others
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first, r = 0; i < table.lines.size() && r < table.rows() && !columns.empty(); ++i) {
+        if (table.lines[i].number != table.row_lines[r]) continue;
+        ++r;
+        split_line(without_comment(table.lines[i].text), separator, cells);
+        const auto cannot = [&](std::size_t c) {
+            if (c == 0 || c >= cells.size() || !is_group(cells[c])) return true;
+            const std::string_view before = cells[c - 1];
+            const auto from = static_cast<std::size_t>(before.starts_with('-') || before.starts_with('+'));
+            if (before.size() == from || before.size() > from + 3 || before[from] == '0' ||
+                before.find_first_not_of("0123456789", from) != std::string_view::npos ||
+                before.data() + before.size() + 1 != cells[c].data() || before.data()[before.size()] != separator)
+                return true;
+            if (cells[c][0] == '0' && zeros[c] == 0) zeros[c] = table.lines[i].number;
+            return false;
+        };
+        columns.erase(std::remove_if(columns.begin(), columns.end(), cannot), columns.end());
+    }
+    for (const std::size_t c : columns)
+        if (zeros[c] != 0) {
+            const std::string option = table.names.prefix + "thousands" + table.names.equals;
+            refuse_line(
+                name, zeros[c],
+                {"columns ", c, " and ", c + 1, " may be one number with a ", separator == ' ' ? "blank" : "comma",
+                 " between its thousands; must ",
+                 separator == ' ' ? "be given by " + option + "\" \"" : "have another separator of columns",
+                 ", or, if they are two, be given by ", option, table.names.prefix.empty() ? "\"none\"" : "none"});
+        }
+}
+
+}  // namespace fstiff::inline v0_1::io::detail
