@@ -141,7 +141,7 @@ void NumberTable::say_layout(Record& record, bool may_be_one) const {
     if (counted != 0) text += ", the last of which is the number of rows";
     if (const std::size_t left = rows_with_words(); left != 0)
         text += ", " + std::to_string(left) + " of which hold" + (left == 1 ? "s" : "") +
-                " numbers beside words and are left out";
+                " numbers next to words and are left out";
     record.say("header", text);
 }
 

@@ -31,7 +31,7 @@ struct TextBlock {
 /// The blocks of \p lines, one at least; one that \p missing finds no row of numbers in is left whole.
 std::vector<TextBlock> blocks_of(std::vector<Line> lines, const std::string& name, const MissingValues& missing);
 
-/// The block to read, and what a record says of it.
+/// The block to read, and what a record states of it.
 struct ChosenBlock {
     TextBlock block;
     std::string called, others;  // "1 "Height", by ..."; empty where there is one block
