@@ -99,7 +99,7 @@ private:
         }
     }
 
-    /// What the lines from \p begin to \p end, of which none is a row, tell of a block; none for remarks.
+    /// What the lines from \p begin to \p end, of which none is a row, state about a block; none for remarks.
     std::optional<Kind> kind_of(std::size_t begin, std::size_t end) {
         NumberTable run;
         run.lines.assign(table_.lines.begin() + static_cast<std::ptrdiff_t>(begin),
