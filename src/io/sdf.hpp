@@ -5,8 +5,8 @@
 ///
 /// The reader takes the versions ISO-1.0, ISO-2.0 and their forerunner BCR-1.0, with all eight data types, and files
 /// with another maker for ISO, such as NIST-1.0, as ISO. It ignores the trailer; rows keep the order of the file.
-/// Heights are number times Zscale. Missing points are "BAD" (or "NaN") in text, infinity in binary files, and there, as
-/// in the text of BCR-1.0, the numbers that the version reserves:
+/// Heights are number times Zscale. Missing points are "BAD" (or "NaN") in text, infinity in binary files, and there,
+/// as in the text of BCR-1.0, the numbers that the version reserves:
 ///
 ///     type        ISO                        BCR
 ///     integers    least (unsigned: largest)  largest

@@ -222,11 +222,11 @@ Reading read_packed(SurfaceFormat format, std::string_view bytes, const std::str
 #endif
 }
 
-/// Warns of a second file of the same form behind the first one, of which the same bytes are the first.
+/// Warns of a second file of the same form after the first one, which begins with the same bytes.
 void warn_of_second_file(SurfaceFormat format, std::string_view bytes, Record& record) {
     constexpr std::size_t same = 12;
     std::size_t place = std::string_view::npos;
-    if (bytes.starts_with("PK\3\4")) {  // behind the end of an archive
+    if (bytes.starts_with("PK\3\4")) {  // after the end of an archive
         const std::size_t end = bytes.find("PK\5\6");
         if (end < bytes.size()) place = bytes.find("PK\3\4", end);
     } else if (format != SurfaceFormat::stl && bytes.size() > same) {

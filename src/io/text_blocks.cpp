@@ -38,7 +38,7 @@ std::string without_digits(std::string_view line) {
     return rest;
 }
 
-/// Lines that may be a block: where they begin, their first row, the line behind them, and how many rows they have.
+/// Lines that may be a block: where they begin, their first row, the line after them, and how many rows they have.
 struct Stretch {
     std::size_t begin{}, row{}, end{}, rows{};
 };
@@ -99,7 +99,7 @@ private:
         }
     }
 
-    /// What the lines from \p begin to \p end, of which none is a row, say of a block; none for remarks.
+    /// What the lines from \p begin to \p end, of which none is a row, state about a block; none for remarks.
     std::optional<Kind> kind_of(std::size_t begin, std::size_t end) {
         NumberTable run;
         run.lines.assign(table_.lines.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -184,7 +184,7 @@ private:
         return std::nullopt;
     }
 
-    /// Whether the positions \p s of \p next lie behind those of \p last, seen from the rows before.
+    /// Whether the positions \p s of \p next lie after those of \p last, seen from the rows before.
     bool goes_on(const Stretch& last, const Stretch& next, std::size_t s, const Stretch& first) {
         const double from = position(first.row)[s], end = last_position(last)[s], begin = position(next.row)[s];
         const double way = end != from ? end - from : begin - from;

@@ -31,7 +31,7 @@ struct TextBlock {
 /// The blocks of \p lines, one at least.
 std::vector<TextBlock> blocks_of(std::vector<Line> lines, const std::string& name, const SurfaceOptions& options);
 
-/// The block to read, and what a record says of it.
+/// The block to read, and what a record states of it.
 struct ChosenBlock {
     TextBlock block;
     std::string called, others;  // "1 "Height", by ..."; empty where there is one block

@@ -539,7 +539,7 @@ TEST_CASE("Rows next to words are read by their columns, or counted in the heade
     CHECK(found.profile().size() == 20);
     const auto sentences = read(sheet, {.units = "um", .spacing = 1e-6, .column = 3}).record.sentences();
     CHECK(std::any_of(sentences.begin(), sentences.end(), [](const std::string& sentence) {
-        return sentence == "header: 3 lines, 3 of which hold numbers beside words and are left out";
+        return sentence == "header: 3 lines, 3 of which hold numbers next to words and are left out";
     }));
 }
 

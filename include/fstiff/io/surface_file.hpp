@@ -123,7 +123,7 @@ struct SurfaceOptions {
     bool resample = false;    ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with floating-point heights
     X3pLimits x3p_limits{};
-    std::string channel{};  ///< of gwy and text: its number or its title; empty: the lowest, of text the only, in lengths
+    std::string channel{};  ///< of gwy and text: number or title; empty: the lowest in lengths, of text the only one
     OptionNames names{};    ///< for messages
 };
 
