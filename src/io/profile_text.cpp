@@ -87,7 +87,7 @@ private:
         // titles that the comma separates, each with its unit, settle it
         if (table_.first > 0 && !units_in(lines[table_.first - 1].text, 2, ',').empty()) return;
         std::optional<double> before, step;
-        bool positions = true, pairs = true, groups = true;
+        bool positions = true, decimals = true, groups = true;
         for (std::size_t i = table_.first; i < lines.size(); ++i) {
             if (is_comment(lines[i].text)) continue;
             const std::string_view line = without_comment(lines[i].text);
@@ -95,9 +95,9 @@ private:
             const LeadingNumber number = leading_number(line);
             if (number.status != NumberStatus::ok) return;
             const std::string_view after = line.substr(number.length);
-            pairs = pairs && after.size() > 1 && is_digit(after[1]) && after.rfind(',') == 0;
+            decimals = decimals && (after.empty() || (after.size() > 1 && is_digit(after[1]) && after.rfind(',') == 0));
             groups = groups && (after.empty() || is_grouped(line, ","));
-            if (!pairs && !groups) return;
+            if (!decimals && !groups) return;
             if (before) {
                 const double next = number.value - *before;
                 positions = positions && next != 0 && (!step || next == *step);

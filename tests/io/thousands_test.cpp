@@ -179,6 +179,29 @@ TEST_CASE("Blanks or commas that may separate thousands as well as columns are r
     CHECK(has(refusal(commas, {.thousands = ","}), "has \",\" where it separates no thousands"));
 }
 
+TEST_CASE("A blank or a comma that does two things in a row of a matrix is refused", "[thousands]") {
+    std::string blanks, alternate;  // 15 937,17 417 and 277,9, 286,4
+    for (int r = 0; r < 8; ++r)
+        for (int c = 0; c < 8; ++c) {
+            const int z = 15000 + height(8 * r + c);
+            blanks += grouped(z, " ") + (c < 7 ? "," : "\n");
+            alternate += std::to_string(z / 10) + "," + std::to_string(z % 10) + (c < 7 ? ", " : "\n");
+        }
+    const SurfaceOptions map{.units = "nm", .dx = 1e-6, .dy = 1e-6};
+    CHECK(has(refusal(blanks, map), "is not a number where the decimal sign is the comma"));
+    CHECK(has(refusal(blanks, map), "thousands = \" \""));
+    CHECK(has(refusal(alternate, map), "has commas between its columns and in its numbers"));
+}
+
+TEST_CASE("Decimal commas that some heights of one column lack stay decimal", "[thousands]") {
+    std::string text = "z [nm]\n";  // 123,1 and 125
+    for (int i = 0; i < 40; ++i) {
+        const int z = height(i);
+        text += std::to_string(z / 10) + (z % 10 ? "," + std::to_string(z % 10) : "") + "\n";
+    }
+    check_heights(read(text, {.spacing = 1e-6}), 1e-10);
+}
+
 TEST_CASE("The option takes a separator, and only what separates thousands goes", "[thousands]") {
     CHECK(has(refusal("1;2\n", {.thousands = "comma"}), "thousands = \"comma\": must be one of"));
     CHECK(has(refusal(profile(";", [](int i) { return std::to_string(i) + ",5"; }), {.thousands = ","}),
