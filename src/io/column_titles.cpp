@@ -5,20 +5,73 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
+namespace {
+
+bool is_length(std::string_view text) { return is_unit(text, Dimension::length); }
+
+/// Whether \p text is a factor, as "x100" and "10^-3" are.
+bool is_factor(std::string_view text) {
+    text = trimmed(text);
+    const bool before = text.starts_with('x') || text.starts_with('X') || text.starts_with('*') ||
+                        text.starts_with("\xC3\x97") || text.starts_with('\xD7') || text.starts_with('/');
+    if (before) text = trimmed(text.substr(text.starts_with("\xC3\x97") ? 2 : 1));
+    const LeadingNumber number = leading_number(text);
+    if (number.status != NumberStatus::ok) return false;
+    const std::string_view rest = text.substr(number.length);
+    return rest.empty() ? before : rest[0] == '^' || rest == "x" || rest == "X" || rest == "\xC3\x97";
+}
+
+/// What a title says of a unit.
+struct TitleParts {
+    std::vector<std::string_view> inside;  // the brackets, those of length first
+    std::size_t lengths{};                 // of them
+    bool contradicts{}, scaled{};          // two units; a factor next to the unit
+    std::string_view from_bracket;         // the title from the first bracket on
+};
+
+TitleParts parts_of(std::string_view title) {
+    TitleParts parts;
+    std::string_view outside = title;
+    for (std::string_view rest = title; !rest.empty();) {
+        const std::size_t begin = rest.find_first_of("[({<");
+        if (begin == std::string_view::npos) break;
+        const std::size_t end = rest.find(rest[begin] == '['   ? ']'
+                                          : rest[begin] == '(' ? ')'
+                                          : rest[begin] == '{' ? '}'
+                                                               : '>',
+                                          begin);
+        if (end == std::string_view::npos) break;
+        const auto inside = trimmed(rest.substr(begin + 1, end - begin - 1));
+        if (parts.from_bracket.empty()) parts.from_bracket = trimmed(rest.substr(begin));
+        // "(0.1 mm)" may be a length: a number belongs to a unit in square brackets, or after a sign of multiplication
+        const bool bare_number = !inside.empty() && rest[begin] != '[' && (is_digit(inside[0]) || inside[0] == '.') &&
+                                 inside.find('^') == std::string_view::npos;
+        if (is_length(inside) && !bare_number)
+            parts.inside.insert(parts.inside.begin() + static_cast<std::ptrdiff_t>(parts.lengths++), inside);
+        else if (!inside.empty())
+            parts.inside.push_back(inside);
+        rest.remove_prefix(end + 1);
+        outside = rest;
+    }
+    for (std::size_t i = 0; i < parts.inside.size(); ++i)
+        if (i >= parts.lengths)
+            parts.scaled = parts.scaled || is_factor(parts.inside[i]);
+        else if (unit_factor(parts.inside[i], Dimension::length) != unit_factor(parts.inside[0], Dimension::length))
+            parts.contradicts = true;
+    parts.scaled = parts.lengths > 0 && (parts.scaled || is_factor(outside));
+    return parts;
+}
+
+}  // namespace
+
 std::string_view title_unit(std::string_view title) {
     title = unquoted(title);
-    const auto known = [](std::string_view text) { return is_unit(text, Dimension::length); };
-    for (const auto& [open, close] : {std::pair{'[', ']'}, {'(', ')'}, {'{', '}'}, {'<', '>'}}) {
-        const std::size_t end = title.rfind(close);
-        const std::size_t begin = title.substr(0, end).rfind(open);
-        if (end == std::string_view::npos || begin == std::string_view::npos) continue;
-        const auto inside = trimmed(title.substr(begin + 1, end - begin - 1));
-        if (known(inside)) return inside;
-        if (measures_no_length(inside)) return {};  // "force (N/m)" is in no metres
-    }
+    const TitleParts parts = parts_of(title);
+    if (std::any_of(parts.inside.begin(), parts.inside.end(), measures_no_length)) return {};  // "force (N/m)"
+    if (parts.lengths > 0) return parts.contradicts || parts.scaled ? std::string_view() : parts.inside[0];
     const std::size_t last = title.find_last_of(" \t/_:=");
     const std::string_view word = last == std::string_view::npos ? title : title.substr(last + 1);
-    if (!known(word)) return {};
+    if (!is_length(word) || std::any_of(word.begin(), word.end(), is_digit)) return {};
     if (word == "A" && (last == std::string_view::npos || title[last] != '/'))
         return {};  // the name of a column, or a channel
     if (last == std::string_view::npos) return word;
@@ -26,6 +79,16 @@ std::string_view title_unit(std::string_view title) {
     // "0.0 um" is a length, no title; a bare "in" after a word is a preposition that lost its unit
     if (before.empty() || is_digit(before.back()) || word == "in") return {};
     return word;
+}
+
+std::string_view unread_unit(std::string_view title) {
+    title = unquoted(title);
+    const TitleParts parts = parts_of(title);
+    if (parts.contradicts || parts.scaled) return parts.from_bracket;
+    if (parts.lengths > 0 || !title_unit(title).empty()) return {};
+    for (const std::string_view inside : parts.inside)
+        if (std::any_of(inside.begin(), inside.end(), [](char c) { return c != '-' && c != ' '; })) return inside;
+    return {};
 }
 
 std::string_view without_comment_sign(std::string_view line, char separator) {
@@ -70,6 +133,7 @@ std::vector<std::string_view> units_in(std::string_view line, std::size_t column
     line = without_comment_sign(line, separator);
     for (const char candidate : {separator, ';', '\t', ',', ' '})
         if ((candidate == separator || line.find(candidate) < line.size()) && in_cells(candidate)) return found;
+    if (columns == 1 || parts_of(line).scaled) return {};
     // "x [um] z [nm]": as many bracketed found as columns, in their order
     found.clear();
     for (std::string_view rest = line; !rest.empty();) {
@@ -81,7 +145,6 @@ std::vector<std::string_view> units_in(std::string_view line, std::size_t column
         if (is_unit(inside, Dimension::length)) found.push_back(inside);
         rest.remove_prefix(end + 1);
     }
-    if (columns == 1 && is_key_and_number(line)) return {};
     if (found.size() == columns) return found;
     if (free.empty() || found.size() != needed) return {};
     for (std::size_t c = 0; c < columns; ++c)
@@ -94,7 +157,7 @@ std::vector<std::string_view> given_units(const std::string& text, std::size_t m
     if (text.empty()) return given;
     split_line(text, ',', given);
     if (given.empty() || given.size() > most) refuse_field(name, "units", shown_cell(text), allowed);
-    for (const std::string_view unit : given) require_unit(unit, Dimension::length);
+    for (const std::string_view unit : given) (void)unit_factor(unit, Dimension::length);
     return given;
 }
 
@@ -131,7 +194,8 @@ ColumnTitle title_of(std::string_view cell) {
     std::string name = lower_case(trimmed(cell.substr(0, (std::min)(cell.find_first_of("[({<"), cell.size()))));
     while (name.size() > 1 && (name.back() == '.' || name.back() == ':' || name.back() == ' ')) name.pop_back();
     while (name.size() > 1 && (name.front() == '#' || name.front() == ' ')) name.erase(0, 1);
-    return {std::move(name), !title_unit(cell).empty(), std::string(other_unit(cell))};
+    return {std::move(name), !title_unit(cell).empty(), std::string(title_unit(cell)), std::string(unread_unit(cell)),
+            std::string(other_unit(cell))};
 }
 
 namespace {
@@ -164,13 +228,18 @@ std::vector<ColumnTitle> titles_above(const NumberTable& table) {
         const std::string_view raw = table.lines[i].text;
         for (const std::string_view line : {raw, without_comment_sign(raw, separator)}) {
             split_titles(line, separator, cells);
-            if (cells.size() != table.columns || std::any_of(cells.begin(), cells.end(), is_number)) continue;
+            if (cells.size() != table.columns || std::any_of(cells.begin(), cells.end(), is_number) ||
+                (table.columns == 1 && is_key_and_number(line)))
+                continue;
             ++lines;
             titles.resize(table.columns);
             for (std::size_t c = 0; c < cells.size(); ++c) {
                 ColumnTitle title = title_of(cells[c]);
                 titles[c].has_unit = titles[c].has_unit || title.has_unit;
                 if (titles[c].no_length.empty()) titles[c].no_length = title.no_length;
+                if (titles[c].unit.empty()) titles[c].unit = title.unit;
+                if (titles[c].unread.empty()) titles[c].unread = title.unread;
+                titles[c].line = table.lines[i].number;
                 if (lines == 1 || title_unit(titles[c].name) == titles[c].name) titles[c].name = std::move(title.name);
             }
             break;

@@ -19,6 +19,10 @@ namespace fstiff::inline v0_1::io::detail {
 /// The length unit that a column title states, as in "x [um]", "x (um)", "x/um", "height in um", "um"; "" for none.
 std::string_view title_unit(std::string_view title);
 
+/// What \p title states in place of a unit that is understood: "raw" of "z [raw]", "[um] (x100)" of a unit with a
+/// factor, two units that contradict each other; empty where there is nothing.
+std::string_view unread_unit(std::string_view title);
+
 /// Whether each column may do without a unit; empty: none may.
 using FreeColumns = std::vector<bool>;
 
@@ -42,9 +46,11 @@ TitleUnits title_units(const NumberTable& table, std::size_t columns, const Free
 
 /// Title above one column.
 struct ColumnTitle {
-    std::string name;         // lower case, without unit and punctuation; "#" stays
-    bool has_unit{};          // of length
-    std::string no_length{};  // its unit where that is of something else, as of "Slope (urad)"
+    std::string name;              // lower case, without unit and punctuation; "#" stays
+    bool has_unit{};               // of length
+    std::string unit{}, unread{};  // that unit, and what is in its place but is not understood
+    std::string no_length{};       // its unit where that is of something else, as of "Slope (urad)"
+    std::size_t line{};
 };
 
 ColumnTitle title_of(std::string_view cell);

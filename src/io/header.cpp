@@ -157,10 +157,10 @@ GridMeaning meaning_of(const std::string& key) {
                 is_one_of_words(key, height_words);
     of.both = is_one_of({"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"}) ||
               is_one_of_words(key, pitch_words);
-    of.dx = of.both || is_one_of({"dx", "pixel width", "x pixel size", "pixel size x", "x spacing", "spacing x",
-                                  "x step", "x increment"});
-    of.dy = of.both || is_one_of({"dy", "pixel height", "y pixel size", "pixel size y", "y spacing", "spacing y",
-                                  "y step", "y increment"});
+    of.dx = of.both || is_one_of({"dx", "scale x", "pixel width", "x pixel size", "pixel size x", "x spacing",
+                                  "spacing x", "x step", "x increment"});
+    of.dy = of.both || is_one_of({"dy", "scale y", "pixel height", "y pixel size", "pixel size y", "y spacing",
+                                  "spacing y", "y step", "y increment"});
     of.columns = is_one_of({"columns", "cols", "x pixels", "x-pixels", "xres", "nx", "ncols"}) ||
                  is_one_of_words(key, columns_words);
     of.rows =
@@ -188,10 +188,14 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
         for (const std::string_view per : {"/pixel", "/px", "/point"})  // "277.8 nm/pixel"
             if (both && written.ends_with(per)) written.remove_suffix(per.size());
         std::string unit_from;
-        if (written.empty() && unit.empty() && spip && (width || height)) {
-            const HeaderEntry* const axis = find_entry(entries, width ? "x-unit" : "y-unit");
-            written = axis ? std::string_view(axis->value) : "nm";
-            unit_from = axis ? "" : " (in nm, as SPIP writes it)";
+        if (written.empty() && unit.empty() && !columns && !rows) {
+            const HeaderEntry* const own = stated_axis_unit(entries, height || (dy && !both));
+            // SPIP's lengths are in nm each by itself
+            const HeaderEntry* const axis = spip && height && !find_entry(entries, "y-unit") ? nullptr : own;
+            if (axis && is_unit(axis->value, Dimension::length))
+                written = axis->value;
+            else if (spip && (width || height))
+                written = "nm", unit_from = " (in nm, as SPIP writes it)";
         }
         const std::string word = lower_case(written);
         const bool counted = word == "px" || word == "pixel" || word == "pixels" || word == "points";
@@ -237,11 +241,44 @@ bool is_size_key(const std::string& key) {
 }
 
 bool is_height_unit_key(const std::string& key) {
-    static constexpr std::string_view keys[] = {"value units", "value unit",   "data unit", "data units",
-                                                "z unit",      "z-unit",       "z units",   "height unit",
-                                                "unit",        "height units", "units"};
+    static constexpr std::string_view keys[] = {
+        "value units", "value unit", "data unit",    "data units",    "z unit",          "z-unit",  "z units",
+        "height unit", "unit",       "height units", "units",         "unit z",          "units z", "zunit",
+        "unit data",   "units data", "z axis unit",  "vertical unit", "unit of heights", "z-units"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys) ||
            is_one_of_words(key, height_unit_words);
+}
+
+const HeaderEntry* stated_axis_unit(const std::vector<HeaderEntry>& entries, bool along_y) {
+    const HeaderEntry *x = nullptr, *y = nullptr;
+    for (const HeaderEntry& entry : entries)
+        if (!entry.value.empty()) {
+            if (is_one_of_words(entry.key, x_unit_words)) x = &entry;
+            if (is_one_of_words(entry.key, y_unit_words)) y = &entry;
+        }
+    return along_y && y ? y : x;
+}
+
+StatedScale stated_scale(const std::vector<HeaderEntry>& entries) {
+    const HeaderEntry* const needed = find_entry(entries, "datascaleneeded");
+    const std::string word = needed ? lower_case(needed->value) : "";
+    if (word == "no") return {};
+    for (const HeaderEntry& entry : entries) {
+        if (!is_one_of_words(entry.key, height_scale_words)) continue;
+        const auto number = number_in(entry.value, false);
+        if (number && *number > 0 && std::isfinite(*number) && *number != 1) return {&entry, *number, word == "yes"};
+    }
+    return {};
+}
+
+double require_scale(const std::vector<HeaderEntry>& entries, const std::string& name, const OptionNames& names) {
+    const auto [entry, factor, needed] = stated_scale(entries);
+    if (entry && !needed)
+        refuse_line(name, entry->line,
+                    {"states ", shown_cell(entry->key), " ", factor,
+                     ", and not whether the heights are to be multiplied by it; must be ",
+                     given_as(names, "units", "\"UNIT\""), ", in which the numbers are, such as \"10 nm\""});
+    return factor;
 }
 
 StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, const std::string& name) {
@@ -249,7 +286,10 @@ StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, con
     const HeaderEntry* factor = nullptr;
     for (const HeaderEntry& entry : entries) {
         if (is_height_unit_key(entry.key)) {
-            if (unit && unit->value != entry.value)
+            const bool same =
+                unit && is_unit(unit->value, Dimension::length) && is_unit(entry.value, Dimension::length) &&
+                unit_factor(unit->value, Dimension::length) == unit_factor(entry.value, Dimension::length);
+            if (unit && unit->value != entry.value && !same)
                 refuse_line(name, entry.line,
                             {"states another unit of the heights than line ", unit->line, "; must be one unit"});
             unit = &entry;

@@ -60,6 +60,22 @@ bool is_size_key(const std::string& key);
 /// Whether \p key of a header names the unit of the heights.
 bool is_height_unit_key(const std::string& key);
 
+/// The unit of the positions along x, or \p along_y, by a header: of y that of x where it has none of its own; nullptr
+/// where it has none.
+const HeaderEntry* stated_axis_unit(const std::vector<HeaderEntry>& entries, bool along_y = false);
+
+/// A number that the heights may have to be multiplied by, such as "Z scale: 10"; nullptr where there is none but 1.
+/// Nova states whether ("DataScaleNeeded = no").
+struct StatedScale {
+    const HeaderEntry* entry = nullptr;
+    double factor = 1;
+    bool needed{};  // said to be; else it may be
+};
+StatedScale stated_scale(const std::vector<HeaderEntry>& entries);
+
+/// Refuses a scale of the heights of which it is not stated whether it is to be applied; its factor, or 1.
+double require_scale(const std::vector<HeaderEntry>& entries, const std::string& name, const OptionNames& names);
+
 /// One unit of the heights by a header; nullptr where it has none.
 struct StatedHeightUnit {
     const HeaderEntry* unit = nullptr;

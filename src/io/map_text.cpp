@@ -139,16 +139,34 @@ private:
         } else {
             used = stated;
             notes_.units_from = found.from;
+            if (used[0].empty()) units_of_header(used);
         }
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const std::string& unread = titles_[columns_[k] - 1].unread; used[k].empty() && !unread.empty())
+                refuse_line(
+                    name_, titles_[columns_[k] - 1].line,
+                    {"states the unit ", shown_cell(unread), " for ", axis_names[k],
+                     ", which is not understood; must be ", given_as(options_.names, "units", "\"UNIT,UNIT,UNIT\""),
+                     ", each one of ", accepted_units(Dimension::length)});
         if (used[0].empty())
-            refuse_file(name_,
-                        {"states no units and none are given; must be ", given_as(options_.names, "units", "\"um,nm\""),
-                         " (x and y, heights), each one of ", accepted_units(Dimension::length)});
+            refuse_file(name_, {"states no units and none are given; must be ",
+                                given_as(options_.names, "units", "\"UNIT,UNIT\""), " (x and y, heights), each one of ",
+                                accepted_units(Dimension::length)});
         height_unit_ = printable(used[2], 16);
         notes_.units =
             "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " + height_unit_;
         return {unit_factor(used[0], Dimension::length), unit_factor(used[1], Dimension::length),
                 unit_factor(used[2], Dimension::length)};
+    }
+
+    /// The units of x, y and the heights by the entries of the header, where it states all.
+    void units_of_header(std::array<std::string, 3>& used) {
+        const HeaderEntry* const entries[] = {stated_axis_unit(entries_), stated_axis_unit(entries_, true),
+                                              stated_height_unit(entries_, name_).unit};
+        for (const HeaderEntry* entry : entries)
+            if (!entry || !is_unit(entry->value, Dimension::length)) return;
+        for (std::size_t k = 0; k < 3; ++k) used[k] = entries[k]->value;
+        notes_.units_from = "lines " + std::to_string(entries[0]->line) + " and " + std::to_string(entries[2]->line);
     }
 
     /// Zygo's x and y are pixels, whose size [m] is the seventh number of line 8; its heights are in um unless a
@@ -212,7 +230,7 @@ private:
             refuse_line(name_, axes_->line,
                         {"holds positions, whose unit is ",
                          axes_->stated.empty() ? "not stated" : "stated twice, with two values", "; must be ",
-                         given_as(options_.names, "units", "\"um,nm\""), " (positions, heights)"});
+                         given_as(options_.names, "units", units_text()), " (positions, heights)"});
         if (!numbers && !unit.empty()) {
             const double factor = unit_factor(unit, Dimension::length);
             set_step(stated_.dx, axes_->dx * factor, "dx of the positions in line " + std::to_string(axes_->line));
@@ -298,11 +316,19 @@ private:
             return stated_whole->value / points;
         }
         if (!stated_.without_unit.empty())
-            refuse_line(name_, stated_.without_unit_line,
-                        {shown_cell(stated_.without_unit), " has no unit; must be ",
-                         given_as(options_.names, "units", "\"um,nm\""), " (lengths, heights), or dx and dy be given"});
+            refuse_line(
+                name_, stated_.without_unit_line,
+                {shown_cell(stated_.without_unit), " has no unit; must be ",
+                 given_as(options_.names, "units", units_text()), " (lengths, heights), or dx and dy be given"});
         refuse_file(name_, {"is a matrix that states no physical size, and none is given; must be ",
                             given_steps(options_.names), " (between points) or width and height (of the map)"});
+    }
+
+    /// How messages call the units that are to be given: that of the heights by its name where the header states it.
+    std::string units_text() const {
+        const HeaderEntry* const unit = stated_height_unit(entries_, name_).unit;
+        const bool known = unit && is_unit(unit->value, Dimension::length);
+        return "\"UNIT," + (known ? printable(unit->value, 16) : std::string("UNIT")) + "\"";
     }
 
     /// One unit of the heights [m].

@@ -67,6 +67,9 @@ MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view
             if (unit.contradicted.empty() && entry.key.starts_with("height conversion factor"))
                 unit.contradicted = "line " + std::to_string(entry.line) +
                                     ", which states a height conversion factor of " + printable(entry.value, 24);
+            else if (unit.contradicted.empty() && &entry == stated_scale(entries).entry)
+                unit.contradicted = "line " + std::to_string(entry.line) + ", which states " +
+                                    printable(entry.key, 24) + " " + printable(entry.value, 16);
             else if (unit.contradicted.empty() && is_height_unit_key(entry.key) &&
                      is_unit(entry.value, Dimension::length) &&
                      unit_factor(entry.value, Dimension::length) != unit.factor)
@@ -80,16 +83,17 @@ MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view
         return nanometres_of_count(*count, unit, name, names);
     if (!unit)
         refuse_file(name, {"states no unit of the heights and none is given; must be ",
-                           given_as(names, "units", "\"nm\""), ", one of ", accepted_units(Dimension::length)});
+                           given_as(names, "units", "\"UNIT\""), ", one of ", accepted_units(Dimension::length)});
+    const double scale = require_scale(entries, name, names);
     if (!is_unit(unit->value, Dimension::length))
         refuse_line(name, unit->line,
                     {shown_cell(unit->value),
                      " is not a unit of length, and no height conversion factor is stated; must be one of ",
                      accepted_units(Dimension::length)});
     const std::string shown = printable(unit->value, 16);
-    return {.factor = unit_factor(unit->value, Dimension::length),
+    return {.factor = unit_factor(unit->value, Dimension::length) * scale,
             .shown = shown,
-            .text = shown,
+            .text = scale == 1 ? shown : number_text(scale) + " " + shown,
             .from = "line " + std::to_string(unit->line)};
 }
 

@@ -42,7 +42,8 @@ public:
         std::vector<std::size_t> used{notes_.height_column - 1};
         if (notes_.position_column != 0) used.push_back(notes_.position_column - 1);
         refuse_thousands(table_, used, false, name_);
-        const double unit = unit_factor(notes_.height_unit, Dimension::length);
+        const double scale = options_.units.empty() ? require_scale(entries_, name_, options_.names) : 1;
+        const double unit = unit_factor(notes_.height_unit, Dimension::length) * scale;
         record_.resolution = table_.printed[notes_.height_column - 1].resolution() * unit;
         for (double& z : row.heights) z *= unit;
         row.dx = row.dy = spacing();
@@ -133,6 +134,11 @@ private:
         const auto above = [&](std::size_t column) {
             return column == 0 ? std::string_view() : found.units[column - 1];
         };
+        const HeaderEntry* const positions = stated_axis_unit(entries_);
+        const auto is_length = [](const HeaderEntry* entry) {
+            return entry && is_unit(entry->value, Dimension::length);
+        };
+        const auto line = [](std::size_t number) { return "line " + std::to_string(number); };
         if (!given.empty()) {
             notes_.height_unit = given.back();
             if (position != 0) notes_.position_unit = given.front();
@@ -140,13 +146,16 @@ private:
             if (!found.units.empty()) {
                 warn_of_unit(above(notes_.height_column), notes_.height_unit, found.from, "the heights");
                 warn_of_unit(above(position), notes_.position_unit, found.from, "the positions");
-            } else if (const auto entry = std::find_if(entries_.begin(), entries_.end(),
-                                                       [](const HeaderEntry& one) {
-                                                           return is_height_unit_key(one.key) &&
-                                                                  is_unit(one.value, Dimension::length);
-                                                       });
-                       entry != entries_.end())
-                warn_of_unit(entry->value, notes_.height_unit, "line " + std::to_string(entry->line), "the heights");
+            } else if (const auto entry = std::find_if(
+                           entries_.begin(), entries_.end(),
+                           [&](const HeaderEntry& one) { return is_height_unit_key(one.key) && is_length(&one); });
+                       entry != entries_.end()) {
+                warn_of_unit(entry->value, notes_.height_unit, line(entry->line), "the heights");
+            }
+            if (notes_.height_column <= titles.size())
+                if (const ColumnTitle& title = titles[notes_.height_column - 1]; title.unread.find('[') == 0)
+                    record_.warnings.push_back(contradiction(options_.names, "units", shown_cell(options_.units),
+                                                             line(title.line) + ", which states " + title.unread));
             if (given.size() == 2) unit_of_positions_ = given.front();
             return;
         }
@@ -155,17 +164,66 @@ private:
             notes_.position_unit = above(position);
             unit_of_positions_ = above(columns_.positions);
             notes_.units_from = found.from;
+            for (const HeaderEntry& entry : entries_)
+                if (is_height_unit_key(entry.key)) refuse_other_unit(&entry, notes_.height_unit, "heights");
+            refuse_other_unit(position == 0 ? nullptr : positions, notes_.position_unit, "positions");
             return;
         }
-        if (const HeaderEntry* unit = stated_height_unit(entries_, name_).unit;
-            position == 0 && unit && is_unit(unit->value, Dimension::length)) {
-            notes_.height_unit = unit->value;
-            notes_.units_from = "line " + std::to_string(unit->line);
+        // each from its title, or else from the header
+        const HeaderEntry* const heights = stated_height_unit(entries_, name_).unit;
+        const auto choose = [&](std::size_t column, const HeaderEntry* entry, std::string& unit) {
+            if (column == 0) return;
+            std::string from;
+            if (column <= titles.size() && !titles[column - 1].unit.empty())
+                unit = titles[column - 1].unit, from = line(titles[column - 1].line);
+            else if (is_length(entry) && (column > titles.size() || titles[column - 1].unread.empty()))
+                unit = entry->value, from = line(entry->line);
+            if (from.empty() || from == notes_.units_from) return;
+            notes_.units_from += (notes_.units_from.empty() ? "" : " and ") + from;
+        };
+        choose(notes_.height_column, heights, notes_.height_unit);
+        choose(position, positions, notes_.position_unit);
+        require_unit_of(notes_.height_column, notes_.height_unit, heights, titles, "heights");
+        require_unit_of(position, notes_.position_unit, positions, titles, "positions");
+        unit_of_positions_ = notes_.position_unit;
+    }
+
+    /// Refuses a unit of the header that is another than that of the title.
+    void refuse_other_unit(const HeaderEntry* entry, const std::string& unit, const std::string& what) const {
+        if (!entry || !is_unit(entry->value, Dimension::length)) return;
+        const double stated = unit_factor(entry->value, Dimension::length);
+        // "Unit" alone may be that of the positions
+        if (stated == unit_factor(unit, Dimension::length) ||
+            (!notes_.position_unit.empty() && stated == unit_factor(notes_.position_unit, Dimension::length)))
             return;
-        }
-        refuse_file(name_,
-                    {"states no unit and none is given; must be ", given_as(options_.names, "units", "\"um,nm\""),
-                     " (positions, heights), each one of ", accepted_units(Dimension::length), of_mitutoyo()});
+        refuse_line(name_, entry->line,
+                    {"states ", printable(entry->value, 16), ", and ", notes_.units_from, " ", printable(unit, 16),
+                     " for the ", what, "; must be one unit, or ", given_as(options_.names, "units", units_text())});
+    }
+
+    /// How messages call the units that are to be given: a unit that is known by its name.
+    std::string units_text() const {
+        if (notes_.position_column == 0) return "\"UNIT\"";
+        const auto name = [](const std::string& known) { return known.empty() ? "UNIT" : printable(known, 16); };
+        return "\"" + name(notes_.position_unit) + "," + name(notes_.height_unit) + "\"";
+    }
+
+    /// \throws domain_error where \p unit of a \p column that is used is not known, naming what is stated in its place.
+    void require_unit_of(std::size_t column, const std::string& unit, const HeaderEntry* entry,
+                         const std::vector<ColumnTitle>& titles, const std::string& what) const {
+        if (column == 0 || !unit.empty()) return;
+        const std::string must = "must be " + given_as(options_.names, "units", units_text()) +
+                                 (notes_.position_column == 0 ? ", " : " (positions, heights), each ") + "one of " +
+                                 accepted_units(Dimension::length);
+        if (column <= titles.size() && !titles[column - 1].unread.empty())
+            refuse_line(name_, titles[column - 1].line,
+                        {"states the unit ", shown_cell(titles[column - 1].unread), " for the ", what,
+                         ", which is not understood; ", must});
+        if (entry && !is_unit(entry->value, Dimension::length))
+            refuse_line(
+                name_, entry->line,
+                {"states the unit ", shown_cell(entry->value), " for the ", what, ", which is not understood; ", must});
+        refuse_file(name_, {"states no unit of the ", what, " and none is given; ", must, of_mitutoyo()});
     }
 
     /// What a length and the number of points above one column of heights may mean, for messages.

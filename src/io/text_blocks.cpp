@@ -262,7 +262,8 @@ std::vector<TextBlock> blocks_of(std::vector<Line> lines, const std::string& nam
     if (parts.empty()) blocks.push_back({.lines = std::move(table.lines), .line = 1});
     const auto at = [&](std::size_t i) { return table.lines.begin() + static_cast<std::ptrdiff_t>(i); };
     for (const Stretch& part : parts) {
-        TextBlock block{.line = table.lines[part.begin].number};
+        TextBlock block;
+        block.line = table.lines[part.begin].number;
         NumberTable own;
         own.dialect = table.dialect;
         own.lines.assign(at(part.begin), at(part.row));

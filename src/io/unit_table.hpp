@@ -58,6 +58,28 @@ inline constexpr std::array units{
     Unit{Dimension::length, "micr\xC3\xB3metro", -6, 1, false},
     Unit{Dimension::length, "nanometer", -9, 1, false},
     Unit{Dimension::length, "nanometre", -9, 1, false},
+    Unit{Dimension::length, "UM", -6, 1, false},  // as instruments write them
+    Unit{Dimension::length, "NM", -9, 1, false},
+    Unit{Dimension::length, "MM", -3, 1, false},
+    Unit{Dimension::length, "CM", -2, 1, false},
+    Unit{Dimension::length, "mikron", -6, 1, false},
+    Unit{Dimension::length, "micrometro", -6, 1, false},
+    Unit{Dimension::length, "micrometri", -6, 1, false},
+    Unit{Dimension::length, "nanometro", -9, 1, false},
+    Unit{Dimension::length, "nanometri", -9, 1, false},
+    Unit{Dimension::length, "millimetri", -3, 1, false},
+    Unit{Dimension::length, "\xD0\xBC\xD0\xBA\xD0\xBC", -6, 1, false},  // Russian, in UTF-8 and CP1251
+    Unit{Dimension::length, "\xD0\xBD\xD0\xBC", -9, 1, false},
+    Unit{Dimension::length, "\xD0\xBC\xD0\xBC", -3, 1, false},
+    Unit{Dimension::length, "\xEC\xEA\xEC", -6, 1, false},
+    Unit{Dimension::length, "\xED\xEC", -9, 1, false},
+    Unit{Dimension::length, "\xEC\xEC", -3, 1, false},
+    Unit{Dimension::length, "\xE5\xBE\xAE\xE7\xB1\xB3", -6, 1, false},  // Chinese
+    Unit{Dimension::length, "\xE7\xBA\xB3\xE7\xB1\xB3", -9, 1, false},
+    Unit{Dimension::length, "\xE6\xAF\xAB\xE7\xB1\xB3", -3, 1, false},
+    Unit{Dimension::length, "\xE3\x8E\x9B", -6, 1, false},  // one character of Chinese, Japanese and Korean
+    Unit{Dimension::length, "\xE3\x8E\x9A", -9, 1, false},
+    Unit{Dimension::length, "\xE3\x8E\x9C", -3, 1, false},
     Unit{Dimension::area, "m^2", 0, 1, true},
     Unit{Dimension::area, "cm^2", -4, 1, true},
     Unit{Dimension::area, "mm^2", -6, 1, true},
@@ -160,6 +182,14 @@ constexpr std::string_view without_blanks(std::string_view text) {
     while (const std::size_t length = last_blank()) text.remove_suffix(length);
     return text;
 }
+
+/// A multiple of a unit of length as titles state it, "x10 nm", "10^-6 m" or "0.1 um": the power of ten, greater or
+/// smaller than 1, and the unit; 0 and none for another text.
+struct Multiple {
+    double factor{};
+    const Unit* unit{};
+};
+Multiple multiple_of_length(std::string_view text);
 
 /// nullptr when there is none.
 const Unit* find_unit(std::string_view text, Dimension dimension);

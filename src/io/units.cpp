@@ -114,6 +114,40 @@ bool measures_no_length(std::string_view text) {
            measures(base.ends_with('-') ? base.substr(0, base.size() - 1) : base);
 }
 
+Multiple multiple_of_length(std::string_view text) {
+    const auto skip = [&](std::initializer_list<std::string_view> signs) {
+        text = without_blanks(text);
+        for (const std::string_view sign : signs)
+            if (text.starts_with(sign)) return text.remove_prefix(sign.size());
+    };
+    const auto skip_times = [&] { skip({"x", "X", "*", "\xC3\x97", "\xD7", "\xC2\xB7"}); };
+    skip_times();
+    text = without_blanks(text);
+    const LeadingNumber number = leading_number(text);
+    if (number.status != NumberStatus::ok) return {};
+    text.remove_prefix(number.length);
+    double factor = number.value;
+    if (factor == 10 && (text.starts_with('^') || text.starts_with("**") || utf8_length(text) > 1)) {
+        std::string exponent;  // superscripts too
+        skip({"^", "**"});
+        static constexpr std::array<std::string_view, 11> raised{
+            "\xE2\x81\xB0", "\xC2\xB9",     "\xC2\xB2",     "\xC2\xB3",     "\xE2\x81\xB4", "\xE2\x81\xB5",
+            "\xE2\x81\xB6", "\xE2\x81\xB7", "\xE2\x81\xB8", "\xE2\x81\xB9", "\xE2\x81\xBB"};
+        for (std::size_t length = 1; length > 0 && !text.empty(); text.remove_prefix(length)) {
+            length = is_digit(text[0]) || text[0] == '-' ? 1 : 0;
+            if (length == 1) exponent += text[0];
+            for (std::size_t i = 0; i < raised.size() && length == 0; ++i)
+                if (text.starts_with(raised[i])) length = raised[i].size(), exponent += "0123456789-"[i];
+        }
+        factor = leading_number("1e" + exponent).value;
+    }
+    skip_times();
+    const double power = std::log10(factor);
+    if (!(std::abs(power) >= 1 && std::abs(power) <= 15 && std::abs(power - std::round(power)) < 1e-9)) return {};
+    const Unit* const unit = find_unit(text, Dimension::length);
+    return unit ? Multiple{factor, unit} : Multiple{};
+}
+
 const Unit& require_unit(std::string_view text, Dimension dimension) {
     if (const Unit* unit = find_unit(text, dimension)) return *unit;
     throw domain_error("unit \"" + std::string(text) + "\": is not a unit of " + std::string(name_of(dimension)) +
@@ -123,11 +157,18 @@ const Unit& require_unit(std::string_view text, Dimension dimension) {
 }  // namespace detail
 
 double unit_factor(std::string_view unit, Dimension dimension) {
-    const detail::Unit& found = detail::require_unit(unit, dimension);
-    return detail::leading_number("1", found.exponent).value * found.factor;
+    const auto value = [](const detail::Unit& one) {
+        return detail::leading_number("1", one.exponent).value * one.factor;
+    };
+    if (dimension == Dimension::length && !detail::find_unit(unit, dimension))
+        if (const auto [factor, one] = detail::multiple_of_length(unit); one) return factor * value(*one);
+    return value(detail::require_unit(unit, dimension));
 }
 
-bool is_unit(std::string_view unit, Dimension dimension) { return detail::find_unit(unit, dimension) != nullptr; }
+bool is_unit(std::string_view unit, Dimension dimension) {
+    return detail::find_unit(unit, dimension) ||
+           (dimension == Dimension::length && detail::multiple_of_length(unit).unit);
+}
 
 std::string accepted_units(Dimension dimension) {
     std::string list;

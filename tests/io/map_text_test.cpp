@@ -81,7 +81,7 @@ TEST_CASE("A matrix has its pitch and a height factor from a header of keys") {
 TEST_CASE("A matrix without a physical size or a unit is refused with the option that resolves it") {
     CHECK(has(refusal(matrix(" ")), "dx and dy (between points) or width and height"));
     CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = 1e-6}), "states no physical size"));
-    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6}), "units = \"nm\""));
+    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6}), "units = \"UNIT\""));
     CHECK(has(refusal("Width: 10\nHeight: 8\nunit: nm\n" + matrix(" ")), "line 1: \"width\" has no unit"));
     CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = 1e-6, .dy = 1e-6, .width = 1e-6}), "both given"));
     CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = -1e-6, .dy = 1e-6}), "dx = -1e-06: must be"));

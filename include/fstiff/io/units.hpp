@@ -68,7 +68,7 @@ inline constexpr auto names<io::Dimension> = name_list<io::Dimension>({
 
 namespace fstiff::inline v0_1::io {
 
-/// Value of one \p unit of \p dimension in SI units.
+/// Value of one \p unit of \p dimension in SI units; of length, powers of ten of one too: "10 nm", "x10 nm", "10^-6 m".
 /// \throws domain_error listing the accepted units.
 [[nodiscard]] double unit_factor(std::string_view unit, Dimension dimension);
 
