@@ -142,7 +142,7 @@ std::vector<std::string_view> units_in(std::string_view line, std::size_t column
         const std::size_t end = rest.find(rest[begin] == '[' ? ']' : ')', begin);
         if (end == std::string_view::npos) break;
         const auto inside = trimmed(rest.substr(begin + 1, end - begin - 1));
-        if (is_unit(inside, Dimension::length)) found.push_back(inside);
+        if (is_unit(inside, Dimension::length) && (rest[begin] == '[' || !is_digit(inside[0]))) found.push_back(inside);
         rest.remove_prefix(end + 1);
     }
     if (found.size() == columns) return found;
