@@ -2,6 +2,7 @@
 #include "io/profile_text.hpp"
 
 #include "io/thousands.hpp"
+#include "io/unequal_steps.hpp"
 
 namespace fstiff::inline v0_1::io {
 
@@ -122,6 +123,8 @@ private:
         notes_.index_column = columns_.first_index();
     }
 
+    static bool is_length(const HeaderEntry* entry) { return entry && is_unit(entry->value, Dimension::length); }
+
     void choose_units() {
         const std::size_t position = notes_.position_column;
         const auto titles = titles_above(table_);
@@ -135,9 +138,6 @@ private:
             return column == 0 ? std::string_view() : found.units[column - 1];
         };
         const HeaderEntry* const positions = stated_axis_unit(entries_);
-        const auto is_length = [](const HeaderEntry* entry) {
-            return entry && is_unit(entry->value, Dimension::length);
-        };
         const auto line = [](std::size_t number) { return "line " + std::to_string(number); };
         if (!given.empty()) {
             notes_.height_unit = given.back();
@@ -190,7 +190,7 @@ private:
 
     /// Refuses a unit of the header that is another than that of the title.
     void refuse_other_unit(const HeaderEntry* entry, const std::string& unit, const std::string& what) const {
-        if (!entry || !is_unit(entry->value, Dimension::length)) return;
+        if (!is_length(entry)) return;
         const double stated = unit_factor(entry->value, Dimension::length);
         // "Unit" alone may be that of the positions
         if (stated == unit_factor(unit, Dimension::length) ||
@@ -219,7 +219,7 @@ private:
             refuse_line(name_, titles[column - 1].line,
                         {"states the unit ", shown_cell(titles[column - 1].unread), " for the ", what,
                          ", which is not understood; ", must});
-        if (entry && !is_unit(entry->value, Dimension::length))
+        if (entry && !is_length(entry))
             refuse_line(
                 name_, entry->line,
                 {"states the unit ", shown_cell(entry->value), " for the ", what, ", which is not understood; ", must});
@@ -352,29 +352,6 @@ private:
         return std::abs(mean);
     }
 
-    static std::vector<double> steps_of(const std::vector<double>& x) {
-        std::vector<double> steps(x.size() - 1);
-        for (std::size_t i = 0; i + 1 < x.size(); ++i) steps[i] = x[i + 1] - x[i];
-        return steps;
-    }
-
-    static double median(std::vector<double> values) {
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
-    }
-
-    /// 0 1 2 4 5 ...: positions printed to whole steps, of which one or two are odd, have lost a row rather than
-    /// digits.
-    static bool is_interrupted(const std::vector<double>& x, double printed) {
-        const std::vector<double> steps = steps_of(x);
-        const double usual = median(steps);
-        if (printed < 0.1 * std::abs(usual) || usual == 0) return false;
-        const auto odd = std::count_if(steps.begin(), steps.end(),
-                                       [&](double step) { return std::abs(step - usual) > 0.5 * printed; });
-        return odd == 1 || odd == 2;
-    }
-
     /// Names the step that is furthest from the usual one.
     [[noreturn]] void refuse_spacing(const std::vector<double>& x) const {
         const std::vector<double> steps = steps_of(x);
@@ -399,17 +376,7 @@ private:
         notes_.spacing_from = "interpolation: unequal steps of " + number_text(std::abs(*least)) + " to " +
                               number_text(std::abs(*most)) + " " + notes_.position_unit + " resampled to " +
                               std::to_string(x.size()) + " equal ones by straight lines, which lowers the finest waves";
-        const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
-        std::vector<double> even(heights.size());
-        for (std::size_t i = 0, k = 0; i < even.size(); ++i) {
-            const double at = i + 1 == even.size() ? x.back() : x.front() + static_cast<double>(i) * step;
-            while (k + 2 < x.size() && (x[k + 1] - at) * step < 0) ++k;
-            const double share = x[k + 1] == x[k] ? 0 : (at - x[k]) / (x[k + 1] - x[k]);
-            even[i] = share <= 0   ? heights[k]
-                      : share >= 1 ? heights[k + 1]
-                                   : heights[k] + share * (heights[k + 1] - heights[k]);
-        }
-        heights = std::move(even);
+        heights = at_equal_steps(heights, x);
     }
 
     std::string name_;
