@@ -151,4 +151,33 @@ void refuse_split_thousands(const NumberTable& table, const std::string& name) {
         }
 }
 
+void settle_lone_commas(NumberTable& table) {
+    const std::vector<Line>& lines = table.lines;
+    if (table.dialect.separator != ',') return;
+    // titles that the comma separates, each with its unit, settle it
+    if (table.first > 0 && !units_in(lines[table.first - 1].text, 2, ',').empty()) return;
+    std::optional<double> before, step;
+    bool positions = true, decimals = true, groups = true;
+    for (std::size_t i = table.first; i < lines.size(); ++i) {
+        if (is_comment(lines[i].text)) continue;
+        const std::string_view line = without_comment(lines[i].text);
+        if (line.find_first_of(".eE \t\"") != std::string_view::npos) return;
+        const LeadingNumber number = leading_number(line);
+        if (number.status != NumberStatus::ok) return;
+        const std::string_view after = line.substr(number.length);
+        decimals = decimals && (after.empty() || (after.size() > 1 && is_digit(after[1]) && after.rfind(',') == 0));
+        groups = groups && (after.empty() || is_grouped(line, ","));
+        if (!decimals && !groups) return;
+        if (before) {
+            const double next = number.value - *before;
+            positions = positions && next != 0 && (!step || next == *step);
+            step = next;
+        }
+        before = number.value;
+    }
+    if (positions) return;
+    table.dialect = {' ', true};
+    table.columns = 1;
+}
+
 }  // namespace fstiff::inline v0_1::io::detail

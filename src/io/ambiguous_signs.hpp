@@ -5,7 +5,7 @@
 ///
 /// Each names the line, what may be meant and the option that decides; a row with one reading passes.
 
-#include "io/number_table.hpp"
+#include "io/column_titles.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -33,5 +33,9 @@ void refuse_double_comma(const NumberTable& table, const std::string& name);
 /// Refuses rows such as "1 003,5" and "0,1,012", where what separates columns may separate thousands: in each, three
 /// digits, in some with a zero before others, follow a whole number of one to three digits.
 void refuse_split_thousands(const NumberTable& table, const std::string& name);
+
+/// In "0,12" the comma may separate two columns, be decimal, or separate thousands. It separates columns, unless no
+/// row holds a point and the columns that it would separate could not be equally spaced positions and heights.
+void settle_lone_commas(NumberTable& table);
 
 }  // namespace fstiff::inline v0_1::io::detail

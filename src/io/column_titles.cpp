@@ -21,7 +21,7 @@ bool is_factor(std::string_view text) {
     return rest.empty() ? before : rest[0] == '^' || rest == "x" || rest == "X" || rest == "\xC3\x97";
 }
 
-/// What a title says of a unit.
+/// What a title states of a unit.
 struct TitleParts {
     std::vector<std::string_view> inside;  // the brackets, those of length first
     std::size_t lengths{};                 // of them

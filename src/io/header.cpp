@@ -170,9 +170,24 @@ GridMeaning meaning_of(const std::string& key) {
 
 }  // namespace
 
+namespace {
+
+/// The unit of a length or step that states none itself, and where it is from: of its axis, or SPIP's nm for a \p size.
+std::pair<std::string_view, std::string> unit_of_axis(const std::vector<HeaderEntry>& entries, bool vertical,
+                                                      bool size) {
+    const bool spip = size && is_spip(entries);
+    // SPIP's lengths are in nm each by itself
+    const HeaderEntry* const axis =
+        spip && vertical && !find_entry(entries, "y-unit") ? nullptr : stated_axis_unit(entries, vertical);
+    if (axis && is_unit(axis->value, Dimension::length)) return {axis->value, ""};
+    if (spip) return {"nm", " (in nm, as SPIP writes it)"};
+    return {};
+}
+
+}  // namespace
+
 StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit, const std::string& name) {
     StatedGrid grid;
-    const bool spip = is_spip(entries);
     const auto set = [&](auto& slot, auto value, const HeaderEntry& entry, auto old) {
         if (slot && old != value)
             refuse_line(name, entry.line,
@@ -188,15 +203,8 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
         for (const std::string_view per : {"/pixel", "/px", "/point"})  // "277.8 nm/pixel"
             if (both && written.ends_with(per)) written.remove_suffix(per.size());
         std::string unit_from;
-        if (written.empty() && unit.empty() && !columns && !rows) {
-            const HeaderEntry* const own = stated_axis_unit(entries, height || (dy && !both));
-            // SPIP's lengths are in nm each by itself
-            const HeaderEntry* const axis = spip && height && !find_entry(entries, "y-unit") ? nullptr : own;
-            if (axis && is_unit(axis->value, Dimension::length))
-                written = axis->value;
-            else if (spip && (width || height))
-                written = "nm", unit_from = " (in nm, as SPIP writes it)";
-        }
+        if (written.empty() && unit.empty() && !columns && !rows)
+            std::tie(written, unit_from) = unit_of_axis(entries, height || (dy && !both), width || height);
         const std::string word = lower_case(written);
         const bool counted = word == "px" || word == "pixel" || word == "pixels" || word == "points";
         const bool whole = number.value >= 1 && number.value < 4294967296.0 && number.value == std::floor(number.value);

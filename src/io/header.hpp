@@ -69,7 +69,7 @@ const HeaderEntry* stated_axis_unit(const std::vector<HeaderEntry>& entries, boo
 struct StatedScale {
     const HeaderEntry* entry = nullptr;
     double factor = 1;
-    bool needed{};  // said to be; else it may be
+    bool needed{};  // stated; else it may be
 };
 StatedScale stated_scale(const std::vector<HeaderEntry>& entries);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/profile_text.hpp"
 
+#include "io/ambiguous_signs.hpp"
 #include "io/thousands.hpp"
 #include "io/unequal_steps.hpp"
 
@@ -29,7 +30,7 @@ public:
         : name_(std::move(name)), options_(options), table_(std::move(table)) {}
 
     Reading read() {
-        settle_lone_commas();
+        settle_lone_commas(table_);
         entries_ = header_entries(table_);
         table_.missing = stated_missing(entries_, options_.missing, name_);
         read_rows(table_, name_, profile_rules);
@@ -81,37 +82,6 @@ private:
         return values;
     }
 
-    /// In "0,12" the comma may separate two columns, be decimal, or separate thousands. It separates columns, unless no
-    /// row holds a point and the columns that it would separate could not be equally spaced positions and heights.
-    void settle_lone_commas() {
-        const std::vector<Line>& lines = table_.lines;
-        if (table_.dialect.separator != ',') return;
-        // titles that the comma separates, each with its unit, settle it
-        if (table_.first > 0 && !units_in(lines[table_.first - 1].text, 2, ',').empty()) return;
-        std::optional<double> before, step;
-        bool positions = true, decimals = true, groups = true;
-        for (std::size_t i = table_.first; i < lines.size(); ++i) {
-            if (is_comment(lines[i].text)) continue;
-            const std::string_view line = without_comment(lines[i].text);
-            if (line.find_first_of(".eE \t\"") != std::string_view::npos) return;
-            const LeadingNumber number = leading_number(line);
-            if (number.status != NumberStatus::ok) return;
-            const std::string_view after = line.substr(number.length);
-            decimals = decimals && (after.empty() || (after.size() > 1 && is_digit(after[1]) && after.rfind(',') == 0));
-            groups = groups && (after.empty() || is_grouped(line, ","));
-            if (!decimals && !groups) return;
-            if (before) {
-                const double next = number.value - *before;
-                positions = positions && next != 0 && (!step || next == *step);
-                step = next;
-            }
-            before = number.value;
-        }
-        if (positions) return;
-        table_.dialect = {' ', true};
-        table_.columns = 1;
-    }
-
     void choose_columns() {
         columns_ = profile_columns(table_, name_,
                                    {.column = options_.column,
@@ -123,6 +93,7 @@ private:
         notes_.index_column = columns_.first_index();
     }
 
+    static std::string line(std::size_t number) { return "line " + std::to_string(number); }
     static bool is_length(const HeaderEntry* entry) { return entry && is_unit(entry->value, Dimension::length); }
 
     void choose_units() {
@@ -138,27 +109,7 @@ private:
             return column == 0 ? std::string_view() : found.units[column - 1];
         };
         const HeaderEntry* const positions = stated_axis_unit(entries_);
-        const auto line = [](std::size_t number) { return "line " + std::to_string(number); };
-        if (!given.empty()) {
-            notes_.height_unit = given.back();
-            if (position != 0) notes_.position_unit = given.front();
-            notes_.units_from = "options";
-            if (!found.units.empty()) {
-                warn_of_unit(above(notes_.height_column), notes_.height_unit, found.from, "the heights");
-                warn_of_unit(above(position), notes_.position_unit, found.from, "the positions");
-            } else if (const auto entry = std::find_if(
-                           entries_.begin(), entries_.end(),
-                           [&](const HeaderEntry& one) { return is_height_unit_key(one.key) && is_length(&one); });
-                       entry != entries_.end()) {
-                warn_of_unit(entry->value, notes_.height_unit, line(entry->line), "the heights");
-            }
-            if (notes_.height_column <= titles.size())
-                if (const ColumnTitle& title = titles[notes_.height_column - 1]; title.unread.find('[') == 0)
-                    record_.warnings.push_back(contradiction(options_.names, "units", shown_cell(options_.units),
-                                                             line(title.line) + ", which states " + title.unread));
-            if (given.size() == 2) unit_of_positions_ = given.front();
-            return;
-        }
+        if (!given.empty()) return take_given_units(given, found, titles);
         if (!found.units.empty()) {
             notes_.height_unit = above(notes_.height_column);
             notes_.position_unit = above(position);
@@ -186,6 +137,32 @@ private:
         require_unit_of(notes_.height_column, notes_.height_unit, heights, titles, "heights");
         require_unit_of(position, notes_.position_unit, positions, titles, "positions");
         unit_of_positions_ = notes_.position_unit;
+    }
+
+    /// Takes the units of options, with a warning where the file states another.
+    void take_given_units(const std::vector<std::string_view>& given, const TitleUnits& found,
+                          const std::vector<ColumnTitle>& titles) {
+        const std::size_t position = notes_.position_column;
+        const auto above = [&](std::size_t column) {
+            return column == 0 ? std::string_view() : found.units[column - 1];
+        };
+        notes_.height_unit = given.back();
+        if (position != 0) notes_.position_unit = given.front();
+        notes_.units_from = "options";
+        if (!found.units.empty()) {
+            warn_of_unit(above(notes_.height_column), notes_.height_unit, found.from, "the heights");
+            warn_of_unit(above(position), notes_.position_unit, found.from, "the positions");
+        } else if (const auto entry = std::find_if(
+                       entries_.begin(), entries_.end(),
+                       [&](const HeaderEntry& one) { return is_height_unit_key(one.key) && is_length(&one); });
+                   entry != entries_.end()) {
+            warn_of_unit(entry->value, notes_.height_unit, line(entry->line), "the heights");
+        }
+        if (notes_.height_column <= titles.size())
+            if (const ColumnTitle& title = titles[notes_.height_column - 1]; title.unread.find('[') == 0)
+                record_.warnings.push_back(contradiction(options_.names, "units", shown_cell(options_.units),
+                                                         line(title.line) + ", which states " + title.unread));
+        if (given.size() == 2) unit_of_positions_ = given.front();
     }
 
     /// Refuses a unit of the header that is another than that of the title.

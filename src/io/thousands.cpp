@@ -89,7 +89,7 @@ std::string without_thousands(std::string text, const std::string& given, const 
 
 namespace {
 
-/// What the cells of a column say of its decimal sign.
+/// What the cells of a column show of its decimal sign.
 struct Signs {
     std::size_t grouped{}, whole{};  // cells like 1,003 and like 986
     bool decimal{};                  // other fractions are there

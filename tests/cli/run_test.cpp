@@ -355,6 +355,7 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
 }
 
 TEST_CASE("A lost pressure has its sentence and exit code 4 in the table, the CSV and the JSON of run") {
+    using namespace test;
     const Folder folder;
     for (const char* laws : {"", "laws = [\"hertz\"]\n"}) {
         const std::string scene = folder.write(

@@ -145,7 +145,7 @@ TEST_CASE("Decimals of three digits stay what they are", "[thousands]") {
     const auto comma = read(profile(";", milli));
     CHECK(test::relative_error(comma.profile().heights[3], (height(3) + 1000) * 1e-12) < 1e-15);
     CHECK(test::said(comma, "separator") == "semicolon, decimal comma");
-    // a whole number next to them, said to be what it is
+    // a whole number next to them, stated to be what it is
     const auto whole = [&](int i) { return i == 7 ? std::string("2") : milli(i); };
     CHECK(has(refusal(profile(";", whole)), "or, if it is decimal, by thousands = \"none\""));
     CHECK(read(profile(";", whole), {.thousands = "none"}).profile().heights[7] == 2e-9);
