@@ -250,9 +250,10 @@ bool is_size_key(const std::string& key) {
 
 bool is_height_unit_key(const std::string& key) {
     static constexpr std::string_view keys[] = {
-        "value units", "value unit", "data unit",    "data units",    "z unit",          "z-unit",  "z units",
-        "height unit", "unit",       "height units", "units",         "unit z",          "units z", "zunit",
-        "unit data",   "units data", "z axis unit",  "vertical unit", "unit of heights", "z-units"};
+        "value units",     "value unit",  "data unit", "data units",   "z unit",      "z-unit",
+        "z units",         "height unit", "unit",      "height units", "units",       "unit z",
+        "units z",         "zunit",       "unit data", "units data",   "z axis unit", "vertical unit",
+        "unit of heights", "z-units",     "einheit z", "z-einheit"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys) ||
            is_one_of_words(key, height_unit_words);
 }

@@ -72,6 +72,7 @@ TEST_CASE("A factor next to a unit is never dropped", "[units]") {
     CHECK(read(profile("x [um];z [um] (x100)\n"), {.units = "um"}).record.warnings.size() == 1);
     const std::string nova = "NX = 5\nNY = 4\nScale X = 0.1\nScale Y = 0.2\nUnit X = um\nUnit Data = nm\n";
     CHECK(has(refusal(matrix(nova + "Scale Data = 2\n")), "not whether the heights are to be multiplied"));
+    CHECK(has(refusal(profile("# factor: 0.001\nx [um];z [um]\n")), "not whether the heights are to be multiplied"));
     CHECK(read(matrix(nova + "Scale Data = 10\nDataScaleNeeded = yes\n")).map().heights(0, 0) == 1e-8);
     CHECK(read(matrix(nova + "Scale Data = 10\nDataScaleNeeded = no\n")).map().heights(0, 0) == 1e-9);
 }
@@ -99,6 +100,7 @@ TEST_CASE("The header states units of the axes and the heights", "[units]") {
     check_profile(profile("# X unit: mm\n# Z unit: um\n"), 1e-3, 1e-6);
     check_profile(profile("Unit X = mm\nUnit Z = um\nx;z\n"), 1e-3, 1e-6);
     check_profile(profile("# Z unit: um\nx [mm];z\n"), 1e-3, 1e-6);
+    check_profile(profile("Einheit x: mm\nEinheit z: um\n"), 1e-3, 1e-6);
     CHECK(has(refusal(profile("# Z unit: um\n")), "states no unit of the positions"));
 }
 
