@@ -179,7 +179,8 @@ private:
         if (!(points >= 1 && points <= 4294967295.0 && points == std::floor(points)))
             refuse_line(name_, line, {shown_cell(fields[2]), " points; must be a whole number from 1 to 4294967295"});
         axis.points = static_cast<std::size_t>(points);
-        axis.unit = is_unit(fields[3], Dimension::length) ? std::string(fields[3]) : lower_case(fields[3]);
+        axis.unit = lower_case(fields[3]);  // "MM"
+        if (!is_unit(axis.unit, Dimension::length)) axis.unit = fields[3];
         if (!is_unit(axis.unit, Dimension::length))
             refuse_line(name_, line,
                         {shown_cell(fields[3]), " is not a unit of length; must be one of ",

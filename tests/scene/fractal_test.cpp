@@ -142,7 +142,7 @@ TEST_CASE("Profiles that cannot be read are refused with file, line, value and w
     refused(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), {"binary", "PNG"});
     refused("nothing but words\nin here\n", {"must"});
     refused(test::replaced(numbered(40), "20.0,", "twenty,"), {"line 22", "twenty"});
-    refused(test::replaced(numbered(40), "\n20.0,18\n", "\n20.0,inf\n"), {"line 22", "inf"});
+    refused(test::replaced(numbered(40), "\n20.0,18\n", "\n20.0,infinite\n"), {"line 22", "infinite"});
     refused(test::replaced(numbered(40), "\n20.0,18\n", "\n19.0,18\n"),
             {"line 22", "19", "must"});  // the same place twice
     refused(test::replaced(numbered(40), "\n20.0,18\n", "\n-20.0,18\n"), {"line 22", "-20", "must"});  // backwards
