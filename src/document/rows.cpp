@@ -26,10 +26,12 @@ std::string text_of(const Cell& cell, const Heading& heading) {
     return cell_text(cell, "-", [&](double x) { return rounded(x * heading.factor, heading.digits); });
 }
 
-/// A text that a spreadsheet would take for a formula begins with an apostrophe.
+/// A text that a spreadsheet would take for a formula, and that is no number with its sign, begins with an apostrophe.
 std::string csv_of(const Cell& cell) {
-    const bool formula = cell.kind == Kind::text && !cell.words.empty() &&
-                         std::string_view("=+-@").find(cell.words.front()) != std::string_view::npos;
+    const bool sign = cell.words.starts_with('+') || cell.words.starts_with('-');
+    const bool number = sign && cell.words.find_first_not_of("0123456789.eE+-") == std::string::npos;
+    const bool formula =
+        cell.kind == Kind::text && !number && (sign || cell.words.starts_with('=') || cell.words.starts_with('@'));
     return (formula ? "'" : "") + cell_text(cell, "", [](double x) { return exact(x); });
 }
 

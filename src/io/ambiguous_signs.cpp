@@ -51,10 +51,9 @@ void refuse_blank_groups(const NumberTable& table, const std::string& name, cons
     std::vector<std::string_view> cells;
     split_line(line.text, ',', cells);
     const auto is_cell = [](std::string_view cell) { return is_grouped(cell, " ") || number_in(cell, false); };
-    // a decimal comma has the whole digits of one number before the first and the decimals of one after the last
-    if (cells.size() < 2 || !std::all_of(cells.begin(), cells.end(), is_cell)) return;
-    const std::string_view grouped = is_grouped(cells.front(), " ") ? cells.front() : cells.back();
-    if (is_grouped(grouped, " ")) refuse_sign(table, name, line.number, grouped, true);
+    // between decimal commas, blanks would leave whole numbers in the first and the last column alone
+    if (cells.size() < 4 || !is_grouped(cells.front(), " ") || !is_grouped(cells.back(), " ")) return;
+    if (std::all_of(cells.begin(), cells.end(), is_cell)) refuse_sign(table, name, line.number, cells.front(), true);
 }
 
 std::string without_points(const NumberTable& table) {

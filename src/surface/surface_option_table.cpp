@@ -105,8 +105,8 @@ constexpr SurfaceOptionRow rows[] = {
     {"fill", cleaning, &Of::fill, if_not_default,
      "fill missing points: by straight lines in a profile, by Laplace's equation in a map"},
     {"channel", file, &Of::channel, if_not_default,
-     "for Gwyddion files (.gwy): number or title of the channel; the default is the lowest number whose values "
-     "are lengths"},
+     "for Gwyddion files (.gwy) and text with several tables: number or title of the channel; the default is the "
+     "lowest number whose values are lengths, of text the only one"},
 };
 // clang-format on
 

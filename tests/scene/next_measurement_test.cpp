@@ -130,16 +130,4 @@ TEST_CASE("Two faces that both lack a number are advised to measure it of both")
     CHECK(std::abs(to / after - 1) < 0.06);
 }
 
-TEST_CASE("A given hardness takes no step in the band of the height alone, where peaks begin to flow") {
-    for (const double pressure : {1e5, 1e6, 1e7}) {
-        const auto width = [&](const std::string& hardness) {
-            const Case one{"Rq = \"1 um\"\n",
-                           hardness + "[contact]\npressures = [\"" + std::to_string(pressure) + " Pa\"]\n"};
-            return width_of(one.text());
-        };
-        // 0.7 E g is 16.2 GPa
-        CHECK(std::abs(std::log(width("hardness = \"16.1 GPa\"\n") / width(""))) < 0.2);
-    }
-}
-
 }  // namespace next_measurement_test

@@ -82,11 +82,11 @@ template <Real T>
     return (std::min)(sign * (here - a), sign * (here - b));
 }
 
-/// Whether a point that is \p near beyond the points around it, \p far beyond those farther away, and \p difference
+/// Whether a point that is \p inner beyond the points around it, \p outer beyond those farther away, and \p difference
 /// from its neighbours is a spike of \p limit standard deviations: the top of a bump falls farther with distance.
 template <Real T>
-[[nodiscard]] bool has_no_foot(T near, T far, T difference, T limit) {
-    return far > std::abs(difference) / 2 && near > limit / 6 * (far - near);
+[[nodiscard]] bool has_no_foot(T inner, T outer, T difference, T limit) {
+    return outer > std::abs(difference) / 2 && inner > limit / 6 * (outer - inner);
 }
 
 /// Counts the spikes among \p heights, and with \p remove makes them NaN: those whose \p differences (NaN: none) are

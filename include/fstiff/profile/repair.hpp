@@ -45,10 +45,11 @@ math::Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, boo
             std::erase_if(all, [](T q) { return std::isnan(q); });
             return all;
         };
-        std::vector<T> near = exist({beyond(2), beyond(3)}), far = exist({beyond(4), beyond(5), beyond(6)});
-        if (near.empty() || far.empty()) return true;
-        const T most = *std::max_element(near.begin(), near.end());
-        return most > std::abs(difference) / 2 && math::has_no_foot(near.front(), math::median(far), difference, limit);
+        std::vector<T> inner = exist({beyond(2), beyond(3)}), outer = exist({beyond(4), beyond(5), beyond(6)});
+        if (inner.empty() || outer.empty()) return true;
+        const T most = *std::max_element(inner.begin(), inner.end());
+        return most > std::abs(difference) / 2 &&
+               math::has_no_foot(inner.front(), math::median(outer), difference, limit);
     });
 }
 

@@ -44,14 +44,15 @@ template <Real T>
         return math::beyond_both(map.heights(j, i), at(j + s.down, i + s.right), at(j - s.down, i - s.right),
                                  std::copysign(T(1), difference));
     };
-    std::vector<T> near, far;
+    std::vector<T> inner, outer;
     for (const auto& [two, three] : directions) {
         const T a = beyond(two), b = beyond(three);
         if (std::fmax(a, b) < std::abs(difference) / 2) return false;  // fmax() leaves a NaN out
-        if (!std::isnan(a)) near.push_back(a);
-        if (!std::isnan(b)) far.push_back(b);
+        if (!std::isnan(a)) inner.push_back(a);
+        if (!std::isnan(b)) outer.push_back(b);
     }
-    return near.empty() || far.empty() || math::has_no_foot(math::median(near), math::median(far), difference, limit);
+    return inner.empty() || outer.empty() ||
+           math::has_no_foot(math::median(inner), math::median(outer), difference, limit);
 }
 
 /// Number of spikes of \p map beyond \p limit; with \p remove they become missing. \throws domain_error as above.

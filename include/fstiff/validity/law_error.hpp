@@ -8,8 +8,8 @@
 ///
 ///     low  = -sqrt(low(p*)^2 + sum low_i^2),  high = sqrt(high(p*)^2 + sum high_i^2)
 ///
-/// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*; height
-/// alone: the greater of p* and 0.7 p/H, at least 1.5e-4. Terms low_i, high_i: docs/theory.md, section 15.
+/// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*. Terms
+/// low_i, high_i of long waves, skewness and kurtosis: docs/theory.md, section 15.
 ///
 /// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13
 /// Units       p* = p/(E g_rms), ln K
@@ -107,11 +107,8 @@ template <Real T>
 [[nodiscard]] LawError<T> law_error(const LawErrorQuestion<T>& question) {
     const LawErrorRow row = law_error_row(question.law, question.known);
     const T share = question.p_star / question.hardness;  // p/H; K goes as it below the least that was compared
-    const T least = T(1.5e-4);
-    T place = question.law == LawName::plastic && question.hardness > T(0) ? (std::max)(share, least) : question.p_star;
-    if (question.known == KnownAs::height)  // one table for all laws: no step where peaks begin to flow, at 0.7
-        place =
-            (std::max)(question.hardness > T(0) ? (std::max)(question.p_star, T(0.7) * share) : question.p_star, least);
+    const T place =
+        question.law == LawName::plastic && question.hardness > T(0) ? (std::max)(share, T(1.5e-4)) : question.p_star;
     const auto at = [&](const LawErrorTable& table) { return at_pressure(table, place); };
     const T waves = question.known == KnownAs::map ? T(0.8) * question.long_waves : T(0);
     T low = std::hypot(at(row.low), waves), high = std::hypot(at(row.high), waves);

@@ -145,7 +145,12 @@ std::string bodies_text(const Scene& scene, const Results& results) {
     }
     if (!scene.assumptions.empty()) text += in_lines("assumed", scene.assumptions);
     const std::string next = scene.best ? measure_next(scene, results) : "";
-    return next.empty() ? text : text + in_lines("next", {next});
+    std::string label = "  next      ";
+    for (const std::string& line : next.empty() ? std::vector<std::string>() : wrapped(next, widest - label.size())) {
+        text += label + line + "\n";
+        label.assign(label.size(), ' ');
+    }
+    return text;
 }
 
 /// The answer and what was computed of what: the lines above the curves.
@@ -191,8 +196,8 @@ std::string explanations(const Scene& scene, const Results& results) {
     if (has_band(results))
         text += "5 % and 95 %: " + origin_of_band(scene) + "\n";
     else if (scene.needs_stiffness())
-        text += "the laws that are named have no band: " + why_no_band(scene, results) +
-                (results.answer ? "; that of the answer is above\n" : "\n");
+        text += "named laws have no band: " + why_no_band(scene, results) +
+                (results.answer ? "; the answer's is above\n" : "\n");
     return text;
 }
 
