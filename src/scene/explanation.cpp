@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace fstiff::scene {
@@ -98,16 +99,20 @@ struct Measuring {
     double factor = 0;
 };
 
-/// The factor at the point \p place of \p scene once \p which of its faces is known.
+/// The factor at the point \p place of \p scene once \p which of its faces is known; infinite where it has no band then.
 double factor_of(Scene scene, std::size_t place, parts::Unknown which) {
     scene.best = true;
     scene.points = {scene.points[place]};
     if (!scene.forces.empty()) scene.forces = {scene.forces[place]};
     for (Face& face : scene.faces) face = with_measured(std::move(face), which);
     scene.face = with_measured(std::move(scene.face), which);
-    set_law_of_answer(scene);
-    const Curve curve = curves_of(scene, contacts_of(scene)).front();
-    return curve.band.front().high / curve.band.front().low;
+    try {
+        set_law_of_answer(scene);
+        const Curve curve = curves_of(scene, contacts_of(scene)).front();
+        if (!curve.band.empty()) return curve.band.front().high / curve.band.front().low;
+    } catch (const domain_error&) {  // as where some drawn surfaces have other peaks than the rest
+    }
+    return std::numeric_limits<double>::infinity();
 }
 
 /// The factor that \p reason makes of a profile or map four times as large: half the errors, and fewer waves that are
