@@ -74,7 +74,7 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     const std::string missing = map ? missing_points(*map) : "", least = rounded(parts::min_points_in_contact);
     std::string text;
     if (!missing.empty())
-        text = "K is computed from the numbers of the map: " + missing;
+        text = "K is computed from the map's numbers: " + missing;
     else if (count > 0)
         text = "Boundary elements solve the map itself" +
                (count == curve.by.size()
@@ -153,8 +153,8 @@ std::vector<Measuring> measurings(const Scene& scene, const Results& results, st
             all.push_back(
                 {what + std::string(scene.faces.empty() ? "" : " of both faces"), factor_of(scene, place, which)});
     if (measured && !results.answer->of_map_itself)
-        all.push_back({measured_faces(scene).front().face->measured->is_profile() ? "a profile four times as long"
-                                                                                  : "a map four times as large",
+        all.push_back({measured_faces(scene).front().face->measured->is_profile() ? "four times the length"
+                                                                                  : "four times the area",
                        factor_of_larger(scene, results.answer->reasons[at], false)});
     return all;
 }

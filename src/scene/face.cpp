@@ -165,8 +165,8 @@ std::string missing_points(const MapOfSurface& map) {
     Eigen::Index missing = 0;
     for (const auto& one : map.maps) missing += one->size() - one->present();
     if (missing == 0) return "";
-    return std::to_string(missing) + (missing == 1 ? " point of the map is" : " points of the map are") +
-           " missing; fill = true next to surface.from, or --fill, fills them";
+    return std::to_string(missing) + (missing == 1 ? " point is" : " points are") +
+           " missing; fill = true next to from, or --fill, fills them";
 }
 
 namespace {
