@@ -357,8 +357,7 @@ TEST_CASE("Islands densest at an end are a concern of the file, its islands and 
     CHECK(contains(islands["warnings"].dump(), said));
     folder.write("hills.json", document.dump());
     const auto results = [&](const std::string& keys) {
-        return test::results_of("[surface]\nfrom = \"hills.json\"\n" + keys + rest +
-                                    "laws = [\"hertz\"]\npeaks = [{ theta = \"pi/3\", r = 0.5 }]\n",
+        return test::results_of("[surface]\nfrom = \"hills.json\"\n" + keys + rest + "laws = [\"hertz\"]\n",
                                 folder / "scene.toml");
     };
     CHECK(results("").doubtful);

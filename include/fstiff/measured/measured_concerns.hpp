@@ -140,12 +140,13 @@ template <Real T>
 
 namespace parts {
 
-/// Parameters of \p surface that are not known to a factor of two.
+/// Parameters of \p surface that are not known to a factor of two; without r where long waves leave it open with sigma.
 template <Real T>
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const SurfaceParameters<T>& surface) {
     std::vector<Parameter> all;
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         const Parameter which = parameter_table[i].parameter;
+        if (which == Parameter::r && surface.long_wave_share > T(0.75)) continue;
         if (const auto* one = surface.find(which); one && !is_known(*one)) all.push_back(which);
     }
     return all;
