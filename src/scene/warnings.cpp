@@ -171,10 +171,9 @@ void add_warnings(const Scene& scene, Results& results) {
         results.warnings.push_back(
             "contact.interaction does not affect the answer, whose laws include their own interaction");
     if (scene.best && !unknown.empty() && !parts::is_known(scene.face.parameters.rms_height))
-        results.warnings.push_back(
-            results.answer && results.answer->of_map_itself
-                ? "sigma of another piece of this surface is not known to a factor of two: K is that of this map alone"
-                : "sigma is not known to a factor of two, so K and its band are doubtful");
+        results.warnings.push_back(results.answer && results.answer->of_map_itself
+                                       ? "sigma is not known to a factor of two: K is that of this map alone"
+                                       : "sigma is not known to a factor of two, so K and its band are doubtful");
     const std::size_t before = results.warnings.size();
     for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
         warn_if_any(results, concern);

@@ -54,7 +54,7 @@ std::string form_warning(const Surface<double>& found, const SurfaceOptions& opt
     };
     if (form.is_parabola())
         return shown_percent(form.parabola) + " of the mean square height is one " +
-               (found.profile ? "parabola" : "quadratic surface") + ", the form of a curved part; " +
+               (found.profile ? "parabola" : "quadratic surface") + "; " +
                option("detrend", found.profile ? "parabola" : "quadratic") + " removes it";
     if (!form.is_step()) return "";
     const bool straight = (form.along_x || form.along_y) && options.crop.empty();

@@ -90,7 +90,7 @@ TEST_CASE("A trace across a ring is in doubt, and its parabola is the cause") {
     const std::string rough = profile_text([](double) { return 0.0; });
     for (const double radius : {1e-3, 4e-3, -20e-3, 60e-3})
         check_mended(profile_text([&](double x) { return -std::pow(x - 0.5e-3, 2) / (2 * radius); }), rough,
-                     "one parabola, the form of a curved part; detrend = \"parabola\"", 1.3);
+                     "one parabola; detrend = \"parabola\"", 1.3);
     // the parabola of 1 mm has the rms height L^2/(8 R) sqrt(4/45): 0.1 um for 0.37 m, a tenth of the square
     const test::Folder folder;
     const Run flat(scene_of(
@@ -110,7 +110,7 @@ TEST_CASE("A trace over a step is in doubt, and the part next to it is not") {
 TEST_CASE("Maps of a ball, a cylinder, a saddle and a wedge with a step are in doubt, and mended") {
     const std::string rough = map_text([](double, double) { return 0.0; });
     const auto square = [](double x) { return (x - 64e-6) * (x - 64e-6) / 1e-3; };
-    const char* form = "one quadratic surface, the form of a curved part; detrend = \"quadratic\"";
+    const char* form = "one quadratic surface; detrend = \"quadratic\"";
     check_mended(map_text([&](double x, double y) { return -square(x) - square(y); }), rough, form, 1.3);
     check_mended(map_text([&](double x, double) { return -square(x); }), rough, form, 1.3);
     check_mended(map_text([&](double x, double y) { return square(0.6 * x + 0.8 * y - 30e-6); }), rough, form, 1.3);
