@@ -100,8 +100,11 @@ TEST_CASE(
     CHECK(concerns_of(surface).empty());
     surface.r->error = 0.2001;
     CHECK(concerns_of(surface) == Concerns{parameter_unknown});
-    surface.long_wave_share = 0.751;  // which gives the reason
+    surface.long_wave_share = 0.751;  // which gives the reason for r, and hides no sigma
+    CHECK(concerns_of(surface) == Concerns{long_waves});
+    surface.rms_height.error = 0.501e-6;
     CHECK(concerns_of(surface) == Concerns{long_waves, parameter_unknown});
+    surface.rms_height.error = 0.5e-6;
     surface.long_wave_share = 0.75;
     surface.r.reset();
     surface.peak_radius = {1e-6, 0.501e-6};
