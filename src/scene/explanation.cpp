@@ -99,7 +99,7 @@ struct Measuring {
     double factor = 0;
 };
 
-/// The factor at the point \p place of \p scene once \p which of its faces is known; infinite where it has no band then.
+/// The factor at the point \p place of \p scene once \p which of its faces is known; infinite without a band.
 double factor_of(Scene scene, std::size_t place, parts::Unknown which) {
     scene.best = true;
     scene.points = {scene.points[place]};

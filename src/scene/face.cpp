@@ -166,7 +166,7 @@ std::string missing_points(const MapOfSurface& map) {
     for (const auto& one : map.maps) missing += one->size() - one->present();
     if (missing == 0) return "";
     return std::to_string(missing) + (missing == 1 ? " point is" : " points are") +
-           " missing; fill = true next to from, or --fill, fills them";
+           " missing; fill = true next to surface.from, or --fill, fills them";
 }
 
 namespace {

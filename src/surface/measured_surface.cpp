@@ -167,6 +167,7 @@ std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
                                           const parts::SurfaceParameters<double>& used) {
     const auto& concerns = surface.found.concerns;
     std::vector<Parameter> all = parts::unknown_parameters(used);
+    if (has(concerns, MeasuredConcern::long_waves)) std::erase(all, Parameter::r);
     const auto add_measured = [&](Parameter which) {
         const auto *one = used.find(which), *measured = surface.found.find(which);
         if (one && measured && one->value == measured->value) all.push_back(which);
