@@ -120,9 +120,10 @@ private:
     /// Whether the header has \p line, its digits aside; an ornament without a letter is in none.
     bool is_in_head(std::string_view line) {
         const auto is_letter = [](char c) { return (c | 0x20) >= 'a' || static_cast<unsigned char>(c) >= 0x80; };
-        if (head_.empty())
+        if (head_.empty()) {
             for (std::size_t i = 0; i < table_.first; ++i) head_.push_back(without_digits(table_.lines[i].text));
-        std::sort(head_.begin(), head_.end());
+            std::sort(head_.begin(), head_.end());
+        }
         return std::any_of(line.begin(), line.end(), is_letter) &&
                std::binary_search(head_.begin(), head_.end(), without_digits(line));
     }
