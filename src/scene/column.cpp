@@ -18,8 +18,7 @@ namespace {
 Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene, const ContactState<double>& s) {
     const Conduction& by = scene.conduction;
     const bool heat = quantity == CurveQuantity::thermal_conductance;
-    const double h = spot_conductance(s.stiffness.value, heat ? *by.thermal : *by.electrical,
-                                      effective_modulus(scene.upper, scene.lower));
+    const double h = spot_conductance(s.stiffness.value, heat ? *by.thermal : *by.electrical, scene.effective_modulus);
     const double under = parts::under_film(h, s.real_area_fraction.value, heat ? by.thermal_film : by.electrical_film);
     return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
 }

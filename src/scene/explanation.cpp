@@ -59,7 +59,7 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
             "The gradient of the surface is not known, so K is elastic; where peaks yield K for vibration is higher."};
     if (const auto& g = answer.curve.rms_gradient)
         return {"No hardness" + of_open_body(scene) + " is given, so K is elastic; if H < " +
-                with_unit(parts::flowing_hardness * results.modulus * *g, "Pa", 2) +
+                with_unit(parts::flowing_hardness * scene.effective_modulus * *g, "Pa", 2) +
                 ", peaks yield and K for vibration is higher."};
     return {"No hardness" + of_open_body(scene) +
             " is given, so K is elastic; where peaks yield K for vibration is higher."};
@@ -71,7 +71,7 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     const auto solved = [](const Law* law) { return law->which == LawName::boundary_elements; };
     const auto count = static_cast<std::size_t>(std::count_if(curve.by.begin(), curve.by.end(), solved));
     const auto& map = scene.face.map;
-    const std::string missing = map ? missing_points(*map) : "", least = rounded(parts::min_points_in_contact);
+    const std::string missing = missing_phrase(scene.face), least = rounded(parts::min_points_in_contact);
     std::string text;
     if (!missing.empty())
         text = "K is computed from the map's numbers: " + missing;
@@ -87,7 +87,7 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
         text = curve.law->needs_spectrum
                    ? "K is computed from the map's summits and bearing curve"
                    : "K is computed from R and D_p of the map, which has no summits for law hybrid";
-    else if (scene.has_lay)
+    else if (has_lay(scene))
         text = "The profile repeats itself, like one across a lay: K may be up to " + rounded(parts::lay_factor) +
                " times higher; only a map shows this";
     return text.empty() ? text : text + ".";
@@ -107,8 +107,9 @@ double factor_of(Scene scene, std::size_t place, parts::Unknown which) {
     for (Face& face : scene.faces) face = with_measured(std::move(face), which);
     scene.face = with_measured(std::move(scene.face), which);
     try {
-        set_law_of_answer(scene);
-        const Curve curve = curves_of(scene, contacts_of(scene)).front();
+        Request request = request_of(scene);
+        request.checked = false;
+        const LawCurve curve = *curves_of(scene, request).answer;
         if (!curve.band.empty()) return curve.band.front().high / curve.band.front().low;
     } catch (const domain_error&) {  // as where some drawn surfaces have other peaks than the rest
     }
@@ -126,11 +127,11 @@ double factor_of_larger(const Scene& scene, const AnswerReason& reason, bool its
     scale(parts::Cause::measurement, 0.5), scale(parts::Cause::shape, 0.5);
     if (scene.nominal_area && !itself) {
         parts::LongEnd<double> end = scene.face.parameters.long_end;
-        end.side *= measured_faces(scene).front().face->measured->is_profile() ? 4 : 2, end.error /= 2;
+        end.side *= measured_faces(scene).front()->measured->is_profile ? 4 : 2, end.error /= 2;
         causes[static_cast<std::size_t>(parts::Cause::long_waves)] = {
             -parts::unmeasured_waves(end, std::sqrt(*scene.nominal_area)).growth, 0};
     } else {
-        scale(parts::Cause::contacts, measured_faces(scene).front().face->measured->is_profile() ? 0.25 : 0.5);
+        scale(parts::Cause::contacts, measured_faces(scene).front()->measured->is_profile ? 0.25 : 0.5);
     }
     const auto [low, high] = parts::band_of(causes);
     return std::exp(high - low);
@@ -142,7 +143,7 @@ std::vector<Measuring> measurings(const Scene& scene, const Results& results, st
     std::vector<Measuring> all;
     const bool map = scene.face.map && scene.face.spectrum_of_map, measured = !measured_faces(scene).empty();
     const std::size_t place = results.answer->curve.places[at];
-    const bool lay = parts::prior_of(rough_faces(scene).front().face->process).has_lay;
+    const bool lay = parts::prior_of(rough_faces(scene).front()->process).has_lay;
     const std::pair<Unknown, const char*> candidates[]{{Unknown::height, "Rq or Sq"},
                                                        {Unknown::gradient, lay ? "Sdq" : "Sdq or Rdq"},
                                                        {Unknown::alpha, "alpha"},
@@ -153,9 +154,9 @@ std::vector<Measuring> measurings(const Scene& scene, const Results& results, st
             all.push_back(
                 {what + std::string(scene.faces.empty() ? "" : " of both faces"), factor_of(scene, place, which)});
     if (measured && !results.answer->of_map_itself)
-        all.push_back({measured_faces(scene).front().face->measured->is_profile() ? "four times the length"
-                                                                                  : "four times the area",
-                       factor_of_larger(scene, results.answer->reasons[at], false)});
+        all.push_back(
+            {measured_faces(scene).front()->measured->is_profile ? "four times the length" : "four times the area",
+             factor_of_larger(scene, results.answer->reasons[at], false)});
     return all;
 }
 
@@ -181,7 +182,7 @@ std::string outside_band(const Scene& scene, const Results& results) {
                             : measured_faces(scene).empty()                 ? ", few contacts"
                                                                             : ", long waves") +
                 " (give contact.nominal_area)";
-    for (const auto& [name, face] : rough_faces(scene))
+    for (const Face* face : rough_faces(scene))
         if (!face->measured && face->process == parts::Process::unknown && face->is_open(parts::Unknown::skewness))
             return text +
                    "; for a worn or honed face K may be several times higher (give process, or skewness and "
@@ -235,7 +236,7 @@ Explanation explanation(const Scene& scene, const Results& results) {
                    : !hardness  ? "Taken as elastic: no hardness" + of_open_body(scene) + " is given."
                    : *hardness < parts::flowing_hardness ? "The peaks yield, but K is that of an elastic contact."
                                                          : "The contact is elastic."};
-    if (scene.has_lay) all.shorter = {"A profile across a lay does not determine K."};
+    if (has_lay(scene)) all.shorter = {"A profile across a lay does not determine K."};
     return all;
 }
 

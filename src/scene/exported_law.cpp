@@ -65,8 +65,8 @@ std::string heading_of(const Scene& scene, const LawInModel& law, const ExportRe
     say("fstiff " FSTIFF_VERSION_TEXT ": contact law for " + std::string(name_of(request.to)) +
         ", pressure against overclosure; its slope is " + slope_of(table));
     say("scene     " + scene.name + " (" + scene.file + "), SHA-256 " + scene.sha256);
-    for (const auto& [name, face] : measured_faces(scene))
-        say(std::string(name) + "   " + face->measured->file + ", SHA-256 " + face->measured->sha256);
+    for (const auto& [name, face, file] : measured_files(scene))
+        say(std::string(name) + "   " + file->file + ", SHA-256 " + file->sha256);
     say("law       " + table.title);
     const auto slope = [&](double K) { return rounded(units.stiffness(K), 4); };
     for (const auto& [p, K, low, high, by] : table.answer)

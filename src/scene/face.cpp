@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/face.hpp"
 
-#include "document/file.hpp"
-
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
@@ -33,7 +31,7 @@ bool is_as_measured(const Face& face) {
     return std::all_of(parts::parameter_table.begin(), parts::parameter_table.begin() + 3,
                        [&](const parts::ParameterRow& row) {
                            const std::size_t i = parts::index_of(row.parameter);
-                           return face.parameters.values()[i] == face.measured->found.values()[i];
+                           return face.parameters.values()[i] == face.measured->values()[i];
                        });
 }
 
@@ -100,23 +98,20 @@ void Face::set_shape(const parts::HeightShape<double>& of) {
     bearing = bearing_of_shape(of);
 }
 
-std::string gradient_warning(const Face& face, double r) {
-    std::vector<double> gradients;
-    std::vector<std::string_view> origins;
-    const auto add = [&](double gradient, std::string_view origin) {
-        gradients.push_back(gradient);
-        origins.push_back(origin);
-    };
-    const bool measured = face.measured && face.measured->found.heights && face.rms_gradient &&
-                          face.measured->found.rms_gradient.value == *face.rms_gradient;
-    if (face.has_own_gradient()) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
+std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r) {
+    using enum ImplausibleGradient::Of;
+    std::vector<ImplausibleGradient> all;
+    const bool as_measured = face.measured && face.measured->heights && face.rms_gradient &&
+                             face.measured->rms_gradient.value == *face.rms_gradient;
+    if (face.has_own_gradient()) all.push_back({as_measured ? measured : given, *face.rms_gradient});
     if (face.has_radius_and_density() && !is_as_measured(face)) {
         const auto [of_density, of_height] = parts::implied_gradients(face.roughness(), r);
-        add(of_density, "implied by peak_radius and peak_density");
-        if (!face.has_own_gradient()) add(of_height, "implied by rms_height and peak_radius");
+        all.push_back({peaks, of_density});
+        if (!face.has_own_gradient()) all.push_back({height, of_height});
     }
-    const parts::Check<double> check = parts::check_gradients<double>(gradients);
-    return check.holds() ? "" : gradient_warning(gradients[check.first], origins[check.first]);
+    for (const ImplausibleGradient& one : all)
+        if (!parts::is_plausible_gradient(one.value)) return one;
+    return std::nullopt;
 }
 
 SpectralMoments<double> spectral_moments(const Face& face) {
@@ -140,33 +135,10 @@ bool has_isotropic_peaks(const Face& face) {
     return (face.has_own_gradient() || (face.alpha && !face.rms_gradient)) && spectral_moments(face).bandwidth() > 1.5;
 }
 
-std::string no_spectrum(const Face& face) {
-    if (face.map && face.spectrum_of_map) {
-        if (const std::string missing = missing_points(*face.map); !missing.empty()) return missing;
-        return !face.map->spectra                          ? "the map has fewer than 4 points a side"
-               : face.map->summits.front().summits.empty() ? "no point of the map is above its eight neighbours"
-                                                           : "";
-    }
-    if (!face.has_radius_and_density() && !(face.rms_gradient && face.alpha))
-        return "R and D_p of the surface are not known: " + face.parameters.why_no_density;
-    const SpectralMoments<double> moments = spectral_moments(face);
-    const double alpha = moments.bandwidth();
-    for (const double of : {moments.m0, moments.m2, moments.m4, alpha})
-        if (!(of > 0) || !std::isfinite(of))
-            return "the moments of rms_height, R, D_p and rms_gradient are beyond the range of double precision; these "
-                   "numbers must be less extreme";
-    if (alpha > 1.5) return "";
-    return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
-           ", but isotropic surfaces have more than 1.5; set " +
-           (face.rms_gradient ? "surface.alpha" : "surface.rms_gradient and surface.alpha");
-}
-
-std::string missing_points(const MapOfSurface& map) {
+Eigen::Index missing_points(const MapOfSurface& map) {
     Eigen::Index missing = 0;
     for (const auto& one : map.maps) missing += one->size() - one->present();
-    if (missing == 0) return "";
-    return std::to_string(missing) + (missing == 1 ? " point is" : " points are") +
-           " missing; fill = true next to surface.from, or --fill, fills them";
+    return missing;
 }
 
 namespace {
@@ -226,7 +198,7 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
 namespace {
 
 /// \p found as the contact sees it.
-Face face_of(const Surface<double>& found) {
+Face face_as_found(const Surface<double>& found) {
     Face face;
     face.parameters = found;
     face.parameters.profile_fit.reset(), face.parameters.map_fit.reset(), face.parameters.islands.reset();
@@ -245,7 +217,7 @@ Face face_of(const Surface<double>& found) {
         if (part.map) maps.emplace_back(part.map, &part.map->map);
     if (!maps.empty()) face.map = map_of_surface(std::move(maps));
     for (const Surface<double>& neighbour : found.neighbours) {
-        face.neighbours.push_back(face_of(neighbour));
+        face.neighbours.push_back(face_as_found(neighbour));
         parts::SurfaceParameters<double>& other = face.neighbours.back().parameters;
         if (!other.r) other.r = face.parameters.r, other.theta = face.parameters.theta;
     }
@@ -254,8 +226,8 @@ Face face_of(const Surface<double>& found) {
 
 }  // namespace
 
-Face face_of(std::shared_ptr<const MeasuredSurface> measured) {
-    Face face = face_of(measured->found);
+Face face_of(std::shared_ptr<const Surface<double>> measured) {
+    Face face = face_as_found(*measured);
     face.measured = std::move(measured);
     return face;
 }

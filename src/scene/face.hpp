@@ -3,8 +3,8 @@
 // A rough face as the contact sees it, and two of them as one.
 
 #include "scene/law.hpp"
-#include "surface/measured_surface.hpp"
 
+#include <fstiff/measured/measure.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/process_prior.hpp>
 #include <fstiff/surface/roughness.hpp>
@@ -23,11 +23,28 @@ namespace fstiff::scene {
 /// there.
 inline constexpr double greatest_dimension = 1.99;
 
+/// Where the range of a number comes from that is not known.
+enum class Origin {
+    process,       ///< of the face, or of any
+    islands,       ///< R and D_p as those of islands
+    spacing,       ///< RSm, which counts the long waves alone
+    slope,         ///< Rdq across the lay
+    mean_height,   ///< Ra
+    mean_heights,  ///< Sa
+    measurement
+};
 /// One number of a face that is not known: 5 and 95 % of it, where the face has the middle.
 struct Prior {
     parts::Unknown which{};
     double low = 0, high = 0;
-    std::string phrase{};  ///< "rms gradient 0.2 (0.067 to 0.6), of any process"; empty of what was measured
+    Origin origin = Origin::measurement;
+    parts::PriorRange range{};  ///< of the number that was assumed: of the rms height Ra/Rq or Sa/Sq
+};
+
+/// An rms gradient that no surface has, likely for a unit of length.
+struct ImplausibleGradient {
+    enum class Of { measured, given, peaks, height } of;  ///< peaks: R and D_p; height: sigma and R
+    double value;
 };
 
 /// One rough face, or the sum of two that a smooth face meets instead. What is written of it overrides what was
@@ -47,7 +64,7 @@ struct Face {
     parts::HeightShape<double> shape;                 ///< of the heights, given or as far as a measured one counts
     std::shared_ptr<const parts::BearingSlope<double>>
         bearing;                                      ///< of heights over the rms height; none of Gaussian heights
-    std::shared_ptr<const MeasuredSurface> measured;  ///< as surface.from or --surface gives it; none for a sum
+    std::shared_ptr<const Surface<double>> measured;  ///< none for a sum
     std::optional<double> lambda_s;                   ///< that it was measured with [m]
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured
 
@@ -101,17 +118,15 @@ struct Face {
 /// is above
 /// 1.5.
 [[nodiscard]] bool has_isotropic_peaks(const Face& face);
-/// Why \p face has no spectrum for Persson's theory, and what gives it one; empty where it has one.
-[[nodiscard]] std::string no_spectrum(const Face& face);
-/// How many points of the maps of \p map are missing, and how they are filled; empty where none is.
-[[nodiscard]] std::string missing_points(const MapOfSurface& map);
+/// How many points of the maps of \p map are missing.
+[[nodiscard]] Eigen::Index missing_points(const MapOfSurface& map);
 
-/// A sentence on the first rms gradient of \p face that no surface has, of those given or measured, and implied by what
-/// is written of sigma, R and D_p, whose peaks have the correlation \p r; empty where there is none.
-[[nodiscard]] std::string gradient_warning(const Face& face, double r);
+/// The first rms gradient of \p face that no surface has, of those given or measured, and implied by what is written of
+/// sigma, R and D_p, whose peaks have the correlation \p r.
+[[nodiscard]] std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r);
 
 /// Measured parameters in the form that the contact uses.
-[[nodiscard]] Face face_of(std::shared_ptr<const MeasuredSurface> measured);
+[[nodiscard]] Face face_of(std::shared_ptr<const Surface<double>> measured);
 /// Inputs of laws from \p maps, at least one, of one surface.
 [[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(
     std::vector<std::shared_ptr<const HeightMap<double>>> maps);

@@ -5,8 +5,6 @@
 
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/answer.hpp"
-#include "scene/each_contact.hpp"
 #include "scene/results.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
@@ -62,17 +60,17 @@ bool of_spectrum(const std::vector<Parameter>& wanted) {
     return has(wanted, Parameter::rms_gradient) || has(wanted, Parameter::alpha);
 }
 
-ContactParameters<double> start_of(const Scene& scene, const Peaks* peaks) {
+ContactParameters<double> start_of(const Problem& problem, const Peaks* peaks) {
     ContactParameters<double> start;
-    const SpectralMoments<double> moments = spectral_moments(scene.face);
-    start.rms_height = scene.face.parameters.rms_height.value;
-    start.peak_radius = scene.face.parameters.peak_radius.value;
-    start.peak_density = scene.face.parameters.peak_density.value;
-    start.fractal_dimension = scene.face.dimension().value_or(1.5);
-    start.effective_modulus = effective_modulus(scene.upper, scene.lower);
+    const SpectralMoments<double> moments = spectral_moments(problem.face);
+    start.rms_height = problem.face.parameters.rms_height.value;
+    start.peak_radius = problem.face.parameters.peak_radius.value;
+    start.peak_density = problem.face.parameters.peak_density.value;
+    start.fractal_dimension = problem.face.dimension().value_or(1.5);
+    start.effective_modulus = problem.effective_modulus;
     start.rms_gradient = std::sqrt(2 * moments.m2);
     start.alpha = moments.bandwidth();
-    start.hardness = hardness_of(scene);
+    start.hardness = hardness_of(problem);
     if (peaks) {
         const PeakDistribution<double> density = peak_density(*peaks);
         start.r = density.r();
@@ -81,14 +79,12 @@ ContactParameters<double> start_of(const Scene& scene, const Peaks* peaks) {
     return start;
 }
 
-/// \p scene with \p fit's law and peaks alone, and without what only a band or a document takes.
-Scene lean_scene(const Scene& scene, const Fit& fit) {
-    Scene lean = scene;
-    lean.inputs.clear();
+/// \p problem with \p fit's peaks alone, and without what only a band takes.
+Problem lean_problem(const Problem& problem, const Fit& fit) {
+    Problem lean = problem;
     lean.faces.clear();
     lean.face.measured.reset();
     lean.face.neighbours.clear();
-    lean.laws = {fit.law};
     if (fit.theta) lean.peaks = {{.theta = *fit.theta, .r = fit.r}};
     return lean;
 }
@@ -124,28 +120,29 @@ Face with_parameters(Face face, const ContactParameters<double>& x, const std::v
     return face;
 }
 
-/// The contact that \p lean makes with those of \p x that are \p wanted, under \p pressures.
-std::vector<ContactPoint<double>> points_with(Scene lean, const ContactParameters<double>& x,
+/// The contact that \p lean makes by \p law with those of \p x that are \p wanted, under \p pressures.
+std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, const ContactParameters<double>& x,
                                               const std::vector<Parameter>& wanted, std::span<const double> pressures) {
     lean.face = with_parameters(std::move(lean.face), x, wanted);
     if (has(wanted, Parameter::hardness)) lean.hardness = x.hardness;
     const bool own_peaks = has(wanted, Parameter::r) || has(wanted, Parameter::theta);
     if (own_peaks) lean.peaks = {{.theta = x.theta, .r = x.r}};
     lean.default_peaks = lean.default_peaks && of_spectrum(wanted) && !own_peaks;  // r follows alpha
+    lean.effective_modulus = x.effective_modulus;
     std::vector<ContactPoint<double>> points;
-    for_each_contact(lean, x.effective_modulus, {}, [&](const Curve&, const auto& contact) {
-        if (points.empty()) points = contact()->at_pressures(pressures, Quantity::stiffness);
+    for_each_contact(lean, {&law}, {}, [&](const ContactOfLaw& of) {
+        if (points.empty()) points = of.make()->at_pressures(pressures, Quantity::stiffness);
     });
     return points;
 }
 
-Identification<double> found_by(const Scene& scene, const Fit& fit, const FitInputs& inputs) {
+Identification<double> found_by(const Problem& problem, const Fit& fit, const FitInputs& inputs) {
     const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
     if (fit.law->fit && exact) return fit.law->fit(inputs);
-    const Scene lean = lean_scene(scene, fit);
+    const Problem lean = lean_problem(problem, fit);
     return fit_curve(inputs, [&](const ContactParameters<double>& x, std::span<const double> pressures) {
         std::vector<double> stiffness;
-        for (const auto& point : points_with(lean, x, inputs.wanted, pressures))
+        for (const auto& point : points_with(lean, *fit.law, x, inputs.wanted, pressures))
             stiffness.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         return stiffness;
     });
@@ -276,11 +273,11 @@ void require_known(const Scene& scene, const FitRequest& request) {
 }
 
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
-std::string flow_of(const Scene& scene, const Fit& fit, const std::vector<Parameter>& wanted) {
-    const double hardness = hardness_of(scene);
-    if (flows(scene, *fit.law) || !(hardness > 0) || fit.found.status == math::FitStatus::singular) return "";
+std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
+    const double hardness = hardness_of(problem);
+    if (flows(problem, *fit.law) || !(hardness > 0) || fit.found.status == math::FitStatus::singular) return "";
     const ContactParameters<double>& x = fit.found.all;
-    Scene fitted = lean_scene(scene, fit);
+    Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);
     const double psi = fitted.face.has_radius_and_density()
                            ? parts::plasticity_index(fitted.face.roughness(), x.effective_modulus,
@@ -289,7 +286,7 @@ std::string flow_of(const Scene& scene, const Fit& fit, const std::vector<Parame
     const std::optional<double> g = gradient(fitted);
     const double relative = g ? hardness / (x.effective_modulus * *g) : std::numeric_limits<double>::quiet_NaN();
     if (!(g ? relative < parts::flowing_hardness : psi > parts::max_elastic_plasticity_index<double>)) return "";
-    const bool has_plastic = refusal_of(find_law(LawName::plastic), scene).empty();
+    const bool has_plastic = lack_of(find_law(LawName::plastic), problem) == Lack::nothing;
     return "the peaks of the fitted surface yield (" +
            (g ? "H/(E g) = " + rounded(relative, 2) + ", below " + rounded(parts::flowing_hardness) : "") +
            (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +
@@ -304,10 +301,11 @@ std::string title(const Fit& fit) {
     return fit.theta ? law + ", theta = " + rounded(*fit.theta) + ", r = " + rounded(*fit.r) : law;
 }
 
-std::vector<ContactPoint<double>> fitted_points(const Scene& scene, const Fit& fit, std::span<const double> pressures) {
+std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fit& fit,
+                                                std::span<const double> pressures) {
     std::vector<Parameter> wanted;
     for (const auto& one : fit.found.parameters) wanted.push_back(one.parameter);
-    return points_with(lean_scene(scene, fit), fit.found.all, wanted, pressures);
+    return points_with(lean_problem(problem, fit), *fit.law, fit.found.all, wanted, pressures);
 }
 
 Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {

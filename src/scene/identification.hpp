@@ -47,7 +47,7 @@ struct Fits {
 [[nodiscard]] Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request);
 
 /// The contact that \p fit found, under \p pressures [Pa], with its stiffness alone.
-[[nodiscard]] std::vector<ContactPoint<double>> fitted_points(const Scene& scene, const Fit& fit,
+[[nodiscard]] std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fit& fit,
                                                               std::span<const double> pressures);
 
 }  // namespace fstiff::scene

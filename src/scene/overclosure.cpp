@@ -2,7 +2,6 @@
 #include "scene/overclosure.hpp"
 
 #include "document/file.hpp"
-#include "scene/answer.hpp"
 #include "scene/one_contact.hpp"
 #include "scene/results.hpp"
 #include "surface/request.hpp"

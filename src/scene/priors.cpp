@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/priors.hpp"
 
-#include "document/file.hpp"
-
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/height_shape.hpp>
 
@@ -21,26 +19,23 @@ void fill_spectrum(Face& face) {
     const parts::ProcessPrior& prior = parts::prior_of(face.process);
     const bool has_radius = !face.radius_follows, has_density = !face.density_follows;
     const Roughness<double> of = face.roughness();
-    const auto set_gradient = [&](const PriorRange& range, const std::string& origin) {
+    const auto set_gradient = [&](const PriorRange& range, Origin origin) {
         face.rms_gradient = range.middle;
-        face.priors.push_back(
-            {Unknown::gradient, range.low, range.high, assumed_phrase("rms gradient", range, origin)});
+        face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
     };
     if (!face.rms_gradient && !face.alpha && has_radius && has_density) {
         if (spectral_moments(face).bandwidth() > 1.5) return;
         face.gradient_of_islands = true;
-        set_gradient(parts::gradient_of_islands(of.rms_height, of.peak_radius, of.peak_density),
-                     "of peak_radius and peak_density as those of islands");
+        set_gradient(parts::gradient_of_islands(of.rms_height, of.peak_radius, of.peak_density), Origin::islands);
     } else if (!face.rms_gradient && !has_radius && !has_density) {
-        set_gradient(parts::gradient_of_height(prior, of.rms_height), of_process(face));
+        set_gradient(parts::gradient_of_height(prior, of.rms_height), Origin::process);
     } else if (face.rms_gradient && !face.alpha && (has_radius || has_density)) {
         face.follow();
         if (spectral_moments(face).bandwidth() > 1.5) return;
     }
     if (face.alpha) return;
     face.alpha = prior.alpha.middle;
-    face.priors.push_back(
-        {Unknown::alpha, prior.alpha.low, prior.alpha.high, assumed_phrase("alpha", prior.alpha, of_process(face))});
+    face.priors.push_back({Unknown::alpha, prior.alpha.low, prior.alpha.high, Origin::process, prior.alpha});
 }
 
 void fill_hurst(Face& face) {
@@ -49,7 +44,7 @@ void fill_hurst(Face& face) {
     const double middle = hurst_exponent(face);  // no less than the width of what was measured allows
     const double least = parts::least_hurst(spectral_moments(face), face.widest_band);
     const PriorRange range{std::min(middle, std::max(prior.low, least)), middle, std::max(middle, prior.high)};
-    face.priors.push_back({Unknown::hurst, range.low, range.high, assumed_phrase("H", range, of_process(face))});
+    face.priors.push_back({Unknown::hurst, range.low, range.high, Origin::process, range});
 }
 
 /// Skewness and kurtosis: of a trace what their errors leave open, of numbers those of the process.
@@ -66,47 +61,12 @@ void fill_shape(Face& face) {
     const double s = prior.skewness.middle, tail = 3 + 1.5 * s * s;
     const PriorRange kurtosis{tail + prior.tail.low, tail + prior.tail.middle, tail + prior.tail.high};
     face.set_shape({s, kurtosis.middle});
-    face.priors.push_back({Unknown::skewness, prior.skewness.low, prior.skewness.high,
-                           assumed_phrase("skewness", prior.skewness, of_process(face))});
     face.priors.push_back(
-        {Unknown::kurtosis, kurtosis.low, kurtosis.high, assumed_phrase("kurtosis", kurtosis, of_process(face))});
+        {Unknown::skewness, prior.skewness.low, prior.skewness.high, Origin::process, prior.skewness});
+    face.priors.push_back({Unknown::kurtosis, kurtosis.low, kurtosis.high, Origin::process, kurtosis});
 }
-
-/// Whether a law of \p scene depends on \p which of \p face.
-bool is_felt(const Scene& scene, const Face& face, Unknown which) {
-    if (which == Unknown::height) return true;
-    if (std::any_of(scene.laws.begin(), scene.laws.end(), [](const Law* law) { return law->needs_spectrum; }))
-        return true;
-    return !parts::is_of_shape(which) && which != Unknown::hurst &&
-           (face.radius_follows || face.density_follows || (scene.default_peaks && has_isotropic_peaks(face)));
-}
-
-/// The key of \p which in a scene, and its value in \p face.
-std::pair<std::string_view, double> key_and_value(const Face& face, Unknown which) {
-    switch (which) {
-        case Unknown::height: return {"rms_height", face.parameters.rms_height.value};
-        case Unknown::gradient: return {"rms_gradient", *face.rms_gradient};
-        case Unknown::alpha: return {"alpha", *face.alpha};
-        case Unknown::hurst: return {"hurst", hurst_exponent(face)};
-        case Unknown::skewness: return {"skewness", face.shape.skewness};
-        case Unknown::kurtosis: return {"kurtosis", face.shape.kurtosis};
-    }
-    return {};
-}
-
-bool is_of_map(const Scene& scene) { return scene.face.map && scene.face.spectrum_of_map; }
 
 }  // namespace
-
-std::string of_process(const Face& face) {
-    return face.process == parts::Process::unknown ? "of any process"
-                                                   : "of a " + std::string(name_of(face.process)) + " face";
-}
-
-std::string assumed_phrase(const std::string& name, const PriorRange& range, const std::string& origin) {
-    return name + " " + rounded(range.middle, 2) + " (" + rounded(range.low, 2) + " to " + rounded(range.high, 2) +
-           "), " + origin;
-}
 
 void fill_unknown(Face& face, bool shape_known) {
     if (face.measured && !face.has_radius_and_density() && !(face.rms_gradient && face.alpha)) return;
@@ -149,35 +109,27 @@ Face with_measured(Face face, Unknown which) {
     return face;
 }
 
-std::vector<Alternative> alternatives(const Scene& scene) {
+bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face, Unknown which) {
+    if (which == Unknown::height) return true;
+    if (std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
+    return !parts::is_of_shape(which) && which != Unknown::hurst &&
+           (face.radius_follows || face.density_follows || (problem.default_peaks && has_isotropic_peaks(face)));
+}
+
+std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
     std::vector<Alternative> all;
-    if (is_of_map(scene)) return all;
+    if (problem.face.map && problem.face.spectrum_of_map) return all;
     const auto add = [&](const Face& face, const auto& as_whole) {
         for (const Prior& one : face.priors)
-            if (is_felt(scene, face, one.which))
+            if (is_felt(problem, laws, face, one.which))
                 all.push_back({one.which, as_whole(with_value(face, one.which, one.low)),
                                as_whole(with_value(face, one.which, one.high))});
     };
-    if (scene.faces.empty()) {
-        add(scene.face, [](Face face) { return face; });
+    if (problem.faces.empty()) {
+        add(problem.face, [](Face face) { return face; });
     } else {
-        add(scene.faces[0], [&](const Face& face) { return sum_of_numbers(face, scene.faces[1]); });
-        add(scene.faces[1], [&](const Face& face) { return sum_of_numbers(scene.faces[0], face); });
-    }
-    return all;
-}
-
-std::vector<AssumedNumber> assumed_numbers(const Scene& scene) {
-    std::vector<AssumedNumber> all;
-    if (is_of_map(scene)) return all;
-    for (const auto& [name, face] : rough_faces(scene)) {
-        const std::string path = scene.faces.empty() ? "surface." : "surface." + std::string(name) + ".";
-        for (const Prior& one : face->priors) {
-            if (one.phrase.empty() || !is_felt(scene, *face, one.which)) continue;
-            const auto [key, value] = key_and_value(*face, one.which);
-            all.push_back(
-                {path + std::string(key), value, (scene.faces.empty() ? "" : std::string(name) + ": ") + one.phrase});
-        }
+        add(problem.faces[0], [&](const Face& face) { return sum_of_numbers(face, problem.faces[1]); });
+        add(problem.faces[1], [&](const Face& face) { return sum_of_numbers(problem.faces[0], face); });
     }
     return all;
 }

@@ -122,6 +122,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     const ReadBody lower = second ? read_material(source, *second, material.key("lower")) : upper;
     if (!second) source.record("material.lower", "as material.upper (default)");
     scene.upper = upper.material, scene.lower = lower.material;
+    scene.take_bodies();
     scene.upper_name = upper.name, scene.lower_name = lower.name;
     if (upper.thermal && lower.thermal) scene.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
     if (upper.electrical && lower.electrical)
@@ -134,6 +135,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     if (is_open(upper) != is_open(lower)) {
         const ReadBody& open = is_open(upper) ? upper : lower;
         const bool named = open.name && upper.name != lower.name;
+        scene.one_hardness = true;
         scene.open_body = named ? std::string(open.name->name) : is_open(upper) ? "the upper body" : "the lower body";
     }
     warn_of_strength(upper, "upper", scene);

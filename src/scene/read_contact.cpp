@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The section [contact] of a scene, and those of its laws.
-#include "scene/answer.hpp"
 #include "scene/law_options.hpp"
 #include "scene/readers.hpp"
 
@@ -104,6 +103,7 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
     scene.at_separations = kind->dimension == Dimension::length;
     scene.points_where = source.at(node) + ": " + key + ": ";
     scene.points = read_values(source, node, key, kind->dimension);
+    scene.listed = !node.is_table();
     if (const auto seating = contact.optional_positive("seating", Dimension::pressure)) scene.seating = *seating;
     if (kind->dimension != Dimension::force) return;
     if (!scene.nominal_area)
@@ -130,7 +130,7 @@ Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& 
             source.refuse(
                 node, path,
                 "needs surface.r and surface.theta" +
-                    (scene.face.measured ? ", which were not found: " + scene.face.measured->found.why_no_peaks : ""));
+                    (scene.face.measured ? ", which were not found: " + scene.face.measured->why_no_peaks : ""));
         source.record(path, "surface");
         return peaks_of_surface(scene, source.place(node));
     }
@@ -184,7 +184,7 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
     const toml::node* const node = contact.find("laws");
     if (!node || (node->is_string() && written(*node) == "best")) {
         scene.best = true;
-        set_law_of_answer(scene);
+        scene.laws = {&law_of_answer(scene, scene.at_separations)};
         source.record(contact.key("laws"), node ? "best" : "best (default)");
         return read_law_options(source, root, scene.laws.front()->which, scene);
     }
@@ -206,8 +206,8 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
         if (lacks(law))
             throw domain_error(source.at(*node) + ": surface.fractal_dimension: is missing; law \"" +
                                std::string(law->name) + "\" needs it" +
-                               (scene.face.measured && !scene.face.measured->found.why_no_dimension.empty()
-                                    ? "; it was not found: " + scene.face.measured->found.why_no_dimension
+                               (scene.face.measured && !scene.face.measured->why_no_dimension.empty()
+                                    ? "; it was not found: " + scene.face.measured->why_no_dimension
                                     : ""));
         if (const std::string why = refusal_of(*law, scene); !why.empty())
             throw domain_error(source.at(*node) + ": " + contact.key("laws") + ": \"" + std::string(law->name) + "\" " +

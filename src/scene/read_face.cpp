@@ -16,6 +16,10 @@ namespace {
 
 using Measured = std::shared_ptr<const MeasuredSurface>;
 
+Face face_of_measured(const Measured& measured) {
+    return face_of(std::shared_ptr<const Surface<double>>(measured, &measured->found));
+}
+
 /// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
 Measured measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
                        const parts::Place& place, const ProgressHook& progress) {
@@ -277,18 +281,21 @@ void read_parameters(Source& source, const Section& surface, Face& face) {
     }
 }
 
-/// Reads the section \p path, a face.
-Face read_face(Source& source, const toml::table& table, const std::string& path, const ProgressHook& progress) {
+/// Reads the section \p path, the next face of \p scene.
+Face read_face(Source& source, const toml::table& table, const std::string& path, Scene& scene,
+               const ProgressHook& progress) {
     refuse_extremes(source, table, path);
     const Section surface(source, table, path, keys_of_face(table));
     Face face;
+    Measured& measured = scene.measured.emplace_back();
     const auto read_process = [&] {
         if (const toml::node* node = surface.find("process"))
             face.process = source.choice<parts::Process>(*node, surface.key("process"));
     };
     if (surface.find("from")) {
-        face = face_of(read_from(source, surface, progress));
-        record_measured(source, *face.measured, path);
+        measured = read_from(source, surface, progress);
+        face = face_of_measured(measured);
+        record_measured(source, *measured, path);
         read_process();
     } else {
         read_process();
@@ -312,6 +319,13 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     return face;
 }
 
+/// The face of \p measured, the only one of \p scene.
+void take_surface(const Measured& measured, Scene& scene) {
+    scene.face = face_of_measured(measured);
+    fill_unknown(scene.face, false);
+    scene.measured = {measured};
+}
+
 }  // namespace
 
 double read_angle(Source& source, const toml::node& node, const std::string& key) {
@@ -327,48 +341,45 @@ double read_angle(Source& source, const toml::node& node, const std::string& key
     return angle;
 }
 
-Face face_of_file(Source& source, const std::string& file, const ProgressHook& progress) {
+void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress) {
     MeasureOptions options;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
     options.neighbours = source.has_band;
     options.neighbour_dimensions = source.needs_dimension_of_maps;
-    Face face;
+    Measured measured;
     try {
-        face = face_of(measured_from(options, {file}, true, {.key = "--surface"}, progress));
+        measured = measured_from(options, {file}, true, {.key = "--surface"}, progress);
     } catch (const domain_error& error) {
         if (error.reason().find(options.input.prefix) == std::string_view::npos) throw;
         throw domain_error(std::string(error.what()) + "; --surface reads the JSON that fstiff measure prints");
     }
     source.record("surface.from", display_name(file) + " (--surface)");
-    record_measured(source, *face.measured, "surface");
-    fill_unknown(face, false);
-    return face;
+    record_measured(source, *measured, "surface");
+    take_surface(measured, scene);
 }
 
-Face face_in_place(Source& source, const MeasuredSurface& measured) {
+void take_surface_in_place(Source& source, const MeasuredSurface& measured, Scene& scene) {
     source.record("surface.from", measured.file + " (measured before)");
     record_measured(source, measured, "surface");
-    Face face = face_of(std::make_shared<const MeasuredSurface>(measured));
-    fill_unknown(face, false);
-    return face;
+    take_surface(std::make_shared<const MeasuredSurface>(measured), scene);
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {
     if (!table.contains("upper") && !table.contains("lower")) {
-        scene.face = read_face(source, table, "surface", progress);
+        scene.face = read_face(source, table, "surface", scene, progress);
         source.record("surface.lower", "smooth (default): [surface] alone is one rough face");
         return;
     }
     const Section surface(source, table, "surface", {"upper", "lower", "shifts"});
     if (!surface.find("upper") || !surface.find("lower")) {
         const char* there = surface.find("upper") ? "upper" : "lower";
-        scene.face = read_face(source, surface.subtable(there), surface.key(there), progress);
+        scene.face = read_face(source, surface.subtable(there), surface.key(there), scene, progress);
         source.record(surface.key(surface.find("upper") ? "lower" : "upper"), "smooth (default)");
         return;
     }
     for (const char* name : {"upper", "lower"})
-        scene.faces.push_back(read_face(source, surface.subtable(name), surface.key(name), progress));
+        scene.faces.push_back(read_face(source, surface.subtable(name), surface.key(name), scene, progress));
     const Face &upper = scene.faces.front(), &lower = scene.faces.back();
     const std::string no_sum = no_sum_of_maps(upper, lower);
     scene.shifts = 4;

@@ -46,17 +46,16 @@ void read_height(Source& source, const Section& surface, Face& face) {
         const PriorRange& ratio = parts::prior_of(face.process).mean_over_rms;
         face.write(Parameter::rms_height, height / ratio.middle);
         face.priors.push_back({Unknown::height, height / ratio.high, height / ratio.low,
-                               assumed_phrase(key == "Ra" ? "Ra/Rq" : "Sa/Sq", ratio, of_process(face))});
+                               key == "Ra" ? Origin::mean_height : Origin::mean_heights, ratio});
     }
     source.record(surface.key("rms_height"), "of " + std::string(key) + " (default)", face.parameters.rms_height.value,
                   "m");
 }
 
-/// A gradient of the range \p range, where \p how came to it.
-void take_gradient(const PriorRange& range, const std::string& how, Face& face) {
+/// A gradient of the range \p range, which is from \p origin.
+void take_gradient(const PriorRange& range, Origin origin, Face& face) {
     face.rms_gradient = range.middle;
-    if (range.low < range.high)
-        face.priors.push_back({Unknown::gradient, range.low, range.high, assumed_phrase("rms gradient", range, how)});
+    if (range.low < range.high) face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
 }
 
 void read_gradient(Source& source, const Section& surface, Face& face) {
@@ -75,14 +74,14 @@ void read_gradient(Source& source, const Section& surface, Face& face) {
     if (key == "RSm") {
         const double spacing = surface.positive(key, Dimension::length);
         take_gradient(times(parts::slope_of_spacing(face.parameters.rms_height.value, spacing), of_slope),
-                      "of RSm, which counts the long waves alone", face);
+                      Origin::spacing, face);
     } else {
         const double slope = source.number(node, surface.key(key));
         if (!(slope > 0)) source.refuse(node, surface.key(key), "must be greater than 0");
         if (key == "Sdq")
             face.rms_gradient = slope;
         else
-            take_gradient(times({slope, slope, slope}, of_slope), "of Rdq across the lay " + of_process(face), face);
+            take_gradient(times({slope, slope, slope}, of_slope), Origin::slope, face);
     }
     source.record(surface.key("rms_gradient"), "of " + std::string(key) + " (default)", *face.rms_gradient);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from its text: the sections in turn, what they leave in doubt, and what is computed of them.
 #include "document/file.hpp"
-#include "scene/answer.hpp"
 #include "scene/priors.hpp"
 #include "scene/readers.hpp"
 
@@ -115,11 +114,14 @@ void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::s
 void warn_of_gradients(Scene& scene) {
     double r = 0;  // the greatest, 1/2 where none is written
     for (const Peaks& peaks : scene.peaks) r = std::max(r, peaks.r.value_or(0.5));
-    for (const auto& [name, face] : rough_faces(scene)) {
-        const bool told =
-            face->measured && std::count(face->measured->found.concerns.begin(), face->measured->found.concerns.end(),
-                                         MeasuredConcern::implausible_gradient) > 0;
-        const std::string line = told ? "" : gradient_warning(*face, r);
+    constexpr std::array<std::string_view, 4> origins{
+        "measured", "rms_gradient", "implied by peak_radius and peak_density", "implied by rms_height and peak_radius"};
+    for (const auto& [name, face, file] : named_faces(scene)) {
+        const bool told = face->measured && std::count(face->measured->concerns.begin(), face->measured->concerns.end(),
+                                                       MeasuredConcern::implausible_gradient) > 0;
+        const auto wrong = told ? std::nullopt : implausible_gradient(*face, r);
+        const std::string line =
+            wrong ? gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->of)]) : "";
         if (told || !line.empty()) scene.implausible = true;
         if (!line.empty()) scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
     }
@@ -145,6 +147,36 @@ bool needs_dimension_of_maps(const toml::table& root) {
     });
 }
 
+/// The key of \p which in a scene, and its value in \p face.
+std::pair<std::string_view, double> key_and_value(const Face& face, parts::Unknown which) {
+    using parts::Unknown;
+    switch (which) {
+        case Unknown::height: return {"rms_height", face.parameters.rms_height.value};
+        case Unknown::gradient: return {"rms_gradient", *face.rms_gradient};
+        case Unknown::alpha: return {"alpha", *face.alpha};
+        case Unknown::hurst: return {"hurst", hurst_exponent(face)};
+        case Unknown::skewness: return {"skewness", face.shape.skewness};
+        case Unknown::kurtosis: return {"kurtosis", face.shape.kurtosis};
+    }
+    return {};
+}
+
+/// Puts on record the numbers that \p scene does not give, and that a law of it depends on.
+void take_assumed_numbers(Source& source, Scene& scene) {
+    if (scene.face.map && scene.face.spectrum_of_map) return;
+    const bool one_face = scene.faces.empty();
+    for (const auto& [name, face, file] : named_faces(scene))
+        for (const Prior& one : face->priors) {
+            if (one.origin == Origin::measurement || !is_felt(scene, scene.laws, *face, one.which)) continue;
+            const auto [end, value] = key_and_value(*face, one.which);
+            const std::string key = "surface." + (one_face ? "" : std::string(name) + ".") + std::string(end);
+            if (std::none_of(source.inputs.begin(), source.inputs.end(),
+                             [&](const Input& input) { return input.key == key; }))
+                source.record(key, "assumed (default)", value);
+            scene.assumptions.push_back((one_face ? "" : std::string(name) + ": ") + phrase_of(one, *face));
+        }
+}
+
 }  // namespace
 
 Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
@@ -165,18 +197,19 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (from.surface_of) {
         scene.face = from.surface_of->face;
         scene.faces = from.surface_of->faces;
+        scene.measured = from.surface_of->measured;
         scene.shifts = from.surface_of->shifts;
     } else if (!replaced) {
         read_surface(source, top.subtable("surface"), scene, from.progress);
     } else {
-        scene.face =
-            from.measured ? face_in_place(source, *from.measured) : face_of_file(source, surface, from.progress);
+        if (from.measured)
+            take_surface_in_place(source, *from.measured, scene);
+        else
+            read_file_of_surface(source, surface, scene, from.progress);
         // no longer what the scene was named for
-        const std::string& measured = scene.face.measured->file;
+        const std::string& measured = scene.measured.front()->file;
         scene.name = measured.find(',') == std::string::npos ? name_of_path(path_of(measured).filename()) : measured;
     }
-    for (const auto& [name, face] : measured_faces(scene))
-        scene.has_lay = scene.has_lay || is_profile_with_lay(*face->measured);
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
     if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
@@ -187,16 +220,11 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
         scene.assumptions.push_back(scene.open_body + " at least as hard as the other (K is higher if it is softer)");
     for (const Assumed& one : assumed(scene))
         source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
-    for (AssumedNumber& one : assumed_numbers(scene)) {
-        if (std::none_of(source.inputs.begin(), source.inputs.end(),
-                         [&](const Input& input) { return input.key == one.key; }))
-            source.record(one.key, "assumed (default)", one.value);
-        scene.assumptions.push_back(std::move(one.phrase));
-    }
-    for (const auto& [name, face] : measured_faces(scene))
-        for (const std::string& warning : scene.best ? face->measured->of_file : face->measured->warnings)
+    take_assumed_numbers(source, scene);
+    for (const auto& [name, face, file] : measured_files(scene))
+        for (const std::string& warning : scene.best ? file->of_file : file->warnings)
             scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + warning);
-    for (const auto& [name, face] : rough_faces(scene))
+    for (const auto& [name, face, file] : named_faces(scene))
         warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
     warn_of_gradients(scene);
     if (top.find("gap")) read_gap(source, top.subtable("gap"), scene);

@@ -68,7 +68,7 @@ Heading heading_of(const Column& column, const Units& units) {
     return {};
 }
 
-Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
+Rows rows_of(const Scene& scene, const Curve& curve, const Units& units) {
     Rows rows;
     const std::size_t size = curve.states.size();
     std::vector<std::string_view> laws;
@@ -83,7 +83,7 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
         if (column.quantity == CurveQuantity::pressure && curve.rms_gradient) {
             std::vector<double> relative;
             for (const double p : column.values)
-                relative.push_back(parts::dimensionless_pressure(p, results.modulus, *curve.rms_gradient));
+                relative.push_back(parts::dimensionless_pressure(p, scene.effective_modulus, *curve.rms_gradient));
             rows.add({"", "p*", 1, 3}, relative);
         } else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value) {
             rows.add({"", "K/A0 [Pa/m]", 1, 6}, column.values);
@@ -143,11 +143,11 @@ Json answer_json(const Scene& scene, const Results& results) {
 Json run_document(const Scene& scene, const Results& results) {
     Json document = json_document("run");
     document["scene"] = scene_json(scene);
-    for (const auto& [name, face] : measured_faces(scene)) {
-        Json measured = measured_document(*face->measured);
+    for (const auto& [name, face, file] : measured_files(scene)) {
+        Json measured = measured_document(*file);
         Json& place = scene.faces.empty() ? document["surface"] : document["surface"][name];
         place = {{"source", measured["source"]}, {"measured", measured["surface"]}};
-        put_cut_offs(place, face->measured->found.cut_offs);
+        put_cut_offs(place, file->found.cut_offs);
     }
     if (has_band(results))
         document["uncertainty"] = {
@@ -163,7 +163,7 @@ Json run_document(const Scene& scene, const Results& results) {
     document["assumptions"] = scene.assumptions;
     document["outside_band"] = outside_band(scene, results);
     if (const std::string next = measure_next(scene, results); !next.empty()) document["measure_next"] = next;
-    document["effective_modulus_Pa"] = results.modulus;
+    document["effective_modulus_Pa"] = scene.effective_modulus;
     if (results.plasticity_index) document["plasticity_index"] = *results.plasticity_index;
     if (scene.tangential_stiffness || scene.shear_reflection) document["tangential_ratio"] = results.tangential_ratio;
     if (scene.ultrasound) {
@@ -181,7 +181,7 @@ Json run_document(const Scene& scene, const Results& results) {
     for (const Law* law : scene.laws)
         laws[law->name] = {{"load", law->load}, {"stiffness", law->stiffness}, {"peaks", law->peaks}};
     Json& rows = document["rows"] = Json::array();
-    for (const Curve& curve : results.curves) rows_of(results, curve).append_to(rows);
+    for (const Curve& curve : results.curves) rows_of(scene, curve).append_to(rows);
     return document;
 }
 

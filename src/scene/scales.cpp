@@ -3,7 +3,7 @@
 
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/results.hpp"
+#include "scene/curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,35 +11,32 @@
 namespace fstiff::scene {
 namespace {
 
-/// One pressure on \p face by \p law, of bodies with the effective modulus of \p how.
-Scene scene_of(const Face& face, const Law& law, const ScalesOptions& how) {
-    Scene scene;
-    scene.face = face;
-    scene.upper = scene.lower = {2 * how.modulus, 0.0};
-    scene.points = {how.pressure};
-    scene.stiffness = true;
-    scene.samples = 0;
-    scene.laws = {&law};
-    if (face.has_peaks())
-        scene.peaks = {{*face.value(Parameter::theta), face.value(Parameter::r), true, {}, "surface."}};
-    return scene;
-}
-
 std::optional<double> stiffness_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
     try {
-        const Scene scene = scene_of(face_of(std::make_shared<const MeasuredSurface>(surface)), law, how);
-        if (!refusal_of(law, scene).empty()) return {};
-        const Results results = compute(scene);
-        if (results.curves.empty() || results.curves.front().states.empty()) return {};
-        return results.curves.front().states.front().stiffness.value;
+        Problem problem;
+        problem.face = face_of(std::make_shared<const Surface<double>>(surface.found));
+        const Material<double> body{2 * how.modulus, 0.0};  // of which both are
+        problem.effective_modulus = effective_modulus(body, body);
+        if (problem.face.has_peaks())
+            problem.peaks = {
+                {*problem.face.value(Parameter::theta), problem.face.value(Parameter::r), true, {}, "surface."}};
+        if (lack_of(law, problem) != Lack::nothing) return {};
+        const Request request{.points = {how.pressure},
+                              .laws = {&law},
+                              .quantities = Quantity::stiffness,
+                              .samples = 0,
+                              .answers = false};
+        const Curves curves = curves_of(problem, request);
+        if (curves.named.empty() || curves.named.front().states.empty()) return {};
+        return curves.named.front().states.front().stiffness.value;
     } catch (const domain_error&) {
         return {};
     }
 }
 
 const Law& law_for(const MeasuredSurface& surface) {
-    const Face face = face_of(std::make_shared<const MeasuredSurface>(surface));
-    if (no_spectrum(face).empty() && (face.has_peaks() || face.map)) return *find_law("hybrid");
+    const Face face = face_of(std::make_shared<const Surface<double>>(surface.found));
+    if (lack_of_spectrum(face) == Lack::nothing && (face.has_peaks() || face.map)) return *find_law("hybrid");
     return *find_law(face.has_peaks() ? "hertz" : "greenwood_williamson");
 }
 

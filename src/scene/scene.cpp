@@ -4,11 +4,13 @@
 #include "document/file.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fstiff::scene {
-std::vector<NamedFace> rough_faces(const Scene& scene) {
-    if (scene.faces.empty()) return {{"surface", &scene.face}};
-    return {{"upper", &scene.faces[0]}, {"lower", &scene.faces[1]}};
+std::vector<NamedFace> named_faces(const Scene& scene) {
+    const auto measured = [&](std::size_t i) { return i < scene.measured.size() ? scene.measured[i].get() : nullptr; };
+    if (scene.faces.empty()) return {{"surface", &scene.face, measured(0)}};
+    return {{"upper", &scene.faces[0], measured(0)}, {"lower", &scene.faces[1], measured(1)}};
 }
 
 std::vector<Assumed> assumed(const Scene& scene) {
@@ -33,52 +35,96 @@ std::vector<Assumed> assumed(const Scene& scene) {
     return all;
 }
 
-std::vector<NamedFace> measured_faces(const Scene& scene) {
-    std::vector<NamedFace> all = rough_faces(scene);
-    std::erase_if(all, [](const NamedFace& one) { return !one.face->measured; });
+std::vector<NamedFace> measured_files(const Scene& scene) {
+    std::vector<NamedFace> all = named_faces(scene);
+    std::erase_if(all, [](const NamedFace& one) { return !one.measured; });
     return all;
 }
 
-PeakDistribution<double> peak_density(const Peaks& peaks) {
-    try {
-        return peaks.r ? PeakDistribution<double>(*peaks.r, peaks.theta)
-                       : PeakDistribution<double>::exponential(peaks.theta);
-    } catch (const domain_error& error) {
-        throw error.with_parameter(peaks.key + std::string(error.parameter())).with_place(peaks.where);
+std::string phrase_of(const Prior& prior, const Face& face) {
+    const auto name = [&]() -> std::string_view {
+        switch (prior.which) {
+            case parts::Unknown::height: return prior.origin == Origin::mean_height ? "Ra/Rq" : "Sa/Sq";
+            case parts::Unknown::gradient: return "rms gradient";
+            case parts::Unknown::alpha: return "alpha";
+            case parts::Unknown::hurst: return "H";
+            case parts::Unknown::skewness: return "skewness";
+            case parts::Unknown::kurtosis: return "kurtosis";
+        }
+        return "";
+    };
+    const std::string of_process = face.process == parts::Process::unknown
+                                       ? "of any process"
+                                       : "of a " + std::string(name_of(face.process)) + " face";
+    const auto from = [&]() -> std::string {
+        switch (prior.origin) {
+            case Origin::islands: return "of peak_radius and peak_density as those of islands";
+            case Origin::spacing: return "of RSm, which counts the long waves alone";
+            case Origin::slope: return "of Rdq across the lay " + of_process;
+            case Origin::measurement: return "";
+            default: return of_process;
+        }
+    };
+    const auto& [low, middle, high] = prior.range;
+    if (prior.origin == Origin::measurement) return "";
+    return std::string(name()) + " " + rounded(middle, 2) + " (" + rounded(low, 2) + " to " + rounded(high, 2) + "), " +
+           from();
+}
+
+std::string missing_phrase(const Face& face) {
+    const Eigen::Index missing = face.map ? missing_points(*face.map) : 0;
+    if (missing == 0) return "";
+    return std::to_string(missing) + (missing == 1 ? " point is" : " points are") +
+           " missing; fill = true next to surface.from, or --fill, fills them";
+}
+
+namespace {
+
+/// Why the face of \p scene has no spectrum, by \p lack.
+std::string no_spectrum(const Scene& scene, Lack lack) {
+    const Face& face = scene.face;
+    switch (lack) {
+        case Lack::points: return missing_phrase(face);
+        case Lack::small_map: return "the map has fewer than 4 points a side";
+        case Lack::summits: return "no point of the map is above its eight neighbours";
+        case Lack::moments: return "R and D_p of the surface are not known: " + face.parameters.why_no_density;
+        case Lack::range:
+            return "the moments of rms_height, R, D_p and rms_gradient are beyond the range of double precision; these "
+                   "numbers must be less extreme";
+        default:
+            return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(spectral_moments(face).bandwidth(), 3) +
+                   ", but isotropic surfaces have more than 1.5; set " +
+                   (face.rms_gradient ? "surface.alpha" : "surface.rms_gradient and surface.alpha");
     }
 }
 
-bool flows(const Scene& scene, const Law& law) {
-    return law.needs_hardness || law.needs_yield || (law.needs_whole_map && scene.law_options.hardness > 0);
-}
+}  // namespace
 
 std::string refusal_of(const Law& law, const Scene& scene) {
-    if (scene.at_separations && !parts::has(law.quantities, Quantity::separation))
-        return "gives no separation; give contact.pressures";
-    if (law.needs_radius() && !scene.face.has_radius_and_density())
-        return "needs surface.peak_radius and surface.peak_density, which are not known: " +
-               scene.face.parameters.why_no_density;
-    if (law.needs_map && !scene.face.map)
-        return scene.faces.empty() ? "needs a map: surface.from, or --surface, must name the file of one (the JSON of "
-                                     "fstiff measure holds its numbers alone)"
-                                   : "needs two maps of one grid, whose heights can be added: " +
-                                         no_sum_of_maps(scene.faces.front(), scene.faces.back());
-    if (law.needs_summits && scene.face.map->summits.front().summits.empty())
-        return "needs summits: no point of the map is above its eight neighbours";
-    if (law.needs_whole_map) {
-        if (const std::string missing = missing_points(*scene.face.map); !missing.empty())
-            return "needs a map without missing points: " + missing;
-        for (const auto& map : scene.face.map->maps)
-            if (std::min(map->rows(), map->columns()) < 16) return "needs a map of at least 16 points a side";
-    }
-    if (law.needs_spectrum)
-        if (const std::string why = no_spectrum(scene.face); !why.empty()) return "needs a spectrum: " + why;
     const std::string name(scene.upper_name ? scene.upper_name->name : "");
     const std::string section = name.empty() ? "" : "; name = \"" + name + "\" in that section keeps the rest";
-    if (law.needs_hardness && !scene.hardness && !scene.yield_strength)
-        return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)" + section;
-    if (law.needs_yield && !scene.yield_strength) return "needs material.upper.yield_strength" + section;
-    return "";
+    switch (const Lack lack = lack_of(law, scene, scene.at_separations)) {
+        case Lack::nothing: return "";
+        case Lack::separation: return "gives no separation; give contact.pressures";
+        case Lack::peaks:
+            return "needs surface.peak_radius and surface.peak_density, which are not known: " +
+                   scene.face.parameters.why_no_density;
+        case Lack::map:
+            return "needs a map: surface.from, or --surface, must name the file of one (the JSON of fstiff measure "
+                   "holds its numbers alone)";
+        case Lack::sum_of_maps:
+            return "needs two maps of one grid, whose heights can be added: " +
+                   no_sum_of_maps(scene.faces.front(), scene.faces.back());
+        case Lack::side: return "needs a map of at least 16 points a side";
+        case Lack::hardness:
+            return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)" + section;
+        case Lack::yield_strength: return "needs material.upper.yield_strength" + section;
+        default:
+            return (law.needs_whole_map ? "needs a map without missing points: "
+                    : law.needs_summits ? "needs summits: "
+                                        : "needs a spectrum: ") +
+                   no_spectrum(scene, lack);
+    }
 }
 
 std::vector<const Law*> offered_laws(const Scene& scene) {
@@ -87,6 +133,48 @@ std::vector<const Law*> offered_laws(const Scene& scene) {
     for (const Law& law : laws())
         if (refusal_of(law, scene).empty()) all.push_back(&law);
     return all;
+}
+
+std::vector<std::size_t> points_of_answer(const Scene& scene) {
+    constexpr std::size_t most = 12;
+    const std::vector<double>& points = scene.points;
+    const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double decade = points[i] > 0 ? std::log10(points[i]) : 0.5;
+        const bool is_decade = !scene.at_separations && std::abs(decade - std::round(decade)) < 1e-6;
+        if (scene.listed || points.size() <= most || is_decade || points[i] == *least || points[i] == *greatest)
+            chosen.push_back(i);
+    }
+    if (chosen.size() > 2 || points.size() <= most) return chosen;
+    constexpr std::size_t few = 4;  // of separations, or of a range without a decade
+    chosen.clear();
+    for (std::size_t k = 0; k < few; ++k) chosen.push_back((k * (points.size() - 1) + 1) / (few - 1));
+    return chosen;
+}
+
+Request request_of(const Scene& scene) {
+    Request request{.points = scene.points,
+                    .at_separations = scene.at_separations,
+                    .answered = points_of_answer(scene),
+                    .approach = scene.approach,
+                    .growth = scene.loss_factor,
+                    .seating = scene.seating,
+                    .samples = scene.samples,
+                    .seed = scene.seed,
+                    .solves_map = scene.solves_map};
+    if (scene.best) return request;
+    request.laws = scene.laws;
+    request.quantities = Quantity::pressure | Quantity::separation;
+    const auto add = [&](bool wanted, Quantity more) {
+        if (wanted) request.quantities = request.quantities | more;
+    };
+    add(scene.needs_stiffness(), Quantity::stiffness);
+    add(scene.real_area || scene.conduction.thermal_film > 0 || scene.conduction.electrical_film > 0,
+        Quantity::real_area_fraction);
+    add(scene.contacts, Quantity::contact_density | Quantity::real_area_fraction);
+    add(scene.loading_stiffness, Quantity::loading_stiffness);
+    return request;
 }
 
 }  // namespace fstiff::scene

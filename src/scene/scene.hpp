@@ -3,18 +3,13 @@
 // A scene: a surface, two bodies and what is asked of their contact, read from TOML. Every key, unit and default is in
 // docs/scene.md. results.hpp computes it.
 
-#include "scene/face.hpp"
-#include "scene/law.hpp"
+#include "scene/problem.hpp"
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/named_materials.hpp>
-#include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/names.hpp>
 #include <fstiff/core/progress.hpp>
-#include <fstiff/peaks/peak_distribution.hpp>
-#include <fstiff/surface/roughness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 
 #include <algorithm>
@@ -34,18 +29,6 @@ struct Input {
     std::string unit;  ///< SI unit of value; empty when it has none
 };
 
-/// One peak density to compute; the values are checked when the PeakDistribution is made.
-struct Peaks {
-    double theta = 0;         ///< [rad]
-    std::optional<double> r;  ///< none: of an exponential autocorrelation
-    bool of_surface = false;  ///< theta and r are those of [surface], with their errors
-    parts::Place where{};     ///< for messages
-    std::string key{};        ///< prefix of theta and r in them
-};
-
-/// \throws domain_error naming the place of the value that no peak density has.
-PeakDistribution<double> peak_density(const Peaks& peaks);
-
 /// Values between two ends, by { from, to, count, spacing } of a scene.
 struct Range {
     double from = 0, to = 0;
@@ -61,20 +44,6 @@ struct Range {
     }
 };
 
-enum class InteractionLength { nominal, peak_spacing, given };
-
-}  // namespace fstiff::scene
-
-namespace fstiff {
-
-/// A given length is written as such.
-template <>
-inline constexpr auto names<scene::InteractionLength> = name_list<scene::InteractionLength>(
-    {{scene::InteractionLength::nominal, "nominal"}, {scene::InteractionLength::peak_spacing, "peak_spacing"}});
-
-}  // namespace fstiff
-
-namespace fstiff::scene {
 /// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
 struct Waves {
     double frequency = 0;                     ///< [Hz]
@@ -98,23 +67,16 @@ struct Friction {
     std::optional<double> amplitude;  ///< of the tangential displacement, mean to peak [m]
 };
 
-/// Requests to the contact of one or of two rough faces.
-struct Scene {
+/// A joint, what is asked of it, and the text that both come from.
+struct Scene : Problem {
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
     std::string sha256;  ///< of the text of the scene
 
-    Face face;  ///< that a smooth one meets: the rough one, or the sum of two
-    /// The faces that the sum is of, the upper one first; empty where one face is rough and the other smooth.
-    std::vector<Face> faces;
+    /// Of each rough face; null where it was not measured.
+    std::vector<std::shared_ptr<const MeasuredSurface>> measured;
     int shifts = 1;  ///< of the lower map over the upper one
-
-    LawOptions law_options;
-    int samples = 400;  ///< of the band; 0: no band
-    std::uint64_t seed = 2014;
-    std::shared_ptr<const QuickHybrid> similar;  ///< of a scene with a surface for a band
     std::vector<std::string> warnings;
-    bool has_lay = false;      ///< some face was measured by a profile that repeats itself
     bool implausible = false;  ///< some face has an rms gradient that no surface has: a unit of length is likely wrong
 
     /// Phrases on what was assumed, such as "both bodies steel, 210 GPa"; printed with the answer.
@@ -122,14 +84,11 @@ struct Scene {
 
     Material<double> upper, lower;
     const parts::NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
-    std::optional<double> yield_strength;  ///< the smaller of the two that are given [Pa]
-    std::optional<double> hardness;        ///< the smaller of the two that are given [Pa]
-    std::string open_body;      ///< the other one, where one alone has a hardness: "copper", "the lower body"
-    double softer_poisson = 0;  ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
+    std::string open_body;  ///< where one body alone has a hardness, the other one: "copper", "the lower body"
 
-    std::optional<double> nominal_area;  ///< [m^2]
-    bool at_separations = false;         ///< points are separations [m], not pressures [Pa]
+    bool at_separations = false;  ///< points are separations [m], not pressures [Pa]
     std::vector<double> points;
+    bool listed = true;          ///< the points were written one by one
     std::vector<double> forces;  ///< that the points are the pressures of [N]; empty: contact.force is not there
     bool is_joint = false;       ///< a force or a washer is given: K [N/m] and the approach are asked for
     double seating = 1e3;        ///< the approach is 0 at this pressure [Pa]
@@ -137,12 +96,9 @@ struct Scene {
     std::vector<const Law*> laws;
     bool best = false;  ///< no law is named: `laws` is the one of the answer
     bool solves_map =
-        true;  ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
-    std::vector<Peaks> peaks;
-    bool default_peaks = false;  ///< contact.peaks was not there, and those of the surface are not known
-    InteractionReading reading = InteractionReading::none;
-    InteractionLength length = InteractionLength::nominal;
-    double given_length = 0;  ///< [m], for InteractionLength::given
+        true;           ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
+    int samples = 400;  ///< of the band; 0: no band
+    std::uint64_t seed = 2014;
 
     std::optional<Waves> ultrasound;
     Conduction conduction;
@@ -161,6 +117,8 @@ struct Scene {
         return stiffness || joint_stiffness || tangential_stiffness || loss_factor || reflection || shear_reflection ||
                thermal_conductance || electrical_conductance;
     }
+    /// Takes `upper` and `lower` into the joint.
+    void take_bodies() { effective_modulus = fstiff::effective_modulus(upper, lower); }
 
     std::vector<std::string> files;  ///< that the scene names: surfaces and masks
     std::vector<Input> inputs;       ///< every key that was written or filled in by a default
@@ -169,10 +127,11 @@ struct Scene {
 struct NamedFace {
     std::string_view name;
     const Face* face;
+    const MeasuredSurface* measured;  ///< null where it was not
 };
 /// Every rough face of \p scene, called surface, or upper and lower; and those that were measured.
-[[nodiscard]] std::vector<NamedFace> rough_faces(const Scene& scene);
-[[nodiscard]] std::vector<NamedFace> measured_faces(const Scene& scene);
+[[nodiscard]] std::vector<NamedFace> named_faces(const Scene& scene);
+[[nodiscard]] std::vector<NamedFace> measured_files(const Scene& scene);
 
 /// H or alpha of a spectrum that is a band: not given, so taken from other numbers or for a usual one.
 struct Assumed {
@@ -183,8 +142,16 @@ struct Assumed {
 /// Assumptions of the laws of \p scene; empty where no law takes a band, or both numbers were given or measured.
 [[nodiscard]] std::vector<Assumed> assumed(const Scene& scene);
 
-/// Whether K of \p law is that of yielded spots.
-[[nodiscard]] bool flows(const Scene& scene, const Law& law);
+/// "alpha 8 (2 to 50), of any process": what was assumed of \p face; empty of what was measured.
+[[nodiscard]] std::string phrase_of(const Prior& prior, const Face& face);
+/// "3 points are missing; fill = true ... fills them": of the map of a face, empty where none is.
+[[nodiscard]] std::string missing_phrase(const Face& face);
+
+/// The points that the answer of a table and boundary elements are of, in their order: all up to twelve or of a list;
+/// else the ends and the decades.
+[[nodiscard]] std::vector<std::size_t> points_of_answer(const Scene& scene);
+/// What \p scene asks of its joint.
+[[nodiscard]] Request request_of(const Scene& scene);
 
 /// Why \p law cannot be computed of \p scene; empty where it can.
 [[nodiscard]] std::string refusal_of(const Law& law, const Scene& scene);

@@ -35,7 +35,7 @@ void warn_of_missed(const Scene& scene, Results& results) {
         results.warnings.push_back(
             ends ? name + " ends before " + at + ": its contacts are too many or too crowded beyond"
                  : name + " has no result at " + std::to_string(count) + " of " + std::to_string(points) +
-                       " points, the first of them " + at + ": " + missed.reason);
+                       " points, the first of them " + at + ": " + reason_of(scene, missed));
     }
 }
 
@@ -50,7 +50,7 @@ void warn_of_lost(const Scene& scene, Results& results) {
                                     ? shown_point(scene, missed.front().place)
                                     : std::to_string(missed.size()) + " of " + std::to_string(all) +
                                           " points, the first of them " + shown_point(scene, missed.front().place)) +
-                               ": " + missed.front().reason);
+                               ": " + reason_of(scene, missed.front()));
 }
 
 /// A warning where law plastic is nearer to the hardness than any comparison of it.
@@ -177,7 +177,7 @@ void add_warnings(const Scene& scene, Results& results) {
     const std::size_t before = results.warnings.size();
     for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
         warn_if_any(results, concern);
-    if (results.warnings.size() > before || scene.implausible || scene.has_lay || !unknown.empty())
+    if (results.warnings.size() > before || scene.implausible || has_lay(scene) || !unknown.empty())
         results.doubtful = true;
 }
 

@@ -130,6 +130,7 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
         surface.file = text_of(*source, "file");
         surface.sha256 = text_of(*source, "sha256");
         surface.kind = text_of(*source, "kind");
+        found.is_profile = surface.is_profile();
         surface.decisions = texts_of(*source, "decisions");
         surface.of_file = texts_of(source->contains("warnings") ? *source : document, "warnings");
     }

@@ -163,31 +163,10 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
     return lines;
 }
 
-std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
-                                          const parts::SurfaceParameters<double>& used) {
-    const auto& concerns = surface.found.concerns;
-    std::vector<Parameter> all = parts::unknown_parameters(used);
-    if (has(concerns, MeasuredConcern::long_waves)) std::erase(all, Parameter::r);
-    const auto add_measured = [&](Parameter which) {
-        const auto *one = used.find(which), *measured = surface.found.find(which);
-        if (one && measured && one->value == measured->value) all.push_back(which);
-    };
-    if (has(concerns, MeasuredConcern::no_densest_level))
-        add_measured(Parameter::peak_radius), add_measured(Parameter::peak_density);
-    if (has(concerns, MeasuredConcern::form) || has(concerns, MeasuredConcern::step))
-        add_measured(Parameter::rms_height);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
-bool is_profile_with_lay(const MeasuredSurface& surface) {
-    return surface.is_profile() && has(surface.found.concerns, MeasuredConcern::lay);
-}
-
 bool is_doubtful(const MeasuredSurface& surface) {
-    return has(surface.found.concerns, MeasuredConcern::implausible_gradient) || is_profile_with_lay(surface) ||
-           !unknown_parameters(surface, surface.found).empty();
+    return has(surface.found.concerns, MeasuredConcern::implausible_gradient) ||
+           parts::is_profile_with_lay(surface.found) ||
+           !parts::unknown_parameters(surface.found, surface.found).empty();
 }
 
 namespace {
@@ -273,7 +252,7 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
 
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surface<double>& found) {
     const bool profile = of.is_profile();
-    const auto unknown = unknown_parameters(of, found);
+    const auto unknown = parts::unknown_parameters(of.found, found);
     const auto line = [&](Parameter which, std::string unit, std::string how) {
         return ParameterLine{std::string(parts::row_of(which).key), std::move(unit), *found.find(which), std::move(how),
                              std::count(unknown.begin(), unknown.end(), which) == 0};

@@ -70,14 +70,6 @@ using MeasurePart = std::function<MeasuredSurface(MeasureOptions, std::size_t)>;
 [[nodiscard]] std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
                                                      const parts::SurfaceParameters<double>& values);
 
-/// The parameters of \p used, those of \p surface or what replaced them, on which no result can rest: not known to a
-/// factor of two, the R and D_p of islands whose density has no maximum, or the sigma of a form or a step.
-[[nodiscard]] std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
-                                                        const parts::SurfaceParameters<double>& used);
-
-/// Whether \p surface is a profile that repeats itself, which cannot know K of its face.
-[[nodiscard]] bool is_profile_with_lay(const MeasuredSurface& surface);
-
 /// Whether no result can rest on \p surface: it has unknown_parameters(), an rms gradient that no surface has, or is a
 /// profile of a face with a lay.
 [[nodiscard]] bool is_doubtful(const MeasuredSurface& surface);

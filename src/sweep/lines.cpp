@@ -77,7 +77,7 @@ void append_missed(std::string& text, const std::string& begin, const Curve& cur
         append_optional(text, column.quantity == known ? std::optional(scene.points[missed.place]) : std::nullopt);
     }
     append_key(text, "error");
-    text += scene::json_text("law " + std::string(curve.law->name) + ": " + missed.reason) + "}\n";
+    text += scene::json_text("law " + std::string(curve.law->name) + ": " + reason_of(scene, missed)) + "}\n";
 }
 
 /// The line of the state \p i of \p curve after \p begin.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/scene_maker.hpp"
 
-#include "scene/answer.hpp"
 #include "scene/source.hpp"
 #include "sweep/template.hpp"
 
@@ -28,10 +27,17 @@ void put_parameter(Scene& scene, std::size_t, double value) {
 }
 
 void put_point(Scene& scene, std::size_t place, double value) { scene.points[place] = value; }
-void put_upper_modulus(Scene& scene, std::size_t, double value) { scene.upper.youngs_modulus = value; }
-void put_lower_modulus(Scene& scene, std::size_t, double value) { scene.lower.youngs_modulus = value; }
+void put_upper_modulus(Scene& scene, std::size_t, double value) {
+    scene.upper.youngs_modulus = value;
+    scene.take_bodies();
+}
+void put_lower_modulus(Scene& scene, std::size_t, double value) {
+    scene.lower.youngs_modulus = value;
+    scene.take_bodies();
+}
 void put_both_moduli(Scene& scene, std::size_t, double value) {
     scene.upper.youngs_modulus = scene.lower.youngs_modulus = value;
+    scene.take_bodies();
 }
 void put_frequency(Scene& scene, std::size_t, double value) { scene.ultrasound->frequency = value; }
 
@@ -92,8 +98,8 @@ void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& sce
             }
             constexpr double room = 1e-3;  // so that no end falls out by rounding
             const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
-            made.contact =
-                std::make_unique<Tabulated>(made.contact->tabulate(wider), scene.face.parameters.rms_height.value);
+            made.contact = std::make_shared<const Tabulated>(made.contact->tabulate(wider),
+                                                             scene.face.parameters.rms_height.value);
         } catch (const domain_error&) {  // no table of this law, or not so far: point by point
         }
     }
@@ -247,8 +253,8 @@ void SceneMaker::make(const std::vector<Value>& values, Work& work) {
     if (!same) {
         work.contacts.clear();  // before what they were made of
         if (work.scene.best)
-            set_law_of_answer(work.scene);  // peaks may flow where those of the scene that was read do not
-        work.contacts = scene::contacts_of(work.scene);
+            work.scene.laws = {&law_of_answer(work.scene, work.scene.at_separations)};  // peaks may flow now
+        work.contacts = contacts_of(work.scene, work.scene.laws);
         if (grid_.tabulate) tabulate(work.contacts, work.scene, table_range_);
     }
     work.made_for = values;

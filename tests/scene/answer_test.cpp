@@ -261,7 +261,7 @@ TEST_CASE("A profile across a lay widens the band upward, and the answer reports
         profile.heights[i] += x * x / 1600 * 1e-6;
     }
     const Answered turned = answered("turned.csv");
-    CHECK(turned.of.has_lay);
+    CHECK(has_lay(turned.of));
     CHECK(turned.results.doubtful);
     CHECK(contains(turned.said(), "across a lay"));
     const double K = turned.K(0), low = turned.rows[0].at("stiffness_p05_Pa_per_m"),

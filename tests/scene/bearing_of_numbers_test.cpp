@@ -170,7 +170,7 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     const std::string text = surface_of(trace(0.4));
     const scene::Scene skewed = read(text);
     REQUIRE(skewed.face.measured);
-    const double share = skewed.face.measured->found.shape_share;
+    const double share = skewed.face.measured->shape_share;
     CHECK(share > 0.8);
     const auto& heights = *skewed.face.heights;
     CHECK(heights.skewness.value > 0.7);
@@ -199,7 +199,7 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     Profile<double> shorter = trace(0);
     shorter.heights.resize(320);
     const scene::Scene plain = read(surface_of(shorter));
-    CHECK(plain.face.measured->found.shape_share == 0);
+    CHECK(plain.face.measured->shape_share == 0);
     CHECK_FALSE(plain.face.bearing);
     CHECK(stiffnesses(plain) == stiffnesses(surface_of(shorter) + "skewness = 0\nkurtosis = 3\n"));
 }

@@ -184,11 +184,11 @@ TEST_CASE("A scene takes lambda_s and lambda_c next to from, and measures what i
     const auto scene = scene_with("lambda_s = \"8 um\"\nlambda_c = \"40 um\"");
     const auto measured = test::measured("--lambda-s '8 um' --lambda-c '40 um'", text);
     CHECK(test::face(scene).parameters.peak_radius.value == measured["surface"]["peak_radius"]["value"]);
-    CHECK(test::face(scene).measured->found.cut_offs.lambda_s == 8e-6);
-    CHECK(test::face(scene).measured->found.cut_offs.lambda_c == 40e-6);
+    CHECK(test::face(scene).measured->cut_offs.lambda_s == 8e-6);
+    CHECK(test::face(scene).measured->cut_offs.lambda_c == 40e-6);
     folder.write("map.json", measured.dump());
     const auto read_back = test::scene_of("[surface]\nfrom = \"map.json\"" + rest, folder / "scene.toml");
-    CHECK(test::face(read_back).measured->found.cut_offs.lambda_s == 8e-6);
+    CHECK(test::face(read_back).measured->cut_offs.lambda_s == 8e-6);
     const auto refused = [&](const std::string& keys) { return test::refusal([&] { (void)scene_with(keys); }); };
     test::check_sentence(refused("lambda_s = \"1 um\""), {"lambda_s = \"1 um\"", "at least 2 steps"});
     test::check_sentence(refused("lambda_s = 1.0"), {"lambda_s"});

@@ -157,7 +157,7 @@ TEST_CASE("A surface of R and D_p that no Gaussian surface has takes them for th
     REQUIRE(paper.face.rms_gradient);
     CHECK(*paper.face.rms_gradient > 0.14);  // maps with its sigma and D_p have 0.124, with its sigma and R 0.175
     CHECK(*paper.face.rms_gradient < 0.165);
-    CHECK(no_spectrum(paper.face).empty());
+    CHECK(lack_of_spectrum(paper.face) == scene::Lack::nothing);
     const std::string numbers = "rms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"";
     const auto plastic = results(numbers + "\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
     CHECK(test::relative_error(plastic.states[1].stiffness.value, 0.14e15) < 0.12);  // boundary elements: 0.11 to 0.18

@@ -79,7 +79,7 @@ TEST_CASE("K of hybrid of a measured trace hardly depends on the step and on lam
         const std::string text = "[surface]\nfrom = \"" + (surfaces / trace.name).string() + "\"\n" + trace.keys +
                                  "detrend = \"none\"\nlambda_s = \"none\"\n" + rest;
         const scene::Scene whole = scene::read_scene(text, {.name = "s.toml"});
-        const Profile<double>& profile = whole.face.measured->found.profile->profile;
+        const Profile<double>& profile = whole.face.measured->profile->profile;
         std::vector<Found> thinned, filtered;
         for (const std::size_t nth : {1, 2, 4, 8, 16}) {
             const std::string file = folder / (std::to_string(nth) + ".txt");

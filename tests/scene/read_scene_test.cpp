@@ -108,7 +108,7 @@ TEST_CASE("What is written next to what was measured holds for the neighbours of
     CHECK(test::relative_error(written.parameters.rms_height.error, 0.5e-6) < 1e-15);
     CHECK(written.parameters.peak_radius.value == measured.parameters.peak_radius.value);
     CHECK(written.parameters.peak_radius.error == measured.parameters.peak_radius.error);
-    CHECK(written.measured->found.rms_height.value == measured.parameters.rms_height.value);
+    CHECK(written.measured->rms_height.value == measured.parameters.rms_height.value);
 }
 
 TEST_CASE("Without a band nothing is measured with other lambda_s, and all else is the same") {

@@ -67,7 +67,7 @@ TEST_CASE("K of hybrid of the numbers of a measured map hardly depends on the st
         CAPTURE(name);
         const scene::Scene whole =
             scene::read_scene(scene_of((surfaces / name).string(), "", "moments"), {.name = "s.toml"});
-        const std::vector<double> found = spreads(whole.face.measured->found.map->map, "moments");
+        const std::vector<double> found = spreads(whole.face.measured->map->map, "moments");
         CAPTURE(found[0], found[1], found[2]);
         CHECK(found[0] < most);
         CHECK(found[1] < most);

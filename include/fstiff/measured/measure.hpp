@@ -19,6 +19,7 @@
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/prepare.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -34,7 +35,8 @@ struct Surface : parts::SurfaceParameters<T> {
     parts::CutOffs<T> cut_offs{};
     std::vector<MeasuredConcern> concerns{};
     parts::CleaningReport cleaning{};
-    T size{};  ///< of the points that exist: length of the profile [m], area of the map [m^2]
+    bool is_profile = false;  ///< measured by profiles, not by maps
+    T size{};                 ///< of the points that exist: length of the profile [m], area of the map [m^2]
     /// Ratio of the largest to the smallest wave number of the surface: from its length, or lambda_c, to two steps, or
     /// lambda_s.
     T widest_band = std::numeric_limits<T>::infinity();
@@ -56,6 +58,33 @@ template <Real T>
 [[nodiscard]] Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
 
 namespace parts {
+
+/// Whether \p surface is a profile that repeats itself, which does not determine K of its face.
+template <Real T>
+[[nodiscard]] bool is_profile_with_lay(const Surface<T>& surface) {
+    return surface.is_profile && std::count(surface.concerns.begin(), surface.concerns.end(), MeasuredConcern::lay) > 0;
+}
+
+/// The parameters of \p used, those of \p surface or what replaced them, on which no result can rest: not known to a
+/// factor of two, the R and D_p of islands whose density has no maximum, or the sigma of a form or a step.
+template <Real T>
+[[nodiscard]] std::vector<Parameter> unknown_parameters(const Surface<T>& surface, const SurfaceParameters<T>& used) {
+    const auto has = [&](MeasuredConcern one) {
+        return std::find(surface.concerns.begin(), surface.concerns.end(), one) != surface.concerns.end();
+    };
+    std::vector<Parameter> all = unknown_parameters(used);
+    if (has(MeasuredConcern::long_waves)) std::erase(all, Parameter::r);
+    const auto add_measured = [&](Parameter which) {
+        const auto *one = used.find(which), *measured = surface.find(which);
+        if (one && measured && one->value == measured->value) all.push_back(which);
+    };
+    if (has(MeasuredConcern::no_densest_level))
+        add_measured(Parameter::peak_radius), add_measured(Parameter::peak_density);
+    if (has(MeasuredConcern::form) || has(MeasuredConcern::step)) add_measured(Parameter::rms_height);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
 
 template <Real T>
 [[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options,
@@ -148,6 +177,7 @@ template <Real T>
         found.plain_form = detail::plain_form(flat, static_cast<int>(options.form) - 1);
     Surface<T> surface = surface_of(std::move(found), flat, prepared->cut_offs, prepared->rms_gradient);
     surface.profile = prepared;
+    surface.is_profile = true;
     surface.size = static_cast<T>(flat.present()) * flat.spacing;
     surface.widest_band = widest_band(static_cast<T>(flat.size()) * flat.spacing, flat.spacing, surface.cut_offs);
     if (options.neighbours)

@@ -334,6 +334,7 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
             throw domain_error("measurements of unlike " + std::string(name_of(in)) + ": must be alike to be pooled");
     Surface<T> whole{parts::stated(parts::mean_of_known(parts))};
     whole.cut_offs = first.cut_offs;
+    whole.is_profile = first.is_profile;
     whole.widest_band = 0;
     std::vector<HeightStatistics<T>> heights;
     std::vector<T> sizes;

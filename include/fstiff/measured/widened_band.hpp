@@ -59,12 +59,6 @@ template <Real T>
     return one;
 }
 
-/// Whether \p surface is a profile that repeats itself, which does not determine K of its face.
-template <Real T>
-[[nodiscard]] bool is_profile_with_lay(const Surface<T>& surface) {
-    return surface.profile && std::count(surface.concerns.begin(), surface.concerns.end(), MeasuredConcern::lay) > 0;
-}
-
 }  // namespace parts
 
 /// Band of the stiffness of any contact: \p contact_of takes a surface, an array in the order of Parameter, and returns

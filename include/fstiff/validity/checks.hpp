@@ -154,21 +154,6 @@ template <Real T>
     return {std::sqrt(2 * moments.m2), std::sqrt(2 * (r > T(0) ? r : T(0.5)) * surface.rms_height * curvature)};
 }
 
-/// The check of \p gradients of one surface, which are given, measured or implied_gradients(): the limit is the
-/// violated one, else 1; violations are gradients.
-template <Real T>
-[[nodiscard]] Check<T> check_gradients(std::span<const T> gradients) {
-    Check<T> made{.concern = Concern::implausible_gradient, .limit = max_plausible_gradient<T>};
-    for (std::size_t i = 0; i < gradients.size(); ++i) {
-        made.least = (std::min)(made.least, gradients[i]);
-        made.greatest = (std::max)(made.greatest, gradients[i]);
-        if (is_plausible_gradient(gradients[i]) || made.violations++ > 0) continue;
-        made.first = i;
-        if (gradients[i] < min_plausible_gradient<T>) made.limit = min_plausible_gradient<T>;
-    }
-    return made;
-}
-
 /// Limits for the states of a curve; a check is made only if all its inputs are given.
 template <Real T = double>
 struct CurveLimits {

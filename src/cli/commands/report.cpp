@@ -8,7 +8,6 @@
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
-#include "scene/answer.hpp"
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 #include "surface/documents.hpp"
@@ -170,8 +169,8 @@ void named_laws(Page& page, const Scene& scene, const Results& results, const Un
 /// The first screen: surface, K, what speaks against it, and the picture.
 void answer_section(Page& page, const Scene& scene, const Results& results, const Units& units) {
     std::string surface;
-    for (const auto& [name, face] : measured_faces(scene))
-        surface += (surface.empty() ? "Surface measured from " : " and ") + shown_file(face->measured->file);
+    for (const auto& [name, face, file] : measured_files(scene))
+        surface += (surface.empty() ? "Surface measured from " : " and ") + shown_file(file->file);
     surface = surface.empty() ? "Surface as given in " + shown_file(scene.file) + ": " : surface + ": ";
     const TextRows parameters = surface_rows(scene);
     for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -237,11 +236,11 @@ void other_figures(Page& page, const Scene& scene, const Results& results) {
 }
 
 /// Every number, one closed table for each curve.
-void numbers_section(Page& page, const Results& results, const Units& units) {
+void numbers_section(Page& page, const Scene& scene, const Results& results, const Units& units) {
     page.heading("Numbers");
     for (const Curve* curve : shown_curves(results)) {
         page.begin_details(legend_of(*curve) + ": " + std::to_string(curve->states.size()) + " points");
-        page.table(rows_of(results, *curve, units).table());
+        page.table(rows_of(scene, *curve, units).table());
         page.end("details");
     }
 }
@@ -264,7 +263,7 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
         rows.push_back(
             {std::string(law->name), std::string(law->load), std::string(law->stiffness), std::string(law->peaks)});
     page.table(rows);
-    std::string rest = "Effective modulus " + rounded(results.modulus / 1e9) +
+    std::string rest = "Effective modulus " + rounded(scene.effective_modulus / 1e9) +
                        " GPa from both bodies. Rms curvature of the peaks by (4.10). Interaction " +
                        (scene.reading == InteractionReading::none ? "left out" : "by (4.11)") + ".";
     if (scene.ultrasound)
@@ -283,8 +282,9 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
 /// The surface with other cut-offs, and its K at the middle point of the scene.
 void scales_section(Page& page, const Scene& scene, const Results& results, const MeasuredSurface& surface) {
     if (!surface.how || surface.how->input.file == "-" || scene.at_separations) return;
-    const scene::ScalesOptions how{
-        .pressure = scene.points[scene.points.size() / 2], .modulus = results.modulus, .progress = progress_bar()};
+    const scene::ScalesOptions how{.pressure = scene.points[scene.points.size() / 2],
+                                   .modulus = scene.effective_modulus,
+                                   .progress = progress_bar()};
     const scene::Scales scales = scales_of(surface, read_surface_input(surface.how->input), how);
     std::vector<Panel> panels = scales_panels(scales);
     if (panels.empty()) return;
@@ -303,13 +303,13 @@ std::string page_of(const Scene& scene, const Results& results) {
     answer_section(page, scene, results, units);
     other_figures(page, scene, results);
     inputs_section(page, scene);
-    for (const auto& [name, face] : measured_faces(scene)) {
-        measured_section(page, *face->measured);
-        scales_section(page, scene, results, *face->measured);
-        for (const MeasuredSurface& part : face->measured->parts) measured_section(page, part);
+    for (const auto& [name, face, file] : measured_files(scene)) {
+        measured_section(page, *file);
+        scales_section(page, scene, results, *file);
+        for (const MeasuredSurface& part : file->parts) measured_section(page, part);
     }
     validity_section(page, scene, results);
-    numbers_section(page, results, units);
+    numbers_section(page, scene, results, units);
     equations_section(page, scene, results);
     return page.str();
 }

@@ -3,7 +3,6 @@
 
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/answer.hpp"
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 
@@ -112,7 +111,7 @@ std::string bodies_text(const Scene& scene, const Results& results) {
     const std::string upper = material(scene.upper, scene.upper_name), lower = material(scene.lower, scene.lower_name);
     const bool alike = scene.best && upper == lower;
     std::vector<std::string> parts{alike ? "both bodies " + upper : "upper " + upper + "; lower " + lower};
-    if (!scene.best) parts.push_back("effective modulus " + with_unit(results.modulus, "Pa"));
+    if (!scene.best) parts.push_back("effective modulus " + with_unit(scene.effective_modulus, "Pa"));
     const bool upper_open =
         scene.open_body == "the upper body" || (scene.upper_name && scene.open_body == scene.upper_name->name);
     const std::string of = scene.open_body.empty() ? "" : upper_open ? " of the lower body" : " of the upper body";
@@ -165,9 +164,9 @@ std::string introduction(const Scene& scene, const Results& results) {
             parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
         text += in_lines("", parts);
     }
-    for (const auto& [name, face] : measured_faces(scene)) {
+    for (const auto& [name, face, file] : measured_files(scene)) {
         std::vector<std::string> parts;
-        const MeasuredSurface& measured = *face->measured;
+        const MeasuredSurface& measured = *file;
         for (const parts::ParameterRow& row : parts::surface_parameter_table)
             if (const auto* known = face->parameters.find(row.parameter);
                 known && (!scene.best || row.parameter == Parameter::rms_height))
@@ -205,7 +204,7 @@ std::string full_table(const Scene& scene, const Results& results) {
     const Units units = units_of(scene, results);
     std::string text = introduction(scene, results);
     for (const Curve& curve : results.curves)
-        text += "\n" + title(curve) + "\n" + rows_of(results, curve, units).text();
+        text += "\n" + title(curve) + "\n" + rows_of(scene, curve, units).text();
     const std::string notes =
         explanations(scene, results) + (scene.real_area ? "mean pressure is that on the real area\n" : "");
     return notes.empty() ? text : text + "\n" + notes;

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/curves.hpp"
+
+#include "scene/answer.hpp"
+#include "scene/bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace fstiff::scene {
+namespace {
+
+constexpr Quantity of_answer = Quantity::pressure | Quantity::separation | Quantity::stiffness |
+                               Quantity::real_area_fraction | Quantity::contact_density | Quantity::loading_stiffness;
+
+/// The greatest pressure [Pa] below \p pressure at which \p contact has a state, to 1e-6; 0 where it has none.
+double reach_of(const AnyContact& contact, double pressure) {
+    const auto has_state = [&](double p) {
+        return contact.at_pressures(std::span(&p, 1), Quantity::stiffness).front().ok();
+    };
+    double low = pressure, high = pressure;
+    for (double step = 2; !has_state(low); step *= step)
+        if (high = low, low /= step; !(low > 0)) return 0;
+    while (high > (1 + 1e-6) * low)
+        if (const double middle = std::sqrt(low) * std::sqrt(high); has_state(middle))
+            low = middle;
+        else
+            high = middle;
+    return low;
+}
+
+/// Replaces the reason of a law that has no state at a pressure above its states by the limit, where this is known.
+void find_limit(const Problem& problem, const Request& request, const AnyContact& contact, LawCurve& curve) {
+    if (request.at_separations || !curve.law->varies || !curve.law->holds_when_crowded) return;
+    double greatest = 0;
+    for (const auto& state : curve.states) greatest = std::max(greatest, state.pressure.value);
+    for (MissedPoint& missed : curve.missed) {
+        const double pressure = request.points[missed.place];
+        if (missed.why == Miss::range || !(pressure > greatest)) continue;
+        const double reach = reach_of(contact, pressure), hardness = hardness_of(problem);
+        if (!(reach > 0)) return;
+        const bool flowed = curve.law->needs_hardness && reach > 0.999 * hardness;
+        missed.why = flowed ? Miss::hardness : Miss::closed;
+        missed.limit = flowed ? hardness : reach;
+    }
+}
+
+/// Puts \p points of \p contact into \p curve, as states or as what the law does not reach. A gradient so small that p*
+/// is beyond the range of double precision is as good as unknown.
+void take_points(const Problem& problem, const Request& request, LawCurve& curve, const AnyContact& contact,
+                 const std::vector<ContactPoint<double>>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].ok()) {
+            ContactState<double> state = points[i].state;
+            if (flows(problem, *curve.law) && state.stiffness.value > 0)  // which no loading stiffness exceeds
+                state.loading_stiffness.value = std::min(state.loading_stiffness.value, state.stiffness.value);
+            curve.states.push_back(state);
+            curve.places.push_back(i);
+        } else {
+            const bool law = points[i].status == PointStatus::out_of_reach;
+            curve.missed.push_back({i, law ? Miss::law : Miss::range, points[i].reason});
+        }
+    }
+    find_limit(problem, request, contact, curve);
+    const auto has_p_star = [&](const ContactState<double>& state) {
+        return std::isfinite(
+            parts::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient));
+    };
+    if (curve.rms_gradient && !std::all_of(curve.states.begin(), curve.states.end(), has_p_star))
+        curve.rms_gradient.reset();
+}
+
+/// d log K/d log p of \p curve, which has its states, over the pressures below each: what the loss factor takes of the
+/// law. None where \p contact has no K there.
+void grow(const AnyContact& contact, LawCurve& curve) {
+    constexpr double share = 0.6;
+    std::vector<double> pressures;
+    for (const ContactState<double>& state : curve.states) pressures.push_back(share * state.pressure.value);
+    const auto points = contact.at_pressures(pressures, Quantity::stiffness);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double ratio = curve.states[i].stiffness.value / points[i].state.stiffness.value;
+        if (!points[i].ok() || !(ratio > 0)) return curve.growth.clear();
+        curve.growth.push_back(std::clamp(std::log(ratio) / -std::log(share), 0.0, 1.9));
+    }
+}
+
+/// The checks of \p curve that mean something of its law.
+std::vector<parts::Check<double>> checks_of(const Problem& problem, const LawCurve& curve, Quantity quantities) {
+    std::vector<parts::Check<double>> checks =
+        parts::check_curve<double>(curve.states,
+                                   {.effective_modulus = problem.effective_modulus,
+                                    .rms_gradient = curve.rms_gradient,
+                                    .max_peak_height = problem.face.parameters.max_peak_height.value,
+                                    .nominal_area = problem.nominal_area,
+                                    .yield_strength = problem.yield_strength},
+                                   quantities);
+    const bool of_grid = !curve.law->varies || (problem.face.map && problem.face.map->maps.size() > 1);
+    std::erase_if(checks, [&](const parts::Check<double>& check) {
+        return (check.concern == parts::Concern::interacting_asperities && curve.law->holds_when_crowded) ||
+               (check.concern == parts::Concern::not_converged && of_grid);  // the error is that of the grid or shifts
+    });
+    return checks;
+}
+
+/// The states of \p begun by \p contact, and what else \p request asks for, but no band.
+LawCurve curve_of(const Problem& problem, const Request& request, LawCurve curve, const AnyContact& contact,
+                  Quantity quantities, const ProgressHook& progress) {
+    const Quantity given =
+        static_cast<Quantity>(static_cast<unsigned>(quantities) & static_cast<unsigned>(curve.law->quantities));
+    take_points(problem, request, curve, contact, points_of(request, *curve.law, contact, given, progress));
+    if (request.approach) seat(request, contact, curve);
+    if (request.growth) grow(contact, curve);
+    if (!request.checked) return curve;
+    curve.checks = checks_of(problem, curve, given);
+    std::vector<double> etas;
+    for (const auto& state : curve.states) etas.push_back(state.eta);
+    curve.means = contact.means_at(etas);
+    return curve;
+}
+
+bool has_states(const std::vector<LawCurve>& curves) {
+    return std::any_of(curves.begin(), curves.end(), [](const LawCurve& curve) { return !curve.states.empty(); });
+}
+
+/// The curves of \p request, whose laws are named, with their bands.
+void add_curves(const Problem& problem, const Request& request, Quantity quantities, const ProgressHook& progress,
+                const std::vector<MadeContact>* made, std::vector<LawCurve>& curves, std::size_t& failed) {
+    std::size_t count = 0;
+    for (const Law* law : request.laws) count += law->has_peaks ? peaks_of(*law, problem).size() : 1;
+    ProgressHook of_all;  // one bar for the points of all curves
+    if (progress)
+        of_all = [&](std::string_view what, std::size_t done, std::size_t all) {
+            progress(what, curves.size() * all + done, count * all);
+        };
+    const std::optional<double> slope = gradient(problem);
+    if (made)
+        for (const auto& [curve, contact] : *made)
+            curves.push_back(curve_of(problem, request, curve, *contact, quantities, of_all));
+    else
+        for_each_contact(problem, request.laws, {}, [&](const ContactOfLaw& of) {
+            curves.push_back(
+                curve_of(problem, request, {of.law, of.theta, of.r, slope}, *of.make(), quantities, of_all));
+        });
+    if (parts::has(quantities, Quantity::stiffness) && request.samples > 0 && problem.face.has_errors() &&
+        has_states(curves))
+        failed = std::max(failed, add_bands(problem, request, curves, progress));
+}
+
+/// The answer of \p request, which names no law.
+void add_answer(Problem problem, Request request, const ProgressHook& progress, const std::vector<MadeContact>* made,
+                Curves& all) {
+    request.laws = {&law_of_answer(problem, request.at_separations)};
+    std::vector<LawCurve> curves;
+    add_curves(problem, request, of_answer, progress, made, curves, all.failed);
+    all.answer = std::move(curves.front());
+    if (!all.answer->states.empty()) all.facts = make_answer(problem, request, *all.answer, progress);
+}
+
+/// The answer beside laws that are named. A band costs more than a curve: of many points it is of those that are
+/// answered.
+void add_answer_beside(const Problem& problem, Request request, Curves& all) {
+    constexpr std::size_t many = 100;
+    std::vector<std::size_t> places;
+    if (request.points.size() > many) {
+        places = std::move(request.answered);
+        std::vector<double> points;
+        for (const std::size_t place : places) points.push_back(request.points[place]);
+        request.points = std::move(points);
+        request.answered.clear();
+        for (std::size_t i = 0; i < places.size(); ++i) request.answered.push_back(i);
+    }
+    request.checked = false;
+    const std::size_t failed = all.failed;
+    try {
+        add_answer(problem, std::move(request), {}, nullptr, all);
+    } catch (const domain_error& error) {
+        all.answer.reset();
+        all.no_answer = error.what();
+    }
+    all.failed = failed;  // of the laws that are named
+    if (places.empty() || !all.answer) return;
+    for (std::size_t& place : all.answer->places) place = places[place];
+    for (MissedPoint& missed : all.answer->missed) missed.place = places[missed.place];
+}
+
+}  // namespace
+
+std::optional<std::size_t> LawCurve::state_at(std::size_t place) const {
+    const auto found = std::lower_bound(places.begin(), places.end(), place);
+    if (found == places.end() || *found != place) return std::nullopt;
+    return static_cast<std::size_t>(found - places.begin());
+}
+
+void seat(const Request& request, const AnyContact& contact, LawCurve& curve) {
+    const auto point = contact.at_pressures(std::span(&request.seating, 1), Quantity::separation).front();
+    if (point.ok())
+        curve.seated.assign(curve.states.size(), point.state.separation.value);
+    else
+        curve.not_seated = point.reason;
+}
+
+std::vector<MadeContact> contacts_of(const Problem& problem, const std::vector<const Law*>& laws,
+                                     const ProgressHook& progress) {
+    std::vector<MadeContact> contacts;
+    const std::optional<double> slope = gradient(problem);
+    for_each_contact(problem, laws, progress, [&](const ContactOfLaw& of) {
+        contacts.push_back({{of.law, of.theta, of.r, slope}, of.make()});
+    });
+    return contacts;
+}
+
+const Law& law_of_answer(Problem& problem, bool at_separations) {
+    if (problem.face.map && missing_points(*problem.face.map) > 0)
+        problem.face.write([](Face& face) { face.spectrum_of_map = false; });
+    parts::AnswerQuestion<double> question{.known = known_as(problem)};
+    for (const Law& law : laws())
+        if (!law.needs_whole_map && lack_of(law, problem, at_separations) == Lack::nothing)
+            question.available.push_back(law.which);
+    question.hardness = relative_hardness(problem).value_or(std::numeric_limits<double>::quiet_NaN());
+    return find_law(parts::answering_law(question));
+}
+
+Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,
+                 const std::vector<MadeContact>* made) {
+    Curves all;
+    if (request.laws.empty()) {
+        add_answer(problem, request, progress, made, all);
+        return all;
+    }
+    add_curves(problem, request, request.quantities, progress, made, all.named, all.failed);
+    if (request.answers && has_states(all.named)) add_answer_beside(problem, request, all);
+    return all;
+}
+
+}  // namespace fstiff::scene

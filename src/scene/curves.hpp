@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The curves of a joint: of laws that are named, each with its band, and of the answer, with the causes of its band.
+
+#include "scene/problem.hpp"
+
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/load_means.hpp>
+#include <fstiff/measured/band_parts.hpp>
+#include <fstiff/validity/answer.hpp>
+#include <fstiff/validity/checks.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// Why a law has no state at a point.
+enum class Miss {
+    law,       ///< by the reason that it gives
+    range,     ///< a number is beyond the range of double precision
+    hardness,  ///< the pressure is at the hardness, and everything has flowed
+    closed     ///< the contact is closed above a pressure
+};
+/// A point that a law does not reach.
+struct MissedPoint {
+    std::size_t place = 0;  ///< among Request::points
+    Miss why = Miss::law;
+    std::string reason{};  ///< of the law
+    double limit = 0;      ///< the pressure of Miss::hardness and Miss::closed [Pa]
+};
+
+/// One law on one joint distribution of peaks, at every point that the law reaches.
+struct LawCurve {
+    const Law* law = nullptr;
+    std::optional<double> theta{}, r{};    ///< none: a law without a joint distribution
+    std::optional<double> rms_gradient{};  ///< of the surface, for p*; the same in every curve
+    std::vector<ContactState<double>> states{};
+    std::vector<std::size_t> places{};  ///< of the states among Request::points
+    std::vector<MissedPoint> missed{};  ///< the other points
+    std::vector<double> seated{};       ///< separation at Request::seating [m], one a state; empty: not known
+    std::string not_seated{};           ///< why not, where it was asked for
+    std::vector<double> growth{};       ///< d log K/d log p below each state; empty: not asked for, or not known
+    std::vector<parts::Check<double>> checks{};          ///< of the states as the law gives them
+    std::vector<parts::LoadMeans<double>> means{};       ///< of a plastic law, one a state
+    std::vector<parts::SampledBand<double>> band{};      ///< of the stiffness, one a state; empty: it has none
+    std::vector<parts::BandParts<double>> band_parts{};  ///< of the band, where the surface has neighbours
+    std::vector<const Law*> by{};                        ///< of an answer, the law of each state; empty: `law` gave all
+
+    [[nodiscard]] const Law& law_at(std::size_t state) const { return by.empty() ? *law : *by[state]; }
+    /// Whether the separation of \p state is known: law plastic has none where the mean planes would have met.
+    [[nodiscard]] bool has_separation(std::size_t state) const {
+        return law_at(state).which != LawName::plastic || states[state].separation.value > 0;
+    }
+    /// Index of the state of the point \p place; none where the law does not reach it.
+    [[nodiscard]] std::optional<std::size_t> state_at(std::size_t place) const;
+};
+
+/// Why K of the answer at one state is what it is.
+struct AnswerReason {
+    parts::Causes<double> causes{};  ///< of the band
+    std::optional<double> p_star;    ///< p/(E g)
+    std::optional<double> contacts;  ///< expected on the area of the contact
+    std::optional<double>
+        loading_stiffness;  ///< [Pa/m] where the peaks yield: for a load that rises for the first time
+};
+/// What is known of an answer beyond its curve.
+struct AnswerFacts {
+    std::vector<AnswerReason> reasons;  ///< one a state
+    bool of_map_itself = false;         ///< the contact is the measured map, and no other piece of the surface
+    bool flows = false;                 ///< K is that of unloading
+    bool waves_at_least = false;  ///< waves longer than the measurement have no law: the band holds the least of them
+    std::optional<double> relative_hardness;  ///< H/(E g)
+};
+
+/// All curves of a request.
+struct Curves {
+    std::vector<LawCurve> named;  ///< of Request::laws, one for each distribution of peaks
+    std::optional<LawCurve>
+        answer;               ///< one K for each point, by the law that holds there; without states: no law has one
+    AnswerFacts facts{};      ///< of the answer
+    std::string no_answer{};  ///< why there is none
+    std::size_t failed = 0;   ///< greatest number of drawn surfaces without a K at some point
+};
+
+/// A contact, and its curve still without states.
+struct MadeContact {
+    LawCurve curve;
+    std::shared_ptr<const AnyContact> contact;
+};
+/// The contacts of \p laws; \p problem must live as long.
+[[nodiscard]] std::vector<MadeContact> contacts_of(const Problem& problem, const std::vector<const Law*>& laws,
+                                                   const ProgressHook& progress = {});
+
+/// The law that answers where no boundary elements do: plastic where the peaks yield, hybrid where they do not. A map
+/// with missing points answers by its numbers: \p problem takes no spectrum of it then.
+/// \throws domain_error where no law answers.
+[[nodiscard]] const Law& law_of_answer(Problem& problem, bool at_separations);
+
+/// What \p request asks of \p problem; of the contacts \p made, where they are those of its laws. Of named laws the
+/// answer is that at the points \p answers. No band and no answer where no named law has a state.
+/// \throws domain_error where the model cannot give it.
+[[nodiscard]] Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress = {},
+                               const std::vector<MadeContact>* made = nullptr);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/problem.hpp"
+
+#include <fstiff/asperity/plastic_laws.hpp>
+#include <fstiff/validity/answer.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace fstiff::scene {
+
+PeakDistribution<double> peak_density(const Peaks& peaks) {
+    try {
+        return peaks.r ? PeakDistribution<double>(*peaks.r, peaks.theta)
+                       : PeakDistribution<double>::exponential(peaks.theta);
+    } catch (const domain_error& error) {
+        throw error.with_parameter(peaks.key + std::string(error.parameter())).with_place(peaks.where);
+    }
+}
+
+std::vector<const Face*> rough_faces(const Problem& problem) {
+    if (problem.faces.empty()) return {&problem.face};
+    return {&problem.faces[0], &problem.faces[1]};
+}
+
+std::vector<const Face*> measured_faces(const Problem& problem) {
+    std::vector<const Face*> all = rough_faces(problem);
+    std::erase_if(all, [](const Face* one) { return !one->measured; });
+    return all;
+}
+
+bool has_lay(const Problem& problem) {
+    const std::vector<const Face*> measured = measured_faces(problem);
+    return std::any_of(measured.begin(), measured.end(),
+                       [](const Face* face) { return parts::is_profile_with_lay(*face->measured); });
+}
+
+std::optional<double> gradient(const Problem& problem) {
+    const Face& face = problem.face;
+    if (face.has_own_gradient()) return face.rms_gradient;
+    if (face.has_peaks())
+        if (const auto of_own = parts::rms_gradient(
+                face.roughness(), PeakDistribution(face.parameters.r->value, face.parameters.theta->value)))
+            return of_own;
+    if (face.rms_gradient) return face.rms_gradient;
+    if (lack_of_spectrum(face) == Lack::nothing) return std::sqrt(2 * spectral_moments(face).m2);
+    std::optional<double> of_peaks;
+    for (const Peaks& peaks : problem.peaks)
+        if (const auto one = parts::rms_gradient(face.roughness(), peak_density(peaks))) of_peaks = one;
+    return of_peaks;
+}
+
+Interaction<double> interaction(const Problem& problem) {
+    Interaction<double> result;
+    result.reading = problem.reading;
+    if (result.reading != InteractionReading::none)
+        result.length = problem.length == InteractionLength::nominal
+                            ? parts::interaction_length_of_area(*problem.nominal_area)
+                        : problem.length == InteractionLength::peak_spacing
+                            ? parts::interaction_length_of_peaks(problem.face.parameters.peak_density.value)
+                            : problem.given_length;
+    return result;
+}
+
+double hardness_of(const Problem& problem) {
+    return problem.hardness.value_or(parts::hardness_over_yield_strength<double> * problem.yield_strength.value_or(0));
+}
+
+std::optional<double> relative_hardness(const Problem& problem) {
+    const std::optional<double> g = gradient(problem);
+    if (!g || (!problem.hardness && !problem.yield_strength)) return std::nullopt;
+    const double relative = hardness_of(problem) / (problem.effective_modulus * *g);
+    const bool known = !problem.one_hardness || relative < parts::flowing_hardness;  // the other one may be softer
+    return known && std::isfinite(relative) ? std::optional(relative) : std::nullopt;
+}
+
+bool flows(const Problem& problem, const Law& law) {
+    return law.needs_hardness || law.needs_yield || (law.needs_whole_map && problem.law_options.hardness > 0);
+}
+
+Lack lack_of_spectrum(const Face& face) {
+    if (face.map && face.spectrum_of_map) {
+        if (missing_points(*face.map) > 0) return Lack::points;
+        return !face.map->spectra                          ? Lack::small_map
+               : face.map->summits.front().summits.empty() ? Lack::summits
+                                                           : Lack::nothing;
+    }
+    if (!face.has_radius_and_density() && !(face.rms_gradient && face.alpha)) return Lack::moments;
+    const SpectralMoments<double> moments = spectral_moments(face);
+    const double alpha = moments.bandwidth();
+    for (const double of : {moments.m0, moments.m2, moments.m4, alpha})
+        if (!(of > 0) || !std::isfinite(of)) return Lack::range;
+    return alpha > 1.5 ? Lack::nothing : Lack::alpha;
+}
+
+Lack lack_of(const Law& law, const Problem& problem, bool at_separations) {
+    const Face& face = problem.face;
+    if (at_separations && !parts::has(law.quantities, Quantity::separation)) return Lack::separation;
+    if (law.needs_radius() && !face.has_radius_and_density()) return Lack::peaks;
+    if (law.needs_map && !face.map) return problem.faces.empty() ? Lack::map : Lack::sum_of_maps;
+    if (law.needs_summits && face.map->summits.front().summits.empty()) return Lack::summits;
+    if (law.needs_whole_map) {
+        if (missing_points(*face.map) > 0) return Lack::points;
+        for (const auto& map : face.map->maps)
+            if (std::min(map->rows(), map->columns()) < 16) return Lack::side;
+    }
+    if (law.needs_spectrum)
+        if (const Lack lack = lack_of_spectrum(face); lack != Lack::nothing) return lack;
+    if (law.needs_hardness && !problem.hardness && !problem.yield_strength) return Lack::hardness;
+    return law.needs_yield && !problem.yield_strength ? Lack::yield_strength : Lack::nothing;
+}
+
+std::vector<Peaks> peaks_of(const Law& law, const Problem& problem) {
+    if (!law.has_peaks) return {};
+    if (!problem.default_peaks || law.needs_dimension || !has_isotropic_peaks(problem.face)) return problem.peaks;
+    const auto peaks = PeakDistribution<double>::isotropic(spectral_moments(problem.face).bandwidth());
+    return {{.theta = peaks.theta(), .r = peaks.r(), .key = "contact.peaks."}};
+}
+
+void for_each_contact(const Problem& problem, const std::vector<const Law*>& laws, const ProgressHook& progress,
+                      const std::function<void(const ContactOfLaw&)>& visit) {
+    const Face& face = problem.face;
+    ContactInputs inputs{.surface = face.roughness(),
+                         .effective_modulus = problem.effective_modulus,
+                         .fractal_dimension = face.dimension().value_or(0),
+                         .interaction = interaction(problem),
+                         .options = problem.law_options,
+                         .moments = spectral_moments(face),
+                         .hurst = hurst_exponent(face),
+                         .map = face.map.get(),
+                         .spectrum_of_map = face.spectrum_of_map,
+                         .bearing = face.bearing.get(),
+                         .similar = problem.similar.get(),
+                         .material = {.effective_modulus = problem.effective_modulus,
+                                      .yield_strength = problem.yield_strength.value_or(0),
+                                      .poisson_ratio = problem.softer_poisson,
+                                      .hardness = problem.hardness.value_or(0)},
+                         .progress = progress};
+    for (const Law* law : laws) {
+        const auto make = [&] { return law->contact(inputs); };
+        if (!law->has_peaks) visit({.law = law, .make = make});
+        for (const Peaks& of : peaks_of(*law, problem)) {
+            const PeakDistribution<double> peaks = peak_density(of);
+            inputs.peaks = &peaks;
+            visit({law, peaks.theta(), peaks.r(), make});
+        }
+    }
+}
+
+std::vector<ContactPoint<double>> points_of(const Request& request, const Law& law, const AnyContact& contact,
+                                            Quantity quantities, const ProgressHook& progress) {
+    const std::size_t part = law.varies ? 64 : 1;
+    std::vector<ContactPoint<double>> points;
+    for (std::span<const double> rest = request.points; !rest.empty();) {
+        if (progress) progress("points", request.points.size() - rest.size(), request.points.size());
+        const auto some = rest.first(std::min(part, rest.size()));
+        const auto more =
+            request.at_separations ? contact.at_separations(some, quantities) : contact.at_pressures(some, quantities);
+        points.insert(points.end(), more.begin(), more.end());
+        rest = rest.subspan(some.size());
+    }
+    return points;
+}
+
+}  // namespace fstiff::scene
