@@ -162,11 +162,13 @@
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/measured/unmeasured_waves.hpp>
 #include <fstiff/measured/widened_band.hpp>
-#include <fstiff/validity/answer.hpp>
-#include <fstiff/validity/checks.hpp>
-#include <fstiff/validity/law_error.hpp>
-#include <fstiff/validity/law_name.hpp>
 #include <fstiff/fit/difference_fit.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>
 #include <fstiff/fit/identify.hpp>
+#include <fstiff/answer/any_contact.hpp>
+#include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/joint.hpp>
+#include <fstiff/answer/law_error.hpp>
+#include <fstiff/answer/law_name.hpp>

@@ -2,8 +2,6 @@
 #include "scene/explanation.hpp"
 
 #include "document/shown_unit.hpp"
-#include "scene/answer.hpp"
-#include "scene/priors.hpp"
 
 #include <fstiff/measured/unmeasured_waves.hpp>
 

@@ -7,9 +7,9 @@
 #include "document/shown_unit.hpp"
 #include "scene/results.hpp"
 
+#include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/checks.hpp>
 #include <fstiff/asperity/mindlin.hpp>
-#include <fstiff/validity/answer.hpp>
-#include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 #include "scene/one_contact.hpp"
 
 #include "document/file.hpp"
-#include "scene/priors.hpp"
 
 #include <fstiff/measured/uncertain_sum.hpp>
 

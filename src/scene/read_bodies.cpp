@@ -4,7 +4,7 @@
 
 #include "document/shown_unit.hpp"
 
-#include <fstiff/validity/checks.hpp>
+#include <fstiff/answer/checks.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,22 +14,9 @@
 namespace fstiff::scene {
 namespace {
 
-/// Properties that decide which body is the softer one.
-struct Strength {
-    std::optional<double> yield, hardness;
-    double poisson = 0;
-    /// Hardness, given or by Tabor's factor 2.8 (1951); infinite where it is unknown.
-    [[nodiscard]] double resistance() const {
-        return hardness ? *hardness
-               : yield  ? parts::hardness_over_yield_strength<double> * *yield
-                        : std::numeric_limits<double>::infinity();
-    }
-};
-
 /// A body of [material].
 struct ReadBody {
-    Material<double> material{};
-    Strength strength{};
+    fstiff::Body body{};
     std::optional<double> thermal{}, electrical{};  ///< conductivities
     const parts::NamedMaterial* name = nullptr;
 };
@@ -59,27 +46,27 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     ReadBody read;
     if (const toml::node* name = node.is_string() ? &node : body.find("name"))
         read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
-    if (read.name) read.material = read.name->elastic;
+    if (read.name) read.body.elastic = read.name->elastic;
     if (!read.name && !body.find("youngs_modulus"))
         static_cast<void>(
             body.at("youngs_modulus", "is missing; add name = \"steel\" or another material, or give it"));
     if (read.name && !body.find("youngs_modulus"))
-        record_of_name(source, body.key("youngs_modulus"), *read.name, read.material.youngs_modulus, "Pa");
+        record_of_name(source, body.key("youngs_modulus"), *read.name, read.body.elastic.youngs_modulus, "Pa");
     else
-        read.material.youngs_modulus = body.positive("youngs_modulus", Dimension::pressure);
+        read.body.elastic.youngs_modulus = body.positive("youngs_modulus", Dimension::pressure);
     if (read.name && !body.find("poisson_ratio")) {
-        record_of_name(source, body.key("poisson_ratio"), *read.name, read.material.poisson_ratio, "");
+        record_of_name(source, body.key("poisson_ratio"), *read.name, read.body.elastic.poisson_ratio, "");
     } else {
         const toml::node& nu = body.at("poisson_ratio");
-        read.material.poisson_ratio = source.number(nu, body.key("poisson_ratio"));
+        read.body.elastic.poisson_ratio = source.number(nu, body.key("poisson_ratio"));
         try {
-            (void)effective_modulus(read.material, read.material);
+            (void)effective_modulus(read.body.elastic, read.body.elastic);
         } catch (const domain_error& error) {
             throw error.with_parameter(body.key(error.parameter())).with_place(source.place(nu));
         }
     }
-    read.strength = {body.optional_positive("yield_strength", Dimension::pressure),
-                     body.optional_positive("hardness", Dimension::pressure), read.material.poisson_ratio};
+    read.body.yield_strength = body.optional_positive("yield_strength", Dimension::pressure);
+    read.body.hardness = body.optional_positive("hardness", Dimension::pressure);
     read.thermal = body.optional_positive("thermal_conductivity", Dimension::thermal_conductivity);
     read.electrical = body.optional_positive("electrical_conductivity", Dimension::electrical_conductivity);
     if (read.name && !read.thermal) read.thermal = read.name->thermal_conductivity;
@@ -89,13 +76,13 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
 
 /// Warns of a hardness or a yield strength that no material has, likely for a unit.
 void warn_of_strength(const ReadBody& body, const char* name, Scene& scene) {
-    const auto [yield, hardness, poisson] = body.strength;
+    const auto& [elastic, yield, hardness] = body.body;
     const std::string place = std::string("material.") + name;
     const auto warn = [&](const char* key, double value, const char* limit, double most, const char* why) {
         scene.warnings.push_back(place + key + " = " + with_unit(value, "Pa", 3) + limit + with_unit(most, "Pa", 3) +
                                  why);
     };
-    const double E = body.material.youngs_modulus;
+    const double E = elastic.youngs_modulus;
     if (hardness && *hardness > E / 5)
         warn(".hardness", *hardness, " is above a fifth of the modulus, ", E / 5, ": a unit is likely wrong");
     if (yield && *yield > E / 10)
@@ -121,28 +108,20 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     const toml::node* second = material.find("lower");
     const ReadBody lower = second ? read_material(source, *second, material.key("lower")) : upper;
     if (!second) source.record("material.lower", "as material.upper (default)");
-    scene.upper = upper.material, scene.lower = lower.material;
-    scene.take_bodies();
+    scene.upper = upper.body.elastic, scene.lower = lower.body.elastic;
     scene.upper_name = upper.name, scene.lower_name = lower.name;
+    take_bodies(upper.body, lower.body, scene);
     if (upper.thermal && lower.thermal) scene.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
     if (upper.electrical && lower.electrical)
         scene.conduction.electrical = joint_conductivity(*upper.electrical, *lower.electrical);
-    const bool is_lower_softer = lower.strength.resistance() < upper.strength.resistance();
-    const Strength& softer = is_lower_softer ? lower.strength : upper.strength;
-    scene.softer_poisson = softer.poisson;
-    scene.hardness = softer.hardness;
-    const auto is_open = [](const ReadBody& body) { return std::isinf(body.strength.resistance()); };
-    if (is_open(upper) != is_open(lower)) {
+    const auto is_open = [](const ReadBody& read) { return !read.body.hardness && !read.body.yield_strength; };
+    if (scene.one_hardness) {
         const ReadBody& open = is_open(upper) ? upper : lower;
         const bool named = open.name && upper.name != lower.name;
-        scene.one_hardness = true;
         scene.open_body = named ? std::string(open.name->name) : is_open(upper) ? "the upper body" : "the lower body";
     }
     warn_of_strength(upper, "upper", scene);
     if (second) warn_of_strength(lower, "lower", scene);
-    for (const Strength& one : {upper.strength, lower.strength})
-        if (one.yield)
-            scene.yield_strength = scene.yield_strength ? std::min(*scene.yield_strength, *one.yield) : *one.yield;
     if (!assumed) return;
     for (Input& input : source.inputs)
         if (input.key == "material.upper") input.written += " (default)";

@@ -247,6 +247,19 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 
 }  // namespace
 
+double read_angle(Source& source, const toml::node& node, const std::string& key) {
+    if (node.is_string()) {
+        const double angle = source.located(node, [&] { return io::parse_angle(written(node), key); });
+        source.record(key, written(node), angle, "rad");
+        return angle;
+    }
+    if (!node.is_number())
+        source.refuse(node, key, "must be a number of radians or a text such as \"pi/4\" or \"45 deg\"");
+    const double angle = source.number(node, key);
+    source.inputs.back().unit = "rad";
+    return angle;
+}
+
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     for (const LawName law : laws_with_options())
         if (is_shared(law)) read_law_options(source, root, law, scene);

@@ -2,7 +2,6 @@
 #include "scene/readers.hpp"
 
 #include "document/file.hpp"
-#include "scene/priors.hpp"
 #include "surface/surface_option_table.hpp"
 
 #include <algorithm>
@@ -320,26 +319,14 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
 }
 
 /// The face of \p measured, the only one of \p scene.
-void take_surface(const Measured& measured, Scene& scene) {
+void take_surface(Source& source, const Measured& measured, Scene& scene) {
+    record_measured(source, *measured, "surface");
     scene.face = face_of_measured(measured);
     fill_unknown(scene.face, false);
     scene.measured = {measured};
 }
 
 }  // namespace
-
-double read_angle(Source& source, const toml::node& node, const std::string& key) {
-    if (node.is_string()) {
-        const double angle = source.located(node, [&] { return io::parse_angle(written(node), key); });
-        source.record(key, written(node), angle, "rad");
-        return angle;
-    }
-    if (!node.is_number())
-        source.refuse(node, key, "must be a number of radians or a text such as \"pi/4\" or \"45 deg\"");
-    const double angle = source.number(node, key);
-    source.inputs.back().unit = "rad";
-    return angle;
-}
 
 void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress) {
     MeasureOptions options;
@@ -355,14 +342,12 @@ void read_file_of_surface(Source& source, const std::string& file, Scene& scene,
         throw domain_error(std::string(error.what()) + "; --surface reads the JSON that fstiff measure prints");
     }
     source.record("surface.from", display_name(file) + " (--surface)");
-    record_measured(source, *measured, "surface");
-    take_surface(measured, scene);
+    take_surface(source, measured, scene);
 }
 
 void take_surface_in_place(Source& source, const MeasuredSurface& measured, Scene& scene) {
     source.record("surface.from", measured.file + " (measured before)");
-    record_measured(source, measured, "surface");
-    take_surface(std::make_shared<const MeasuredSurface>(measured), scene);
+    take_surface(source, std::make_shared<const MeasuredSurface>(measured), scene);
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {

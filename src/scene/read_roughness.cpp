@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Height and gradient of [surface] by the names that drawings and instruments have for them.
 #include "document/file.hpp"
-#include "scene/priors.hpp"
 #include "scene/readers.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from its text: the sections in turn, what they leave in doubt, and what is computed of them.
 #include "document/file.hpp"
-#include "scene/priors.hpp"
 #include "scene/readers.hpp"
 
 #include <algorithm>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/result_rows.hpp"
 
-#include "scene/answer.hpp"
 #include "scene/explanation.hpp"
 #include "surface/documents.hpp"
 
-#include <fstiff/validity/checks.hpp>
+#include <fstiff/answer/checks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +67,7 @@ Heading heading_of(const Column& column, const Units& units) {
     return {};
 }
 
-Rows rows_of(const Scene& scene, const Curve& curve, const Units& units) {
+Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     Rows rows;
     const std::size_t size = curve.states.size();
     std::vector<std::string_view> laws;
@@ -83,7 +82,7 @@ Rows rows_of(const Scene& scene, const Curve& curve, const Units& units) {
         if (column.quantity == CurveQuantity::pressure && curve.rms_gradient) {
             std::vector<double> relative;
             for (const double p : column.values)
-                relative.push_back(parts::dimensionless_pressure(p, scene.effective_modulus, *curve.rms_gradient));
+                relative.push_back(parts::dimensionless_pressure(p, results.modulus, *curve.rms_gradient));
             rows.add({"", "p*", 1, 3}, relative);
         } else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value) {
             rows.add({"", "K/A0 [Pa/m]", 1, 6}, column.values);
@@ -181,7 +180,7 @@ Json run_document(const Scene& scene, const Results& results) {
     for (const Law* law : scene.laws)
         laws[law->name] = {{"load", law->load}, {"stiffness", law->stiffness}, {"peaks", law->peaks}};
     Json& rows = document["rows"] = Json::array();
-    for (const Curve& curve : results.curves) rows_of(scene, curve).append_to(rows);
+    for (const Curve& curve : results.curves) rows_of(results, curve).append_to(rows);
     return document;
 }
 

@@ -26,7 +26,7 @@ struct Units {
 /// How people read \p column; one that is not for them is in CSV and JSON alone.
 [[nodiscard]] Heading heading_of(const Column& column, const Units& units);
 /// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.
-[[nodiscard]] Rows rows_of(const Scene& scene, const Curve& curve, const Units& units = {});
+[[nodiscard]] Rows rows_of(const Results& results, const Curve& curve, const Units& units = {});
 
 /// Point \p i of \p scene for people: "10 MPa", "20 kN, 100 MPa" of a force, "0.5 µm" of a separation.
 [[nodiscard]] std::string shown_point(const Scene& scene, std::size_t i);

@@ -8,7 +8,7 @@
 //         for (const Column& column : curve.columns) use(curve.law->name, column.key(), column.values);
 
 #include "scene/column.hpp"
-#include "scene/curves.hpp"
+#include "scene/joint.hpp"
 #include "scene/scene.hpp"
 
 #include <fstiff/core/progress.hpp>

@@ -3,7 +3,7 @@
 
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/curves.hpp"
+#include "scene/joint.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,10 @@
 
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/answer.hpp"
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 
-#include <fstiff/validity/law_error.hpp>
+#include <fstiff/answer/law_error.hpp>
 
 #include <algorithm>
 #include <string_view>

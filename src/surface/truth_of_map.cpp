@@ -5,7 +5,7 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 
-#include <fstiff/validity/checks.hpp>
+#include <fstiff/answer/checks.hpp>
 
 #include <algorithm>
 #include <cmath>

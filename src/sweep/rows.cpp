@@ -2,7 +2,7 @@
 #include "sweep/rows.hpp"
 
 #include "document/file.hpp"
-#include "scene/law.hpp"
+#include "scene/joint.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>

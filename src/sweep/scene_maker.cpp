@@ -48,7 +48,7 @@ bool is_measured(const toml::table& root) {
 }
 
 /// A contact by its table, for very many points on one surface: [sweep] tabulate = true.
-class Tabulated final : public scene::AnyContact {
+class Tabulated final : public AnyContact {
 public:
     Tabulated(ContactLaw<double> law, double rms_height) : law_(std::move(law)), rms_height_(rms_height) {}
     [[nodiscard]] std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures,
@@ -98,8 +98,8 @@ void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& sce
             }
             constexpr double room = 1e-3;  // so that no end falls out by rounding
             const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
-            made.contact = std::make_shared<const Tabulated>(made.contact->tabulate(wider),
-                                                             scene.face.parameters.rms_height.value);
+            made.contact =
+                std::make_shared<const Tabulated>(made.contact->tabulate(wider), scene.face.parameters.rms_height.value);
         } catch (const domain_error&) {  // no table of this law, or not so far: point by point
         }
     }

@@ -95,7 +95,7 @@ LAYERS = [
     ("only the standard library and Eigen", "include/fstiff/math/root.hpp", "#  include <gsl/gsl_math.h>\n"),
     ("only the standard library and Eigen", "include/fstiff/math/root.hpp", "#include <math.h>\n"),
     ("only the standard library and Eigen", "include/fstiff/math/root.hpp", "#include <scene/scene.hpp>\n"),
-    ("needs a threads library", "include/fstiff/math/root.hpp", "#include <mutex>\n"),
+    ("needs a threads library", "include/fstiff/math/root.hpp", "#include <future>\n"),
     ("must be ASCII", "include/fstiff/math/root.hpp", '// µm\n#include <Eigen/Core>\nauto unit = "µm";\n'),
     ("attributes of one compiler", "include/fstiff/math/root.hpp", "[[gnu::cold]] void refuse();\n"),
     ("must be <layer>/<name>.hpp", "include/fstiff/misc/thing.hpp", "\n"),

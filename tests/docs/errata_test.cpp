@@ -6,7 +6,7 @@
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
-#include <fstiff/validity/checks.hpp>
+#include <fstiff/answer/checks.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

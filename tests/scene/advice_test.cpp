@@ -188,7 +188,7 @@ std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Res
     for (const auto* more : {&results.short_explanation, &results.warnings})
         all.insert(all.end(), more->begin(), more->end());
     if (test::face(read).measured)
-        all.insert(all.end(), test::face(read).measured->warnings.begin(), test::face(read).measured->warnings.end());
+        all.insert(all.end(), test::measured_of(read).warnings.begin(), test::measured_of(read).warnings.end());
     for (const std::string& sentence : all)
         for (const char* words : {"believe", "add \"", "contact.laws", "ecommended"})
             CHECK_FALSE(test::contains(sentence, words));

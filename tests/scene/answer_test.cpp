@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone;
 // the statements of docs/scene.md about it, one by one.
-#include "scene/answer.hpp"
 #include "scene/explanation.hpp"
+#include "scene/joint.hpp"
 
 #include "support/library.hpp"
 
@@ -319,7 +319,8 @@ TEST_CASE("Causes in the band of the answer give no warning, except for laws tha
         CHECK(contains(all, words));
     CHECK_FALSE(best.results.doubtful);
     for (const std::string& sentence : best.results.warnings)  // the document of measure keeps which is which
-        CHECK(std::count(best.of.face.measured->of_file.begin(), best.of.face.measured->of_file.end(), sentence) == 1);
+        CHECK(std::count(test::measured_of(best.of).of_file.begin(), test::measured_of(best.of).of_file.end(),
+                         sentence) == 1);
 }
 
 TEST_CASE("The measurement advised next narrows the band most, and by the printed factor") {

@@ -184,7 +184,7 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     const auto gaussian = stiffnesses(text + "skewness = 0\nkurtosis = 3\n");
     CHECK(found[0] < 0.8 * gaussian[0]);
     // of the JSON of fstiff measure the same as of the file
-    const scene::MeasuredSurface& measured = *skewed.face.measured;
+    const scene::MeasuredSurface& measured = test::measured_of(skewed);
     std::ofstream(folder / "measured.json") << scene::measure_json(*measured.how, measured).str();
     const std::string json = "[surface]\nfrom = \"" + std::string(folder / "measured.json") + "\"\n";
     CHECK(largest_change(stiffnesses(json), found) < 1e-12);

@@ -93,7 +93,7 @@ TEST_CASE("A scene cleans as the command does") {
         "poisson_ratio = 0.3\n[contact]\npressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n",
         folder / "scene.toml");
     REQUIRE(test::face(scene).measured);
-    const std::string decisions = test::joined(test::face(scene).measured->decisions);
+    const std::string decisions = test::joined(test::measured_of(scene).decisions);
     for (const char* words : {"crop: 250 of 400", "mask: 3 of 250", "spikes: 1 of 250", "fill: 4 of 250"})
         CHECK(test::contains(decisions, words));
 }

@@ -71,7 +71,8 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     scene.stiffness = scene.reflection = scene.tangential_stiffness = scene.joint_stiffness = scene.approach = true;
     scene.nominal_area = 2e-4;
     scene.ultrasound = Waves{.frequency = 5e6, .longitudinal = {46e6, 46e6}, .shear = {}};
-    Curve curve{.law = find_law("hertz")};
+    Curve curve;
+    curve.law = find_law("hertz");
     fstiff::ContactState<double> state;
     state.pressure.value = 1e6;
     state.stiffness = {2e14, 1e5, 0};

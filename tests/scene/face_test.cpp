@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the contact sees of one face, of several maps of one face and of two faces. Truth: the definitions, written out;
 // sums over the maps themselves.
-#include "scene/face.hpp"
+#include "scene/joint.hpp"
 
 #include <fstiff/topography/map_spectrum.hpp>
 

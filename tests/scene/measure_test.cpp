@@ -126,9 +126,9 @@ TEST_CASE("A scene takes its surface from a file next to it, from the document o
     CHECK(direct.samples == 400);
     REQUIRE(test::face(direct).measured);
     REQUIRE(test::face(indirect).measured);
-    CHECK(test::face(direct).measured->sha256 == test::face(indirect).measured->sha256);
-    CHECK(test::parsed(measured_document(*test::face(direct).measured))["surface"] ==
-          test::parsed(measured_document(*test::face(indirect).measured))["surface"]);
+    CHECK(test::measured_of(direct).sha256 == test::measured_of(indirect).sha256);
+    CHECK(test::parsed(measured_document(test::measured_of(direct)))["surface"] ==
+          test::parsed(measured_document(test::measured_of(indirect)))["surface"]);
     // the scene's own numbers give way
     const scene::Scene replaced =
         scene::read_scene(numbers + rest + laws, {.name = file, .surface = folder / "measured.json"});

@@ -150,6 +150,10 @@ inline fstiff::scene::Results results_of(const std::string& text, const std::str
 /// The face of \p scene that a smooth one meets.
 inline const fstiff::scene::Face& face(const fstiff::scene::Scene& scene) { return scene.face; }
 inline fstiff::scene::Face& face(fstiff::scene::Scene& scene) { return scene.face; }
+/// The measured surface of a scene with one rough face.
+inline const fstiff::scene::MeasuredSurface& measured_of(const fstiff::scene::Scene& scene) {
+    return *scene.measured.front();
+}
 
 /// CSV output of fstiff run.
 inline std::string csv_of(const fstiff::scene::Results& results) {

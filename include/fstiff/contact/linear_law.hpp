@@ -8,7 +8,7 @@
 /// Reference   Akarapu et al., Phys. Rev. Lett. 106 (2011) 204301; Campana et al., J. Phys. Condens. Matter 23 (2011)
 ///             085001
 /// Units       p [Pa], sigma [m], K [Pa/m] per nominal area
-/// Valid       self-affine Gaussian surfaces, elastic; p* = p/(E g_rms) from 0.008 to 0.12 (validity/checks)
+/// Valid       self-affine Gaussian surfaces, elastic; p* = p/(E g_rms) from 0.008 to 0.12 (answer/checks)
 /// Accuracy    a fifth of K there, a factor of 2 for p* of 0.002 to 0.25 (docs/validation.md,
 ///             tests/docs/validation_test.cpp)
 

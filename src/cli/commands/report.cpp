@@ -13,7 +13,7 @@
 #include "surface/documents.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/validity/checks.hpp>
+#include <fstiff/answer/checks.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -236,11 +236,11 @@ void other_figures(Page& page, const Scene& scene, const Results& results) {
 }
 
 /// Every number, one closed table for each curve.
-void numbers_section(Page& page, const Scene& scene, const Results& results, const Units& units) {
+void numbers_section(Page& page, const Results& results, const Units& units) {
     page.heading("Numbers");
     for (const Curve* curve : shown_curves(results)) {
         page.begin_details(legend_of(*curve) + ": " + std::to_string(curve->states.size()) + " points");
-        page.table(rows_of(scene, *curve, units).table());
+        page.table(rows_of(results, *curve, units).table());
         page.end("details");
     }
 }
@@ -282,9 +282,8 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
 /// The surface with other cut-offs, and its K at the middle point of the scene.
 void scales_section(Page& page, const Scene& scene, const Results& results, const MeasuredSurface& surface) {
     if (!surface.how || surface.how->input.file == "-" || scene.at_separations) return;
-    const scene::ScalesOptions how{.pressure = scene.points[scene.points.size() / 2],
-                                   .modulus = scene.effective_modulus,
-                                   .progress = progress_bar()};
+    const scene::ScalesOptions how{
+        .pressure = scene.points[scene.points.size() / 2], .modulus = scene.effective_modulus, .progress = progress_bar()};
     const scene::Scales scales = scales_of(surface, read_surface_input(surface.how->input), how);
     std::vector<Panel> panels = scales_panels(scales);
     if (panels.empty()) return;
@@ -309,7 +308,7 @@ std::string page_of(const Scene& scene, const Results& results) {
         for (const MeasuredSurface& part : file->parts) measured_section(page, part);
     }
     validity_section(page, scene, results);
-    numbers_section(page, scene, results, units);
+    numbers_section(page, results, units);
     equations_section(page, scene, results);
     return page.str();
 }

@@ -33,7 +33,7 @@ struct Options {
 std::string csv(const Scene& scene, const Results& results) {
     std::string text;
     const auto add = [&](const Curve& curve, int answers) {
-        Rows rows = rows_of(scene, curve);
+        Rows rows = rows_of(results, curve);
         rows.repeat({"answer"}, answers, rows.size());
         text += rows.csv(text.empty());
     };

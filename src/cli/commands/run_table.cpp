@@ -204,7 +204,7 @@ std::string full_table(const Scene& scene, const Results& results) {
     const Units units = units_of(scene, results);
     std::string text = introduction(scene, results);
     for (const Curve& curve : results.curves)
-        text += "\n" + title(curve) + "\n" + rows_of(scene, curve, units).text();
+        text += "\n" + title(curve) + "\n" + rows_of(results, curve, units).text();
     const std::string notes =
         explanations(scene, results) + (scene.real_area ? "mean pressure is that on the real area\n" : "");
     return notes.empty() ? text : text + "\n" + notes;

@@ -8,7 +8,7 @@
 #include "surface/truth_of_map.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/validity/checks.hpp>
+#include <fstiff/answer/checks.hpp>
 
 #include <memory>
 #include <string>

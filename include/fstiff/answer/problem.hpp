@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A joint as the laws take it: the rough face that a smooth one meets, the bodies, the distributions of peaks.
+/// \file
+/// A joint as the laws take it: the rough face that a smooth one meets, the bodies, the distributions of peaks.
 
-#include "scene/face.hpp"
-#include "scene/law.hpp"
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/joint.hpp>
+#include <fstiff/answer/laws.hpp>
 
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/error.hpp>
@@ -17,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// One peak density; the values are checked when the PeakDistribution is made.
 struct Peaks {
@@ -86,6 +88,9 @@ enum class Lack {
     yield_strength
 };
 
+/// Takes the elastic constants, the hardness and the yield strength of both bodies. \throws domain_error for a modulus
+/// or a Poisson's ratio out of range.
+void take_bodies(const Body& upper, const Body& lower, Problem& problem);
 /// The faces that were pressed together, and those of them that were measured.
 [[nodiscard]] std::vector<const Face*> rough_faces(const Problem& problem);
 [[nodiscard]] std::vector<const Face*> measured_faces(const Problem& problem);
@@ -129,13 +134,13 @@ void for_each_contact(const Problem& problem, const std::vector<const Law*>& law
                                                           const AnyContact& contact, Quantity quantities,
                                                           const ProgressHook& progress = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 /// A given length is written as such.
 template <>
-inline constexpr auto names<scene::InteractionLength> = name_list<scene::InteractionLength>(
-    {{scene::InteractionLength::nominal, "nominal"}, {scene::InteractionLength::peak_spacing, "peak_spacing"}});
+inline constexpr auto names<detail::InteractionLength> = name_list<detail::InteractionLength>(
+    {{detail::InteractionLength::nominal, "nominal"}, {detail::InteractionLength::peak_spacing, "peak_spacing"}});
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/any_contact.hpp"
+#pragma once
+/// \file
+/// The functions of answer/laws.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/double/integrals.hpp>
-#include <fstiff/double/surfaces.hpp>
-
+#include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/held_contacts.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
@@ -13,17 +14,26 @@
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/validity/checks.hpp>
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace fstiff::scene {
-namespace {
+namespace fstiff::inline v0_1 {
 
-RoughContactOptions<double> options_of(const ContactInputs& inputs) {
+FSTIFF_INLINE ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
+    throw domain_error(
+        "this law cannot be tabulated: it gives no separation, or each of its points is a solution by boundary "
+        "elements; choose another");
+}
+
+namespace detail {
+
+/// The contacts of each law.
+namespace of_laws {
+
+FSTIFF_INLINE RoughContactOptions<double> options_of(const ContactInputs& inputs) {
     RoughContactOptions<double> options;
     options.interaction = inputs.interaction;
     return options;
@@ -32,9 +42,11 @@ RoughContactOptions<double> options_of(const ContactInputs& inputs) {
 // one contact and one fit are compiled for all three elastic laws
 using LawOfDimension = parts::ElasticLaw<double> (*)(double dimension);
 
-parts::ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
-parts::ElasticLaw<double> fractal_consistent(double dimension) { return FractalConsistentLaw<double>(dimension); }
-parts::ElasticLaw<double> hertz(double) { return HertzLaw<double>{}; }
+FSTIFF_INLINE parts::ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
+FSTIFF_INLINE parts::ElasticLaw<double> fractal_consistent(double dimension) {
+    return FractalConsistentLaw<double>(dimension);
+}
+FSTIFF_INLINE parts::ElasticLaw<double> hertz(double) { return HertzLaw<double>{}; }
 
 /// A contact of joint peaks with the asperity law that \p of_dimension makes of the fractal dimension.
 template <LawOfDimension of_dimension>
@@ -48,13 +60,13 @@ Identification<double> fitted(const FitInputs& inputs) {
     return identify(inputs.data, inputs.wanted, inputs.start, of_dimension, inputs.options);
 }
 
-std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
     return held(GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, parts::Heights::gaussian,
                                             options_of(inputs)));
 }
 
 /// Persson's contact of the spectrum.
-PerssonContact<double> of_spectrum(const ContactInputs& inputs) {
+FSTIFF_INLINE PerssonContact<double> of_spectrum(const ContactInputs& inputs) {
     return inputs.map && inputs.spectrum_of_map
                ? PerssonContact<double>(inputs.map->spectrum(inputs.options.edges), inputs.effective_modulus,
                                         inputs.options.gamma)
@@ -62,7 +74,7 @@ PerssonContact<double> of_spectrum(const ContactInputs& inputs) {
                                         inputs.options.gamma);
 }
 
-std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(of_spectrum(inputs)); }
+FSTIFF_INLINE std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(of_spectrum(inputs)); }
 
 /// The mean of what \p make makes of the summits of every shift and its number.
 template <class Make>
@@ -74,7 +86,7 @@ std::unique_ptr<AnyContact> over_shifts(const ContactInputs& inputs, const Make&
 }
 
 /// The crowded contact of one shift by its bearing curve.
-parts::BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
+FSTIFF_INLINE parts::BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
     return map.bearings
         ->contact(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
@@ -82,7 +94,7 @@ parts::BearingContact<double> crowded(const ContactInputs& inputs, std::size_t s
         .over_rms_height(map.rms_height());
 }
 
-std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
     if (!inputs.options.mutual)
         return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
             return SummitContact<double>(of, inputs.effective_modulus);
@@ -93,7 +105,7 @@ std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
 }
 
 /// The hybrid law of one shift of a map, and of numbers.
-auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
+FSTIFF_INLINE auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
     SummitContact<double> peaks(of, inputs.effective_modulus);
     parts::BearingContact<double> crowded_contact = crowded(inputs, shift);
@@ -111,7 +123,7 @@ std::unique_ptr<AnyContact> of_hybrid_of_numbers(const ContactInputs& inputs, co
     return held(make(hybrid_of_band(band, *inputs.bearing, inputs.effective_modulus, inputs.options.gamma)));
 }
 
-std::unique_ptr<AnyContact> hybrid_of_numbers(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid_of_numbers(const ContactInputs& inputs) {
     return of_hybrid_of_numbers(inputs, [](auto&& contact) { return std::move(contact); });
 }
 
@@ -121,7 +133,7 @@ struct Itself {
     static double pressure(double p, double) { return p; }
 };
 
-std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
     if (!inputs.map || !inputs.spectrum_of_map) {
         if (!inputs.similar) return hybrid_of_numbers(inputs);
         return std::make_unique<QuickContact<Itself>>(inputs, hybrid_of_numbers, Itself());
@@ -131,7 +143,7 @@ std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
 }
 
 /// Yielded peaks, from numbers: the cut of a Gaussian surface.
-parts::GaussianCut<double> gaussian_cut(const ContactInputs& inputs) {
+FSTIFF_INLINE parts::GaussianCut<double> gaussian_cut(const ContactInputs& inputs) {
     return {std::sqrt(inputs.moments.m0), std::sqrt(2 * inputs.moments.m2), inputs.effective_modulus};
 }
 
@@ -149,7 +161,7 @@ struct Flowing {
     }
 };
 
-std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs& inputs) {
     return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
         return PlasticContact(std::move(contact), gaussian_cut(inputs), inputs.material.hardness_or_default(),
                               inputs.effective_modulus, std::sqrt(2 * inputs.moments.m2));
@@ -157,7 +169,7 @@ std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs& inputs) {
 }
 
 /// The same; of a map with the cut of the map itself.
-std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     const double hardness = inputs.material.hardness_or_default(), E = inputs.effective_modulus;
     if (!inputs.map || !inputs.spectrum_of_map) {
         if (!inputs.similar) return plastic_of_numbers(inputs);
@@ -173,7 +185,7 @@ std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     });
 }
 
-std::unique_ptr<AnyContact> plastic_peaks(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_peaks(const ContactInputs& inputs) {
     const double hardness = inputs.material.hardness_or_default();
     PlasticMaterial<double> material = inputs.material;  // omega_c of Kogut and Etsion, which follows from H alone
     material.effective_modulus = inputs.effective_modulus;
@@ -222,11 +234,11 @@ private:
     double rms_height_;
 };
 
-std::unique_ptr<AnyContact> proportional(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> proportional(const ContactInputs& inputs) {
     return std::make_unique<ProportionalToPressure>(inputs.surface.rms_height);
 }
 
-std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
+FSTIFF_INLINE std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
     const LawOptions& of = inputs.options;
     std::vector<BoundaryElementContact<double>> of_shifts;
     for (const auto& map : inputs.map->maps)
@@ -237,10 +249,10 @@ std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
     return mean_over(std::move(of_shifts));
 }
 
-constexpr Quantity without_contacts = Quantity::pressure | Quantity::separation | Quantity::stiffness |
-                                      Quantity::real_area_fraction | Quantity::loading_stiffness;
+inline constexpr Quantity without_contacts = Quantity::pressure | Quantity::separation | Quantity::stiffness |
+                                             Quantity::real_area_fraction | Quantity::loading_stiffness;
 
-const std::array<Law, 13> table{{
+inline const std::array<Law, 13> table{{
     {.which = LawName::fractal,
      .nature = "as printed in the paper: K is not the slope of the load (docs/errata.md)",
      .needs_dimension = true,
@@ -357,37 +369,32 @@ const std::array<Law, 13> table{{
      .holds_when_crowded = true},
 }};
 
-}  // namespace
+}  // namespace of_laws
 
-ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
-    throw domain_error(
-        "this law cannot be tabulated: it gives no separation, or each of its points is a solution by boundary "
-        "elements; choose another");
-}
+FSTIFF_INLINE std::span<const Law> laws() { return of_laws::table; }
 
-std::span<const Law> laws() { return table; }
-
-std::vector<std::string_view> law_names() {
+FSTIFF_INLINE std::vector<std::string_view> law_names() {
     const auto words = parts::choices<LawName>();
     return {words.begin(), words.end()};
 }
 
-std::vector<std::string_view> fitted_law_names() {
+FSTIFF_INLINE std::vector<std::string_view> fitted_law_names() {
     std::vector<std::string_view> names;
-    for (const Law& law : table)
+    for (const Law& law : of_laws::table)
         if (law.varies) names.push_back(law.name);
     return names;
 }
 
-Identification<double> fit_curve(const FitInputs& inputs, const parts::CurveOfParameters<double>& curve) {
+FSTIFF_INLINE Identification<double> fit_curve(const FitInputs& inputs, const parts::CurveOfParameters<double>& curve) {
     return parts::identify_by_differences(inputs.data, inputs.wanted, inputs.start, curve, inputs.options);
 }
 
-const Law& find_law(LawName name) { return table[static_cast<std::size_t>(name)]; }
+FSTIFF_INLINE const Law& find_law(LawName name) { return of_laws::table[static_cast<std::size_t>(name)]; }
 
-const Law* find_law(std::string_view name) {
+FSTIFF_INLINE const Law* find_law(std::string_view name) {
     const auto found = parts::find_named<LawName>(name);
     return found ? &find_law(*found) : nullptr;
 }
 
-}  // namespace fstiff::scene
+}  // namespace detail
+}  // namespace fstiff::inline v0_1

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The answer: one K for each point, by the law that holds there, with the causes of its band.
+/// \file
+/// The answer: one K for each point, by the law that holds there, with the causes of its band.
 
-#include "scene/curves.hpp"
+#include <fstiff/answer/curves.hpp>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// In which form the laws have the surface.
 [[nodiscard]] parts::KnownAs known_as(const Problem& problem);
@@ -18,4 +19,4 @@ void seat(const Request& request, const AnyContact& contact, LawCurve& curve);
 [[nodiscard]] AnswerFacts make_answer(const Problem& problem, const Request& request, LawCurve& curve,
                                       const ProgressHook& progress);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

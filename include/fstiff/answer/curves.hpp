@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The curves of a joint: of laws that are named, each with its band, and of the answer, with the causes of its band.
+/// \file
+/// The curves of a joint: of laws that are named, each with its band, and of the answer, with the causes of its band.
 
-#include "scene/problem.hpp"
+#include <fstiff/answer/problem.hpp>
 
+#include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/checks.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/measured/band_parts.hpp>
-#include <fstiff/validity/answer.hpp>
-#include <fstiff/validity/checks.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -16,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// Why a law has no state at a point.
 enum class Miss {
@@ -106,4 +107,4 @@ struct MadeContact {
 [[nodiscard]] Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress = {},
                                const std::vector<MadeContact>* made = nullptr);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/priors.hpp"
+#pragma once
+/// \file
+/// The functions of answer/unknowns.hpp: inline, or compiled in fstiff::double.
+
+#include <fstiff/answer/unknowns.hpp>
 
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/height_shape.hpp>
@@ -8,14 +12,13 @@
 #include <cmath>
 #include <utility>
 
-namespace fstiff::scene {
-namespace {
+namespace fstiff::inline v0_1::detail {
 
 using parts::PriorRange;
 using parts::Unknown;
 
 /// Gradient and alpha, as far as they are not known.
-void fill_spectrum(Face& face) {
+FSTIFF_INLINE void fill_spectrum(Face& face) {
     const parts::ProcessPrior& prior = parts::prior_of(face.process);
     const bool has_radius = !face.radius_follows, has_density = !face.density_follows;
     const Roughness<double> of = face.roughness();
@@ -38,7 +41,7 @@ void fill_spectrum(Face& face) {
     face.priors.push_back({Unknown::alpha, prior.alpha.low, prior.alpha.high, Origin::process, prior.alpha});
 }
 
-void fill_hurst(Face& face) {
+FSTIFF_INLINE void fill_hurst(Face& face) {
     if (face.hurst || face.dimension()) return;
     const PriorRange& prior = parts::prior_of(face.process).hurst;
     const double middle = hurst_exponent(face);  // no less than the width of what was measured allows
@@ -48,7 +51,7 @@ void fill_hurst(Face& face) {
 }
 
 /// Skewness and kurtosis: of a trace what their errors leave open, of numbers those of the process.
-void fill_shape(Face& face) {
+FSTIFF_INLINE void fill_shape(Face& face) {
     const double away = math::normal_95<double>.value;
     if (face.measured) {
         if (!face.heights || face.heights->kurtosis.value == 0) return;  // 0: a document without it
@@ -66,9 +69,7 @@ void fill_shape(Face& face) {
     face.priors.push_back({Unknown::kurtosis, kurtosis.low, kurtosis.high, Origin::process, kurtosis});
 }
 
-}  // namespace
-
-void fill_unknown(Face& face, bool shape_known) {
+FSTIFF_INLINE void fill_unknown(Face& face, bool shape_known) {
     if (face.measured && !face.has_radius_and_density() && !(face.rms_gradient && face.alpha)) return;
     fill_spectrum(face);
     face.follow();
@@ -76,7 +77,7 @@ void fill_unknown(Face& face, bool shape_known) {
     if (!shape_known) fill_shape(face);
 }
 
-Face with_value(Face face, Unknown which, double value) {
+FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
     const auto set_shape = [&](double skewness, double kurtosis) {
         skewness = std::clamp(skewness, -2.5, 2.5);
         face.set_shape(
@@ -97,7 +98,7 @@ Face with_value(Face face, Unknown which, double value) {
     return face;
 }
 
-Face with_measured(Face face, Unknown which) {
+FSTIFF_INLINE Face with_measured(Face face, Unknown which) {
     std::erase_if(face.priors, [which](const Prior& one) {
         return one.which == which || (parts::is_of_shape(one.which) && parts::is_of_shape(which));
     });
@@ -109,14 +110,15 @@ Face with_measured(Face face, Unknown which) {
     return face;
 }
 
-bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face, Unknown which) {
+FSTIFF_INLINE bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
+                           Unknown which) {
     if (which == Unknown::height) return true;
     if (std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
     return !parts::is_of_shape(which) && which != Unknown::hurst &&
            (face.radius_follows || face.density_follows || (problem.default_peaks && has_isotropic_peaks(face)));
 }
 
-std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
+FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
     std::vector<Alternative> all;
     if (problem.face.map && problem.face.spectrum_of_map) return all;
     const auto add = [&](const Face& face, const auto& as_whole) {
@@ -134,4 +136,4 @@ std::vector<Alternative> alternatives(const Problem& problem, const std::vector<
     return all;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The spectra of maps, their crowded contacts by their bearing curves, and their highest points. They cost a sort and a
-// transform of each map, so that they are made when a law first asks for them; all copies of a surface share them.
+/// \file
+/// The spectra of maps, their crowded contacts by their bearing curves, and their highest points. They cost a sort and
+/// a transform of each map, so that they are made when a law first asks for them; all copies of a surface share them.
 
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hand_over.hpp>
@@ -23,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
 [[nodiscard]] std::shared_ptr<const parts::BearingSlope<double>> bearing_of_shape(
@@ -71,4 +72,4 @@ private:
     mutable std::map<std::tuple<std::size_t, Edges, double>, parts::MapCut<double>> cuts_;
 };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Numbers of a face that are not given: assumed values, their uncertainty, and its effect on K.
+/// \file
+/// Numbers of a face that are not given: assumed values, their uncertainty, and its effect on K.
 
-#include "scene/problem.hpp"
+#include <fstiff/answer/problem.hpp>
 
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// Gives \p face, whose rms height is known, the numbers that a spectrum needs beyond those it has, by its process,
 /// with a prior for each; the shape of the heights too unless \p shape_known. R or D_p that is not known follows.
@@ -30,4 +31,4 @@ struct Alternative {
 /// Unknowns that one of \p laws depends on; none where the laws take the spectrum of a map.
 [[nodiscard]] std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/face.hpp"
+#pragma once
+/// \file
+/// The functions of answer/face.hpp: inline, or compiled in fstiff::double.
 
+#include <fstiff/answer/face.hpp>
+
+#include <fstiff/answer/checks.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
-#include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace fstiff::scene {
-namespace {
+namespace fstiff::inline v0_1::detail {
 
 /// The shells of both, in ascending order of |q|.
-SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const SpectrumShells<double>& b) {
+FSTIFF_INLINE SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const SpectrumShells<double>& b) {
     SpectrumShells<double> sum{a.shells, std::hypot(a.rms_height, b.rms_height)};
     sum.shells.insert(sum.shells.end(), b.shells.begin(), b.shells.end());
     std::stable_sort(sum.shells.begin(), sum.shells.end(), [](const auto& one, const auto& other) {
@@ -26,7 +29,7 @@ SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const Spe
 }
 
 /// Whether sigma, R and D_p of \p face are those that were measured.
-bool is_as_measured(const Face& face) {
+FSTIFF_INLINE bool is_as_measured(const Face& face) {
     if (!face.measured) return false;
     return std::all_of(parts::parameter_table.begin(), parts::parameter_table.begin() + 3,
                        [&](const parts::ParameterRow& row) {
@@ -35,19 +38,17 @@ bool is_as_measured(const Face& face) {
                        });
 }
 
-}  // namespace
-
-Roughness<double> Face::roughness() const {
+FSTIFF_INLINE Roughness<double> Face::roughness() const {
     return {parameters.rms_height.value, parameters.peak_radius.value, parameters.peak_density.value,
             parameters.max_peak_height.value};
 }
 
-std::optional<double> Face::value(Parameter which) const {
+FSTIFF_INLINE std::optional<double> Face::value(Parameter which) const {
     const Measurement<double>* known = parameters.find(which);
     return known ? std::optional(known->value) : std::nullopt;
 }
 
-bool Face::has_measured_errors() const {
+FSTIFF_INLINE bool Face::has_measured_errors() const {
     return gradient_error > 0 || std::any_of(parts::surface_parameter_table.begin(),
                                              parts::surface_parameter_table.end(), [&](const parts::ParameterRow& row) {
                                                  const auto* known = parameters.find(row.parameter);
@@ -55,7 +56,7 @@ bool Face::has_measured_errors() const {
                                              });
 }
 
-void Face::write(Parameter which, double value) {
+FSTIFF_INLINE void Face::write(Parameter which, double value) {
     write([&](Face& face) {
         face.parameters.set(which, {value, 0});
         if (which == Parameter::rms_height) face.parameters.long_end = {};
@@ -65,16 +66,16 @@ void Face::write(Parameter which, double value) {
     });
 }
 
-void Face::draw(const std::array<double, parts::surface_parameter_count>& drawn) {
+FSTIFF_INLINE void Face::draw(const std::array<double, parts::surface_parameter_count>& drawn) {
     for (const parts::ParameterRow& row : parts::surface_parameter_table)
         if (auto* known = parameters.find(row.parameter)) known->value = drawn[parts::index_of(row.parameter)];
 }
 
-bool Face::is_open(parts::Unknown which) const {
+FSTIFF_INLINE bool Face::is_open(parts::Unknown which) const {
     return std::any_of(priors.begin(), priors.end(), [&](const Prior& one) { return one.which == which; });
 }
 
-void Face::follow() {
+FSTIFF_INLINE void Face::follow() {
     if (!radius_follows && !density_follows) return;
     const double sigma = parameters.rms_height.value;
     SpectralMoments<double> moments;
@@ -93,12 +94,12 @@ void Face::follow() {
     if (density_follows) parameters.peak_density.value = parts::peak_density_of(moments);
 }
 
-void Face::set_shape(const parts::HeightShape<double>& of) {
+FSTIFF_INLINE void Face::set_shape(const parts::HeightShape<double>& of) {
     shape = of;
     bearing = bearing_of_shape(of);
 }
 
-std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r) {
+FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r) {
     using enum ImplausibleGradient::Of;
     std::vector<ImplausibleGradient> all;
     const bool as_measured = face.measured && face.measured->heights && face.rms_gradient &&
@@ -114,7 +115,7 @@ std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double
     return std::nullopt;
 }
 
-SpectralMoments<double> spectral_moments(const Face& face) {
+FSTIFF_INLINE SpectralMoments<double> spectral_moments(const Face& face) {
     const Roughness<double> of = face.roughness();
     if (face.rms_gradient && face.alpha)
         return parts::moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
@@ -125,26 +126,24 @@ SpectralMoments<double> spectral_moments(const Face& face) {
     return moments;
 }
 
-double hurst_exponent(const Face& face) {
+FSTIFF_INLINE double hurst_exponent(const Face& face) {
     if (face.hurst) return *face.hurst;
     const double of_dimension = face.dimension() ? 2 - *face.dimension() : 0.8;
     return std::max(of_dimension, parts::least_hurst(spectral_moments(face), face.widest_band));
 }
 
-bool has_isotropic_peaks(const Face& face) {
+FSTIFF_INLINE bool has_isotropic_peaks(const Face& face) {
     return (face.has_own_gradient() || (face.alpha && !face.rms_gradient)) && spectral_moments(face).bandwidth() > 1.5;
 }
 
-Eigen::Index missing_points(const MapOfSurface& map) {
+FSTIFF_INLINE Eigen::Index missing_points(const MapOfSurface& map) {
     Eigen::Index missing = 0;
     for (const auto& one : map.maps) missing += one->size() - one->present();
     return missing;
 }
 
-namespace {
-
 /// The summits of \p map; where none is above its eight neighbours, because the highest points are equal, one of these.
-Summits<double> summits_or_highest(const HeightMap<double>& map) {
+FSTIFF_INLINE Summits<double> summits_or_highest(const HeightMap<double>& map) {
     Summits<double> found = summits_of(map);
     if (!found.summits.empty() || map.rows() < 5 || map.columns() < 5) return found;
     Eigen::Index j = 0, i = 0;
@@ -161,9 +160,8 @@ Summits<double> summits_or_highest(const HeightMap<double>& map) {
     return found;
 }
 
-}  // namespace
-
-std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
+FSTIFF_INLINE std::shared_ptr<const MapOfSurface> map_of_surface(
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
     MapOfSurface of;
     of.maps = std::move(maps);
     double area = 0;
@@ -187,7 +185,7 @@ std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<c
     return std::make_shared<const MapOfSurface>(std::move(of));
 }
 
-std::string no_sum_of_maps(const Face& upper, const Face& lower) {
+FSTIFF_INLINE std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
     for (const auto& one : upper.map->maps)
         for (const auto& other : lower.map->maps)
@@ -195,10 +193,8 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     return "";
 }
 
-namespace {
-
 /// \p found as the contact sees it.
-Face face_as_found(const Surface<double>& found) {
+FSTIFF_INLINE Face face_as_found(const Surface<double>& found) {
     Face face;
     face.parameters = found;
     face.parameters.profile_fit.reset(), face.parameters.map_fit.reset(), face.parameters.islands.reset();
@@ -224,19 +220,15 @@ Face face_as_found(const Surface<double>& found) {
     return face;
 }
 
-}  // namespace
-
-Face face_of(std::shared_ptr<const Surface<double>> measured) {
+FSTIFF_INLINE Face face_of(std::shared_ptr<const Surface<double>> measured) {
     Face face = face_as_found(*measured);
     face.measured = std::move(measured);
     return face;
 }
 
-namespace {
-
 /// The sum of two faces with the parameters \p of, without maps, neighbours and what was measured.
-Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double>& a, const SpectralMoments<double>& b,
-              parts::SurfaceParameters<double> of) {
+FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double>& a,
+                            const SpectralMoments<double>& b, parts::SurfaceParameters<double> of) {
     const SpectralMoments<double> sum = a + b;
     Face face;
     face.parameters = std::move(of);
@@ -258,15 +250,13 @@ Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double
     return face;
 }
 
-}  // namespace
-
-Face sum_of_numbers(const Face& upper, const Face& lower) {
+FSTIFF_INLINE Face sum_of_numbers(const Face& upper, const Face& lower) {
     const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
     const auto sum = sum_of_faces(parts::rough_face(upper.parameters, a), parts::rough_face(lower.parameters, b));
     return sum_with(upper, lower, a, b, parts::stated(sum));
 }
 
-Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
+FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
     const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
     Face face = sum_with(upper, lower, a, b, parts::uncertain_sum(upper.parameters, a, lower.parameters, b));
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
@@ -297,4 +287,4 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     return face;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -16,8 +16,8 @@
 /// Valid       any p*; the widest of the table where it is NaN
 /// Accuracy    coverage on other kinds and seeds: docs/accuracy.md
 
+#include <fstiff/answer/law_name.hpp>
 #include <fstiff/measured/height_shape.hpp>
-#include <fstiff/validity/law_name.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/validity/law_error.hpp>
+#include <fstiff/answer/law_error.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

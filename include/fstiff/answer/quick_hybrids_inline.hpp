@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/quick_hybrids.hpp"
+#pragma once
+/// \file
+/// The functions of answer/quick_hybrids.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/double/integrals.hpp>
+#include <fstiff/answer/quick_hybrids.hpp>
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
@@ -15,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::scene {
-namespace {
+namespace fstiff::inline v0_1::detail {
 
 /// d of one surface over ln p, an e-fold after the other from 0.7 E g downwards: the integral of p/K by the parabola
 /// through three of its values, and cubics between half e-folds.
@@ -152,13 +153,12 @@ private:
     mutable std::map<std::pair<double, double>, Surface> surfaces_;
 };
 
-}  // namespace
-
-std::shared_ptr<const QuickHybrid> hybrids_of_draws(const parts::BearingSlope<double>* bearing, double gamma) {
+FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_draws(const parts::BearingSlope<double>* bearing,
+                                                                  double gamma) {
     return std::make_shared<const HybridsOfDraws>(bearing, gamma);
 }
-std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma) {
+FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma) {
     return std::make_shared<const HybridsOfNumbers>(gamma);
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/curves.hpp"
+#pragma once
+/// \file
+/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
 
-#include "scene/answer.hpp"
-#include "scene/bands.hpp"
+#include <fstiff/answer/curves.hpp>
+
+#include <fstiff/answer/bands.hpp>
+#include <fstiff/answer/elements.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
 
-namespace fstiff::scene {
-namespace {
+namespace fstiff::inline v0_1::detail {
 
-constexpr Quantity of_answer = Quantity::pressure | Quantity::separation | Quantity::stiffness |
-                               Quantity::real_area_fraction | Quantity::contact_density | Quantity::loading_stiffness;
+inline constexpr Quantity of_answer = Quantity::pressure | Quantity::separation | Quantity::stiffness |
+                                      Quantity::real_area_fraction | Quantity::contact_density |
+                                      Quantity::loading_stiffness;
 
 /// The greatest pressure [Pa] below \p pressure at which \p contact has a state, to 1e-6; 0 where it has none.
-double reach_of(const AnyContact& contact, double pressure) {
+FSTIFF_INLINE double reach_of(const AnyContact& contact, double pressure) {
     const auto has_state = [&](double p) {
         return contact.at_pressures(std::span(&p, 1), Quantity::stiffness).front().ok();
     };
@@ -32,7 +36,8 @@ double reach_of(const AnyContact& contact, double pressure) {
 }
 
 /// Replaces the reason of a law that has no state at a pressure above its states by the limit, where this is known.
-void find_limit(const Problem& problem, const Request& request, const AnyContact& contact, LawCurve& curve) {
+FSTIFF_INLINE void find_limit(const Problem& problem, const Request& request, const AnyContact& contact,
+                              LawCurve& curve) {
     if (request.at_separations || !curve.law->varies || !curve.law->holds_when_crowded) return;
     double greatest = 0;
     for (const auto& state : curve.states) greatest = std::max(greatest, state.pressure.value);
@@ -49,8 +54,8 @@ void find_limit(const Problem& problem, const Request& request, const AnyContact
 
 /// Puts \p points of \p contact into \p curve, as states or as what the law does not reach. A gradient so small that p*
 /// is beyond the range of double precision is as good as unknown.
-void take_points(const Problem& problem, const Request& request, LawCurve& curve, const AnyContact& contact,
-                 const std::vector<ContactPoint<double>>& points) {
+FSTIFF_INLINE void take_points(const Problem& problem, const Request& request, LawCurve& curve,
+                               const AnyContact& contact, const std::vector<ContactPoint<double>>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].ok()) {
             ContactState<double> state = points[i].state;
@@ -74,7 +79,7 @@ void take_points(const Problem& problem, const Request& request, LawCurve& curve
 
 /// d log K/d log p of \p curve, which has its states, over the pressures below each: what the loss factor takes of the
 /// law. None where \p contact has no K there.
-void grow(const AnyContact& contact, LawCurve& curve) {
+FSTIFF_INLINE void grow(const AnyContact& contact, LawCurve& curve) {
     constexpr double share = 0.6;
     std::vector<double> pressures;
     for (const ContactState<double>& state : curve.states) pressures.push_back(share * state.pressure.value);
@@ -87,7 +92,8 @@ void grow(const AnyContact& contact, LawCurve& curve) {
 }
 
 /// The checks of \p curve that mean something of its law.
-std::vector<parts::Check<double>> checks_of(const Problem& problem, const LawCurve& curve, Quantity quantities) {
+FSTIFF_INLINE std::vector<parts::Check<double>> checks_of(const Problem& problem, const LawCurve& curve,
+                                                          Quantity quantities) {
     std::vector<parts::Check<double>> checks =
         parts::check_curve<double>(curve.states,
                                    {.effective_modulus = problem.effective_modulus,
@@ -105,8 +111,8 @@ std::vector<parts::Check<double>> checks_of(const Problem& problem, const LawCur
 }
 
 /// The states of \p begun by \p contact, and what else \p request asks for, but no band.
-LawCurve curve_of(const Problem& problem, const Request& request, LawCurve curve, const AnyContact& contact,
-                  Quantity quantities, const ProgressHook& progress) {
+FSTIFF_INLINE LawCurve curve_of(const Problem& problem, const Request& request, LawCurve curve,
+                                const AnyContact& contact, Quantity quantities, const ProgressHook& progress) {
     const Quantity given =
         static_cast<Quantity>(static_cast<unsigned>(quantities) & static_cast<unsigned>(curve.law->quantities));
     take_points(problem, request, curve, contact, points_of(request, *curve.law, contact, given, progress));
@@ -120,13 +126,14 @@ LawCurve curve_of(const Problem& problem, const Request& request, LawCurve curve
     return curve;
 }
 
-bool has_states(const std::vector<LawCurve>& curves) {
+FSTIFF_INLINE bool has_states(const std::vector<LawCurve>& curves) {
     return std::any_of(curves.begin(), curves.end(), [](const LawCurve& curve) { return !curve.states.empty(); });
 }
 
 /// The curves of \p request, whose laws are named, with their bands.
-void add_curves(const Problem& problem, const Request& request, Quantity quantities, const ProgressHook& progress,
-                const std::vector<MadeContact>* made, std::vector<LawCurve>& curves, std::size_t& failed) {
+FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Quantity quantities,
+                              const ProgressHook& progress, const std::vector<MadeContact>* made,
+                              std::vector<LawCurve>& curves, std::size_t& failed) {
     std::size_t count = 0;
     for (const Law* law : request.laws) count += law->has_peaks ? peaks_of(*law, problem).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves
@@ -149,8 +156,8 @@ void add_curves(const Problem& problem, const Request& request, Quantity quantit
 }
 
 /// The answer of \p request, which names no law.
-void add_answer(Problem problem, Request request, const ProgressHook& progress, const std::vector<MadeContact>* made,
-                Curves& all) {
+FSTIFF_INLINE void add_answer(Problem problem, Request request, const ProgressHook& progress,
+                              const std::vector<MadeContact>* made, Curves& all) {
     request.laws = {&law_of_answer(problem, request.at_separations)};
     std::vector<LawCurve> curves;
     add_curves(problem, request, of_answer, progress, made, curves, all.failed);
@@ -158,9 +165,9 @@ void add_answer(Problem problem, Request request, const ProgressHook& progress, 
     if (!all.answer->states.empty()) all.facts = make_answer(problem, request, *all.answer, progress);
 }
 
-/// The answer beside laws that are named. A band costs more than a curve: of many points it is of those that are
+/// The answer next to laws that are named. A band costs more than a curve: of many points it is of those that are
 /// answered.
-void add_answer_beside(const Problem& problem, Request request, Curves& all) {
+FSTIFF_INLINE void add_answer_to_named(const Problem& problem, Request request, Curves& all) {
     constexpr std::size_t many = 100;
     std::vector<std::size_t> places;
     if (request.points.size() > many) {
@@ -185,15 +192,13 @@ void add_answer_beside(const Problem& problem, Request request, Curves& all) {
     for (MissedPoint& missed : all.answer->missed) missed.place = places[missed.place];
 }
 
-}  // namespace
-
-std::optional<std::size_t> LawCurve::state_at(std::size_t place) const {
+FSTIFF_INLINE std::optional<std::size_t> LawCurve::state_at(std::size_t place) const {
     const auto found = std::lower_bound(places.begin(), places.end(), place);
     if (found == places.end() || *found != place) return std::nullopt;
     return static_cast<std::size_t>(found - places.begin());
 }
 
-void seat(const Request& request, const AnyContact& contact, LawCurve& curve) {
+FSTIFF_INLINE void seat(const Request& request, const AnyContact& contact, LawCurve& curve) {
     const auto point = contact.at_pressures(std::span(&request.seating, 1), Quantity::separation).front();
     if (point.ok())
         curve.seated.assign(curve.states.size(), point.state.separation.value);
@@ -201,8 +206,8 @@ void seat(const Request& request, const AnyContact& contact, LawCurve& curve) {
         curve.not_seated = point.reason;
 }
 
-std::vector<MadeContact> contacts_of(const Problem& problem, const std::vector<const Law*>& laws,
-                                     const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<MadeContact> contacts_of(const Problem& problem, const std::vector<const Law*>& laws,
+                                                   const ProgressHook& progress) {
     std::vector<MadeContact> contacts;
     const std::optional<double> slope = gradient(problem);
     for_each_contact(problem, laws, progress, [&](const ContactOfLaw& of) {
@@ -211,7 +216,7 @@ std::vector<MadeContact> contacts_of(const Problem& problem, const std::vector<c
     return contacts;
 }
 
-const Law& law_of_answer(Problem& problem, bool at_separations) {
+FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
     if (problem.face.map && missing_points(*problem.face.map) > 0)
         problem.face.write([](Face& face) { face.spectrum_of_map = false; });
     parts::AnswerQuestion<double> question{.known = known_as(problem)};
@@ -222,16 +227,16 @@ const Law& law_of_answer(Problem& problem, bool at_separations) {
     return find_law(parts::answering_law(question));
 }
 
-Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,
-                 const std::vector<MadeContact>* made) {
+FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,
+                               const std::vector<MadeContact>* made) {
     Curves all;
     if (request.laws.empty()) {
         add_answer(problem, request, progress, made, all);
         return all;
     }
     add_curves(problem, request, request.quantities, progress, made, all.named, all.failed);
-    if (request.answers && has_states(all.named)) add_answer_beside(problem, request, all);
+    if (request.answers && has_states(all.named)) add_answer_to_named(problem, request, all);
     return all;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A rough face as the contact sees it, and two of them as one.
+/// \file
+/// A rough face as the contact sees it, and two of them as one.
 
-#include "scene/law.hpp"
+#include <fstiff/answer/laws.hpp>
 
 #include <fstiff/measured/measure.hpp>
 #include <fstiff/surface/moments.hpp>
@@ -17,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz
 /// there.
@@ -139,4 +140,4 @@ struct Face {
 /// \throws domain_error where the sum is out of range.
 [[nodiscard]] Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/bands.hpp"
+#pragma once
+/// \file
+/// The functions of answer/bands.hpp: inline, or compiled in fstiff::double.
 
-#include "scene/priors.hpp"
-#include "scene/quick_hybrids.hpp"
+#include <fstiff/answer/bands.hpp>
+
+#include <fstiff/answer/quick_hybrids.hpp>
+#include <fstiff/answer/unknowns.hpp>
 
 #include <fstiff/math/random.hpp>
 #include <fstiff/measured/widened_band.hpp>
@@ -13,8 +17,7 @@
 #include <limits>
 #include <numbers>
 
-namespace fstiff::scene {
-namespace {
+namespace fstiff::inline v0_1::detail {
 
 /// The states of random numbers that a band draws in addition to those of the parameters.
 struct RandomStates {
@@ -22,15 +25,15 @@ struct RandomStates {
 };
 
 /// The rms gradient of \p face drawn by its own error, over what it was; lognormal as rms height.
-double drawn_gradient(const Face& face, std::uint64_t& state) {
+FSTIFF_INLINE double drawn_gradient(const Face& face, std::uint64_t& state) {
     if (!(face.gradient_error > 0)) return 1;
     const double relative = face.gradient_error / *face.rms_gradient;
     return std::exp(std::sqrt(std::log1p(relative * relative)) * math::normal_pair<double>(state).real());
 }
 
 /// \p problem with the surface \p drawn about its own. Of a map the tiles are drawn anew.
-Problem with_surface(Problem problem, const std::array<double, parts::surface_parameter_count>& drawn,
-                     RandomStates& random) {
+FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, parts::surface_parameter_count>& drawn,
+                                   RandomStates& random) {
     Face& face = problem.face;
     const double rms_height = face.parameters.rms_height.value;
     const auto value = [&](Parameter which) { return drawn[parts::index_of(which)]; };
@@ -60,7 +63,7 @@ Problem with_surface(Problem problem, const std::array<double, parts::surface_pa
 }
 
 /// \p problem with a neighbour of its surface.
-Problem with_face(Problem problem, const Face& face) {
+FSTIFF_INLINE Problem with_face(Problem problem, const Face& face) {
     problem.face = face;
     for (Peaks& peaks : problem.peaks)
         if (peaks.of_surface && face.has_peaks())
@@ -68,9 +71,9 @@ Problem with_face(Problem problem, const Face& face) {
     return problem;
 }
 
-/// K at the points of \p request, of which there are many, by a polynomial through ln K at some over ln p or d, in steps of \p unit:
-/// of a law each of whose states is an integral in two dimensions. Empty where a state of those is missing.
-std::vector<double> by_few(Request request, const Law& law, const AnyContact& contact, double unit) {
+/// K at the points of \p request, of which there are many, by a polynomial through ln K at some over ln p or d, in
+/// steps of \p unit: of a law each of whose states is an integral in two dimensions. Empty where a state is missing.
+FSTIFF_INLINE std::vector<double> by_few(Request request, const Law& law, const AnyContact& contact, double unit) {
     const auto x_of = [&](double point) { return request.at_separations ? point : std::log(point); };
     const std::vector<double> wanted = std::move(request.points);
     const auto [least, greatest] = std::minmax_element(wanted.begin(), wanted.end());
@@ -99,7 +102,7 @@ std::vector<double> by_few(Request request, const Law& law, const AnyContact& co
 
 /// K of every curve and point of \p request, one after the other; NaN for a surface that the law does not take, such as
 /// a D next to 2.
-std::vector<double> stiffnesses(const Problem& problem, const Request& request) {
+FSTIFF_INLINE std::vector<double> stiffnesses(const Problem& problem, const Request& request) {
     std::vector<double> all;
     for_each_contact(problem, request.laws, {}, [&](const ContactOfLaw& of) {
         try {
@@ -119,7 +122,7 @@ std::vector<double> stiffnesses(const Problem& problem, const Request& request) 
 }
 
 /// \p problem as it is copied with every surface: with what the laws of \p request take in their quick form.
-Problem lean_problem(const Problem& problem, const Request& request) {
+FSTIFF_INLINE Problem lean_problem(const Problem& problem, const Request& request) {
     Problem lean = problem;
     lean.face.measured.reset();
     lean.face.heights.reset();
@@ -133,7 +136,7 @@ Problem lean_problem(const Problem& problem, const Request& request) {
 }
 
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
-std::vector<std::vector<double>> behind_other_windows(const Problem& lean, const Request& request) {
+FSTIFF_INLINE std::vector<std::vector<double>> behind_other_windows(const Problem& lean, const Request& request) {
     std::vector<std::vector<double>> both;
     const parts::SurfaceParameters<double>& surface = lean.face.parameters;
     if (!surface.fractal_dimension || !(surface.dimension_window_error > 0)) return both;
@@ -147,8 +150,9 @@ std::vector<std::vector<double>> behind_other_windows(const Problem& lean, const
 }
 
 /// K of every curve and point of the surfaces that have one unknown of \p problem at its ends, over that of \p lean.
-std::vector<parts::UnknownCurves<double>> behind_unknowns(const Problem& problem, const std::vector<const Law*>& laws,
-                                                          Problem lean, const Request& request) {
+FSTIFF_INLINE std::vector<parts::UnknownCurves<double>> behind_unknowns(const Problem& problem,
+                                                                        const std::vector<const Law*>& laws,
+                                                                        Problem lean, const Request& request) {
     std::vector<parts::UnknownCurves<double>> all;
     const std::vector<Alternative> others = alternatives(problem, laws);
     if (others.empty()) return all;
@@ -165,8 +169,8 @@ std::vector<parts::UnknownCurves<double>> behind_unknowns(const Problem& problem
 }
 
 /// Bands over the errors of the surface, one for each value of stiffnesses().
-std::vector<parts::SampledBand<double>> drawn_bands(Problem lean, const Request& request,
-                                                    const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<parts::SampledBand<double>> drawn_bands(Problem lean, const Request& request,
+                                                                  const ProgressHook& progress) {
     lean.similar = hybrids_of_draws(lean.face.bearing.get(), lean.law_options.gamma);
     RandomStates random{request.seed, ~request.seed};
     return parts::sampled_band(
@@ -175,10 +179,8 @@ std::vector<parts::SampledBand<double>> drawn_bands(Problem lean, const Request&
         {static_cast<std::size_t>(request.samples), request.seed, progress});
 }
 
-}  // namespace
-
-std::size_t add_bands(const Problem& problem, Request request, std::vector<LawCurve>& curves,
-                      const ProgressHook& progress) {
+FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std::vector<LawCurve>& curves,
+                                    const ProgressHook& progress) {
     const std::vector<const Law*> laws = request.laws;
     std::erase_if(request.laws, [](const Law* law) { return !law->varies; });
     const Problem lean = lean_problem(problem, request);
@@ -222,4 +224,4 @@ std::size_t add_bands(const Problem& problem, Request request, std::vector<LawCu
     return failed;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/answer.hpp"
+#pragma once
+/// \file
+/// The functions of answer/elements.hpp: inline, or compiled in fstiff::double.
+
+#include <fstiff/answer/elements.hpp>
 
 #include <fstiff/asperity/plastic_laws.hpp>
-#include <fstiff/double/surfaces.hpp>
+#include <fstiff/halfspace/truth.hpp>
 #include <fstiff/measured/widened_band.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
-namespace {
+namespace fstiff::inline v0_1::detail {
 
-bool is_map(const Face& face) { return face.map && face.spectrum_of_map; }
+FSTIFF_INLINE bool is_map(const Face& face) { return face.map && face.spectrum_of_map; }
 
 /// Whether the share \p area can carry \p pressure at \p hardness (0: elastic): of few points the solver may find too
 /// few.
-bool is_carried(double pressure, double area, double hardness) {
+FSTIFF_INLINE bool is_carried(double pressure, double area, double hardness) {
     return area * hardness * (1 + 1e-6) >= pressure || hardness == 0;
 }
 
 /// The side [m] of what was measured: of a profile its length, of a map the root of its area; 0 for numbers.
-double measured_side(const Problem& problem) {
+FSTIFF_INLINE double measured_side(const Problem& problem) {
     double least = 0;
     for (const Face* face : measured_faces(problem)) {
         const double size = face->measured->size, side = face->measured->is_profile ? size : std::sqrt(size);
@@ -29,20 +32,20 @@ double measured_side(const Problem& problem) {
     return least;
 }
 
-bool is_map_itself(const Problem& problem) {
+FSTIFF_INLINE bool is_map_itself(const Problem& problem) {
     return is_map(problem.face) &&
            (!problem.nominal_area || *problem.nominal_area <= (1 + 1e-6) * problem.face.map->maps.front()->area());
 }
 
 /// The area [m^2] on which contacts are counted: the nominal one, else a square as long as what was measured; 0: not
 /// known.
-double counted_area(const Problem& problem) {
+FSTIFF_INLINE double counted_area(const Problem& problem) {
     return problem.nominal_area ? *problem.nominal_area : std::pow(measured_side(problem), 2);
 }
 
 /// Uncertainty of \p value by \p band, with its \p parts where they are known.
-void take_band(parts::Causes<double>& causes, double value, const parts::SampledBand<double>& band,
-               const parts::BandParts<double>* parts, bool sampled) {
+FSTIFF_INLINE void take_band(parts::Causes<double>& causes, double value, const parts::SampledBand<double>& band,
+                             const parts::BandParts<double>* parts, bool sampled) {
     const auto put = [&](parts::Cause cause, double low, double high) {
         causes[static_cast<std::size_t>(cause)] = {low, high};
     };
@@ -61,8 +64,8 @@ void take_band(parts::Causes<double>& causes, double value, const parts::Sampled
 
 /// K of boundary elements, on 256 points a side, which take seconds, unless another number is given, at the points that
 /// are answered where they resolve more than a pixel.
-LawCurve solved(const Problem& problem, const Request& request, const LawCurve& base, const AnswerFacts& facts,
-                const ProgressHook& progress) {
+FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, const LawCurve& base,
+                              const AnswerFacts& facts, const ProgressHook& progress) {
     const Law& law = find_law(LawName::boundary_elements);
     LawCurve curve{.law = &law};
     if (!request.solves_map || !is_map(problem.face) || problem.face.map->maps.size() > 1 ||
@@ -100,8 +103,8 @@ LawCurve solved(const Problem& problem, const Request& request, const LawCurve& 
 
 /// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others
 /// lie on lines over ln p.
-std::vector<double> changes(const Problem& problem, const HeightMap<double>& map, const LawCurve& solved,
-                            double hardness, const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMap<double>& map, const LawCurve& solved,
+                                          double hardness, const ProgressHook& progress) {
     const std::size_t count = solved.states.size(),
                       most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
     std::vector<double> pressures;
@@ -129,8 +132,8 @@ std::vector<double> changes(const Problem& problem, const HeightMap<double>& map
 /// Changes of K of \p solved that the filter of lambda_s and the removed plane may have caused: the filter by the
 /// neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be the surface's
 /// own.
-std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved, double hardness,
-                                                    const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
+                                                                  double hardness, const ProgressHook& progress) {
     std::vector<parts::CauseSpread<double>> all(solved.states.size());
     const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
         const std::vector<double> of_map = changes(problem, map, solved, hardness, progress);
@@ -158,7 +161,7 @@ std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem& problem, cons
 
 /// Uncertainty of a profile of a face with a lay: the length of the ridges if it is across the lay, else the profile
 /// across.
-parts::CauseSpread<double> of_lay(const Problem& problem) {
+FSTIFF_INLINE parts::CauseSpread<double> of_lay(const Problem& problem) {
     constexpr double softer = 4, stiffer = 2, heavy = 1.5;  // along and across turned, milled, planed and ground maps
     if (has_lay(problem)) return {-std::log(heavy), std::log(parts::lay_factor)};
     for (const Face* face : measured_faces(problem))
@@ -168,7 +171,8 @@ parts::CauseSpread<double> of_lay(const Problem& problem) {
 }
 
 /// The law's own error, with that of the grid \p relative to K.
-parts::CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason, double grid) {
+FSTIFF_INLINE parts::CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
+                                                   double grid) {
     parts::LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
     if (reason.p_star) question.p_star = *reason.p_star, question.hardness = relative_hardness(problem).value_or(0);
     if (const auto& heights = problem.face.heights; heights && heights->kurtosis.value != 0)
@@ -181,9 +185,7 @@ parts::CauseSpread<double> law_error(const Problem& problem, LawName law, const 
     return {-std::hypot(error.low, grid), std::hypot(error.high, grid)};
 }
 
-}  // namespace
-
-parts::KnownAs known_as(const Problem& problem) {
+FSTIFF_INLINE parts::KnownAs known_as(const Problem& problem) {
     if (is_map(problem.face)) return parts::KnownAs::map;
     if (!measured_faces(problem).empty()) return parts::KnownAs::trace;
     constexpr double spread_of_height = 4;  // of a gradient by the height alone, 95 % over 5 %; all else gives less
@@ -193,7 +195,8 @@ parts::KnownAs known_as(const Problem& problem) {
     return parts::KnownAs::numbers;
 }
 
-AnswerFacts make_answer(const Problem& problem, const Request& request, LawCurve& curve, const ProgressHook& progress) {
+FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& request, LawCurve& curve,
+                                      const ProgressHook& progress) {
     AnswerFacts facts;
     facts.relative_hardness = relative_hardness(problem);
     facts.flows = flows(problem, *curve.law);
@@ -251,4 +254,4 @@ AnswerFacts make_answer(const Problem& problem, const Request& request, LawCurve
     return facts;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/problem.hpp"
+#pragma once
+/// \file
+/// The functions of answer/problem.hpp: inline, or compiled in fstiff::double.
 
+#include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/problem.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
-#include <fstiff/validity/answer.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
-PeakDistribution<double> peak_density(const Peaks& peaks) {
+FSTIFF_INLINE PeakDistribution<double> peak_density(const Peaks& peaks) {
     try {
         return peaks.r ? PeakDistribution<double>(*peaks.r, peaks.theta)
                        : PeakDistribution<double>::exponential(peaks.theta);
@@ -19,24 +24,24 @@ PeakDistribution<double> peak_density(const Peaks& peaks) {
     }
 }
 
-std::vector<const Face*> rough_faces(const Problem& problem) {
+FSTIFF_INLINE std::vector<const Face*> rough_faces(const Problem& problem) {
     if (problem.faces.empty()) return {&problem.face};
     return {&problem.faces[0], &problem.faces[1]};
 }
 
-std::vector<const Face*> measured_faces(const Problem& problem) {
+FSTIFF_INLINE std::vector<const Face*> measured_faces(const Problem& problem) {
     std::vector<const Face*> all = rough_faces(problem);
     std::erase_if(all, [](const Face* one) { return !one->measured; });
     return all;
 }
 
-bool has_lay(const Problem& problem) {
+FSTIFF_INLINE bool has_lay(const Problem& problem) {
     const std::vector<const Face*> measured = measured_faces(problem);
     return std::any_of(measured.begin(), measured.end(),
                        [](const Face* face) { return parts::is_profile_with_lay(*face->measured); });
 }
 
-std::optional<double> gradient(const Problem& problem) {
+FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
     const Face& face = problem.face;
     if (face.has_own_gradient()) return face.rms_gradient;
     if (face.has_peaks())
@@ -51,7 +56,7 @@ std::optional<double> gradient(const Problem& problem) {
     return of_peaks;
 }
 
-Interaction<double> interaction(const Problem& problem) {
+FSTIFF_INLINE Interaction<double> interaction(const Problem& problem) {
     Interaction<double> result;
     result.reading = problem.reading;
     if (result.reading != InteractionReading::none)
@@ -63,11 +68,30 @@ Interaction<double> interaction(const Problem& problem) {
     return result;
 }
 
-double hardness_of(const Problem& problem) {
+/// The hardness of \p body [Pa], given or by Tabor's factor 2.8 (1951); infinite where it is not known.
+FSTIFF_INLINE double resistance(const Body& body) {
+    return body.hardness         ? *body.hardness
+           : body.yield_strength ? parts::hardness_over_yield_strength<double> * *body.yield_strength
+                                 : std::numeric_limits<double>::infinity();
+}
+
+FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, Problem& problem) {
+    problem.effective_modulus = effective_modulus(upper.elastic, lower.elastic);
+    const Body& softer = resistance(lower) < resistance(upper) ? lower : upper;
+    problem.softer_poisson = softer.elastic.poisson_ratio;
+    problem.hardness = softer.hardness;
+    problem.one_hardness = std::isinf(resistance(upper)) != std::isinf(resistance(lower));
+    for (const Body* one : {&upper, &lower})
+        if (one->yield_strength)
+            problem.yield_strength =
+                std::min(problem.yield_strength.value_or(*one->yield_strength), *one->yield_strength);
+}
+
+FSTIFF_INLINE double hardness_of(const Problem& problem) {
     return problem.hardness.value_or(parts::hardness_over_yield_strength<double> * problem.yield_strength.value_or(0));
 }
 
-std::optional<double> relative_hardness(const Problem& problem) {
+FSTIFF_INLINE std::optional<double> relative_hardness(const Problem& problem) {
     const std::optional<double> g = gradient(problem);
     if (!g || (!problem.hardness && !problem.yield_strength)) return std::nullopt;
     const double relative = hardness_of(problem) / (problem.effective_modulus * *g);
@@ -75,11 +99,11 @@ std::optional<double> relative_hardness(const Problem& problem) {
     return known && std::isfinite(relative) ? std::optional(relative) : std::nullopt;
 }
 
-bool flows(const Problem& problem, const Law& law) {
+FSTIFF_INLINE bool flows(const Problem& problem, const Law& law) {
     return law.needs_hardness || law.needs_yield || (law.needs_whole_map && problem.law_options.hardness > 0);
 }
 
-Lack lack_of_spectrum(const Face& face) {
+FSTIFF_INLINE Lack lack_of_spectrum(const Face& face) {
     if (face.map && face.spectrum_of_map) {
         if (missing_points(*face.map) > 0) return Lack::points;
         return !face.map->spectra                          ? Lack::small_map
@@ -94,7 +118,7 @@ Lack lack_of_spectrum(const Face& face) {
     return alpha > 1.5 ? Lack::nothing : Lack::alpha;
 }
 
-Lack lack_of(const Law& law, const Problem& problem, bool at_separations) {
+FSTIFF_INLINE Lack lack_of(const Law& law, const Problem& problem, bool at_separations) {
     const Face& face = problem.face;
     if (at_separations && !parts::has(law.quantities, Quantity::separation)) return Lack::separation;
     if (law.needs_radius() && !face.has_radius_and_density()) return Lack::peaks;
@@ -111,15 +135,16 @@ Lack lack_of(const Law& law, const Problem& problem, bool at_separations) {
     return law.needs_yield && !problem.yield_strength ? Lack::yield_strength : Lack::nothing;
 }
 
-std::vector<Peaks> peaks_of(const Law& law, const Problem& problem) {
+FSTIFF_INLINE std::vector<Peaks> peaks_of(const Law& law, const Problem& problem) {
     if (!law.has_peaks) return {};
     if (!problem.default_peaks || law.needs_dimension || !has_isotropic_peaks(problem.face)) return problem.peaks;
     const auto peaks = PeakDistribution<double>::isotropic(spectral_moments(problem.face).bandwidth());
     return {{.theta = peaks.theta(), .r = peaks.r(), .key = "contact.peaks."}};
 }
 
-void for_each_contact(const Problem& problem, const std::vector<const Law*>& laws, const ProgressHook& progress,
-                      const std::function<void(const ContactOfLaw&)>& visit) {
+FSTIFF_INLINE void for_each_contact(const Problem& problem, const std::vector<const Law*>& laws,
+                                    const ProgressHook& progress,
+                                    const std::function<void(const ContactOfLaw&)>& visit) {
     const Face& face = problem.face;
     ContactInputs inputs{.surface = face.roughness(),
                          .effective_modulus = problem.effective_modulus,
@@ -148,8 +173,9 @@ void for_each_contact(const Problem& problem, const std::vector<const Law*>& law
     }
 }
 
-std::vector<ContactPoint<double>> points_of(const Request& request, const Law& law, const AnyContact& contact,
-                                            Quantity quantities, const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request, const Law& law,
+                                                          const AnyContact& contact, Quantity quantities,
+                                                          const ProgressHook& progress) {
     const std::size_t part = law.varies ? 64 : 1;
     std::vector<ContactPoint<double>> points;
     for (std::span<const double> rest = request.points; !rest.empty();) {
@@ -163,4 +189,4 @@ std::vector<ContactPoint<double>> points_of(const Request& request, const Law& l
     return points;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A law by its name at run time: one table, in law.cpp. To add a law is one line there and the include of its header.
+/// \file
+/// A law by its name at run time: one table, in answer/laws_inline.hpp. To add a law is one line there.
 
-#include "scene/bearings.hpp"
+#include <fstiff/answer/any_contact.hpp>
+#include <fstiff/answer/maps.hpp>
 
+#include <fstiff/answer/law_name.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/interaction.hpp>
@@ -19,7 +22,6 @@
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/summits.hpp>
-#include <fstiff/validity/law_name.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -31,35 +33,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
-
-template <parts::ReadableReal T>
-class ContactLaw;
-template <parts::ReadableReal T>
-struct LawRange;
-}  // namespace fstiff::inline v0_1
-
-namespace fstiff::scene {
-
-/// A contact whose law is known by name only.
-class AnyContact {
-public:
-    virtual ~AnyContact() = default;
-    /// The states under pressures [Pa], and at separations [m]; a point out of reach has that status.
-    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures,
-                                                                         Quantity wanted) const = 0;
-    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
-                                                                           Quantity wanted) const = 0;
-    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range depends on
-    /// it.
-    [[nodiscard]] virtual std::vector<parts::LoadMeans<double>> means_at(std::span<const double> /*etas*/) const {
-        return {};
-    }
-    [[nodiscard]] virtual bool has_table() const { return false; }
-    /// The contact tabulated. \throws domain_error unless has_table(), and as
-    /// ContactLaw::tabulate.
-    [[nodiscard]] virtual ContactLaw<double> tabulate(const LawRange<double>& range) const;
-};
+namespace fstiff::inline v0_1::detail {
 
 /// Within which load means a law of plastic peaks holds.
 struct PlasticRange {
@@ -173,12 +147,12 @@ struct Law {
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail
 
-namespace fstiff {
+namespace fstiff::inline v0_1 {
 
 template <>
-inline constexpr auto names<scene::SpectrumSource> = name_list<scene::SpectrumSource>(
-    {{scene::SpectrumSource::map, "map"}, {scene::SpectrumSource::moments, "moments"}});
+inline constexpr auto names<detail::SpectrumSource> = name_list<detail::SpectrumSource>(
+    {{detail::SpectrumSource::map, "map"}, {detail::SpectrumSource::moments, "moments"}});
 
-}  // namespace fstiff
+}  // namespace fstiff::inline v0_1

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The contacts of the library in AnyContact. Private to law.cpp.
+/// \file
+/// The contacts of the library in AnyContact. For answer/laws_inline.hpp.
 
-#include "scene/law.hpp"
+#include <fstiff/answer/laws.hpp>
 
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/load_means.hpp>
@@ -14,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// Interface of a contact that ContactLaw::tabulate needs, with virtual functions: its tables are compiled once for
 /// all laws.
@@ -199,4 +200,4 @@ std::unique_ptr<AnyContact> mean_over(std::vector<Contact> contacts) {
     return held(MeanOverShifts<Contact>(std::move(contacts)));
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -14,10 +14,10 @@
 ///             11, 20 and 36 % at 100, 40, 15 and 5 contacts; plastic K over elastic K 1.04 to 1.15 at H/(E g) = 0.5)
 /// Units       p* = p/(E g_rms), ln K
 /// Valid       any contact; numbers that are not known are NaN or 0, as each member describes
-/// Accuracy    of the causes (tests/validity/answer_test.cpp)
+/// Accuracy    of the causes (tests/answer/causes_test.cpp)
 
+#include <fstiff/answer/law_error.hpp>
 #include <fstiff/math/statistics.hpp>
-#include <fstiff/validity/law_error.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// K of hybrid of the many surfaces of numbers that a band is made of.
+/// \file
+/// K of hybrid of the many surfaces of numbers that a band is made of.
 
-#include "scene/law.hpp"
+#include <fstiff/answer/laws.hpp>
 
 #include <memory>
 
-namespace fstiff::scene {
+namespace fstiff::inline v0_1::detail {
 
 /// Contacts of random surfaces with the bearing curve \p bearing, which must outlive it (none: Gaussian heights):
 /// from a table over p/(E g), alpha and H, to 1.2e-3. For one thread.
@@ -16,4 +17,4 @@ namespace fstiff::scene {
 /// outlive it. For one thread.
 [[nodiscard]] std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::inline v0_1::detail

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The joint of a scene is that of the library.
+
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/unknowns.hpp>
+
+namespace fstiff::scene {
+
+using namespace detail;
+
+}  // namespace fstiff::scene
