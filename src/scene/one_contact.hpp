@@ -46,7 +46,8 @@ struct OneContact {
                                     const MeasuredSurface* measured = nullptr, const ProgressHook& progress = {});
 /// The contact of entry \p law of the laws of \p of on entry \p peaks of its distributions of peaks, both from 0.
 /// \throws no_such_entry, domain_error as the law.
-[[nodiscard]] OneContact contact_of(const Scene& of, std::size_t law, std::size_t peaks, const ProgressHook& progress = {});
+[[nodiscard]] OneContact contact_of(const Scene& of, std::size_t law, std::size_t peaks,
+                                    const ProgressHook& progress = {});
 
 /// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of \p
 /// numbers that is known, by its name. By differences of six points: within 1e-7 K of x dK/dx

@@ -96,7 +96,7 @@ struct Scene : Problem {
     std::vector<const Law*> laws;
     bool best = false;  ///< no law is named: `laws` is the one of the answer
     bool solves_map =
-        true;  ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
+        true;           ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
     int samples = 400;  ///< of the band; 0: no band
     std::uint64_t seed = 2014;
 

@@ -98,8 +98,8 @@ void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& sce
             }
             constexpr double room = 1e-3;  // so that no end falls out by rounding
             const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
-            made.contact =
-                std::make_shared<const Tabulated>(made.contact->tabulate(wider), scene.face.parameters.rms_height.value);
+            made.contact = std::make_shared<const Tabulated>(made.contact->tabulate(wider),
+                                                             scene.face.parameters.rms_height.value);
         } catch (const domain_error&) {  // no table of this law, or not so far: point by point
         }
     }

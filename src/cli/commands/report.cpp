@@ -12,8 +12,8 @@
 #include "scene/result_rows.hpp"
 #include "surface/documents.hpp"
 
-#include <fstiff/core/version.hpp>
 #include <fstiff/answer/checks.hpp>
+#include <fstiff/core/version.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -282,8 +282,9 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
 /// The surface with other cut-offs, and its K at the middle point of the scene.
 void scales_section(Page& page, const Scene& scene, const Results& results, const MeasuredSurface& surface) {
     if (!surface.how || surface.how->input.file == "-" || scene.at_separations) return;
-    const scene::ScalesOptions how{
-        .pressure = scene.points[scene.points.size() / 2], .modulus = scene.effective_modulus, .progress = progress_bar()};
+    const scene::ScalesOptions how{.pressure = scene.points[scene.points.size() / 2],
+                                   .modulus = scene.effective_modulus,
+                                   .progress = progress_bar()};
     const scene::Scales scales = scales_of(surface, read_surface_input(surface.how->input), how);
     std::vector<Panel> panels = scales_panels(scales);
     if (panels.empty()) return;

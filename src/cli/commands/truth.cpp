@@ -7,8 +7,8 @@
 #include "input/surface_options.hpp"
 #include "surface/truth_of_map.hpp"
 
-#include <fstiff/core/version.hpp>
 #include <fstiff/answer/checks.hpp>
+#include <fstiff/core/version.hpp>
 
 #include <memory>
 #include <string>
