@@ -145,10 +145,17 @@ TEST_CASE("A joint out of range is refused by the name of its member") {
         return test::refusal([&] { (void)answer(other, at); });
     };
     CHECK(refused([](Joint& of) { of.face.rms_height.reset(); }).starts_with("rms_height: is missing"));
-    CHECK(refused([](Joint& of) { of.face.rms_height = -1; }).starts_with("rms_height = -1: must be greater than 0"));
+    CHECK(refused([](Joint& of) {
+              of.face.rms_height = -1;
+          }).starts_with("rms_height = -1: must be finite and greater than 0"));
     CHECK(refused([](Joint& of) { of.face.rms_gradient = std::nan(""); }).starts_with("rms_gradient = nan"));
-    CHECK(refused([](Joint& of) { of.face.alpha = 1.5; }).starts_with("alpha = 1.5: must be greater than 1.5"));
+    CHECK(refused([](Joint& of) {
+              of.face.alpha = 1.5;
+          }).starts_with("alpha = 1.5: must be finite and greater than 1.5"));
     CHECK(refused([](Joint& of) { of.face.skewness = 0; }).starts_with("skewness: must be given with kurtosis"));
+    CHECK(refused([](Joint& of) { of.face.hurst = 1.5; }) == "hurst = 1.5: must be greater than 0 and at most 1");
+    CHECK(refused([](Joint& of) { of.face.skewness = 0, of.face.kurtosis = 0.5; }).find("kurtosis") !=
+          std::string::npos);
     CHECK(refused([](Joint& of) { of.nominal_area = 0; }).starts_with("nominal_area = 0"));
     CHECK(refused([](Joint& of) { of.lower.hardness = -2; }).starts_with("hardness = -2"));
     CHECK(refused([](Joint& of) { of.upper.elastic.poisson_ratio = 0.7; }).starts_with("poisson_ratio = 0.7"));

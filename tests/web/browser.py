@@ -91,7 +91,7 @@ class Page:
         self.folder.cleanup()
 
     @staticmethod
-    def wait(holds, otherwise, seconds=120, step=0.05):
+    def wait(holds, otherwise, seconds=300, step=0.05):  # ends a hang; a loaded machine may take minutes
         end = time.monotonic() + seconds
         while not (found := holds()):
             if time.monotonic() > end:

@@ -24,21 +24,23 @@ namespace fstiff::inline v0_1 {
 namespace detail {
 
 /// \p value of \p name, which must be above \p low and at most \p high.
-FSTIFF_INLINE void require_between(const char* name, const std::optional<double>& value, double low, double high) {
+FSTIFF_INLINE void require_between(const char* name, const std::optional<double>& value, double low,
+                                   double high = std::numeric_limits<double>::max()) {
     if (value && !(*value > low && *value <= high))
-        parts::refuse(name, *value,
-                      "greater than " + parts::rounded_text(low, 6) +
-                          (std::isfinite(high) ? " and at most " + parts::rounded_text(high, 6) : ""));
+        parts::refuse(
+            name, *value,
+            high == std::numeric_limits<double>::max()
+                ? "finite and greater than " + parts::rounded_text(low, 6)
+                : "greater than " + parts::rounded_text(low, 6) + " and at most " + parts::rounded_text(high, 6));
 }
 
 FSTIFF_INLINE void require_numbers(const JointFace& of) {
-    constexpr double infinity = std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::max();
     for (const auto& [name, value] :
          {std::pair("rms_height", of.rms_height), std::pair("mean_height", of.mean_height),
           std::pair("rms_gradient", of.rms_gradient), std::pair("peak_radius", of.peak_radius),
           std::pair("peak_density", of.peak_density)})
-        require_between(name, value, 0, most);
-    require_between("alpha", of.alpha, 1.5, infinity);
+        require_between(name, value, 0);
+    require_between("alpha", of.alpha, 1.5);
     require_between("hurst", of.hurst, 0, 1);
     require_between("fractal_dimension", of.fractal_dimension, 1, greatest_dimension);
     if (of.rms_height && of.mean_height) throw domain_error("mean_height: must not be given with rms_height");
@@ -90,12 +92,11 @@ FSTIFF_INLINE Face face_of(const JointFace& of) {
 }
 
 FSTIFF_INLINE Problem problem_of(const Joint& joint, const AnswerOptions& options) {
-    constexpr double most = std::numeric_limits<double>::max();
     for (const Body* body : {&joint.upper, &joint.lower}) {
-        require_between("yield_strength", body->yield_strength, 0, most);
-        require_between("hardness", body->hardness, 0, most);
+        require_between("yield_strength", body->yield_strength, 0);
+        require_between("hardness", body->hardness, 0);
     }
-    require_between("nominal_area", joint.nominal_area, 0, most);
+    require_between("nominal_area", joint.nominal_area, 0);
     require_between("gamma", options.gamma, 0, 1);
     require(options.grid >= 16 && options.grid <= 4096, "grid", options.grid, "from 16 to 4096");
     require(joint.shifts >= 1 && joint.shifts <= 1000, "shifts", joint.shifts, "from 1 to 1000");
