@@ -245,7 +245,9 @@ void record_following(Source& source, const Section& surface, const Face& face) 
                                          std::pair(face.density_follows, Parameter::peak_density)}) {
         if (!follows) continue;
         const parts::ParameterRow& row = parts::row_of(which);
-        const double value = *face.value(which);
+        const double value =
+            (which == Parameter::peak_radius ? face.parameters.peak_radius : face.parameters.peak_density)
+                .value;  // 0 counts as not known
         if (!(value > 0 && std::isfinite(value))) {
             const toml::node* alpha = surface.find("alpha");
             source.refuse(alpha ? *alpha : surface.node(), surface.key(alpha ? "alpha" : "rms_height"),

@@ -269,7 +269,7 @@ def on_documents(compiler, flags, eigen):
         version = pathlib.Path("include/fstiff/core/version.hpp")
         write(root, {version: (TOOLS.parent / version).read_text(encoding="utf-8")})
         (root / "bin/from_the_path").chmod(0o755)
-        options = argparse.Namespace(compiler=compiler, flags=flags, eigen=f"{eigen};{root / 'eigen'}",
+        options = argparse.Namespace(compiler=compiler, flags=flags, double=None, eigen=f"{eigen};{root / 'eigen'}",
                                      work=root / "work", command=root / "bin/fstiff")
 
         def on(text, expected):

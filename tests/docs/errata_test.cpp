@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figures of docs/errata.md that the test of no header checks, each to the digits in which it is quoted.
+#include <fstiff/answer/checks.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
-#include <fstiff/answer/checks.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

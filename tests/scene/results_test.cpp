@@ -147,7 +147,7 @@ TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, 
         return test::refusal([&] { static_cast<void>(scene::read_scene(text, {.name = "f"})); });
     };
     CHECK(refusal("peak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"", "rms_gradient = 0.1\nalpha = 1e300") ==
-          "f:5: surface.alpha = 1e+300: makes, with rms_height and rms_gradient, peak_density = inf, which must be "
+          "f:5: surface.alpha = 1e+300: makes, with rms_height and rms_gradient, peak_radius = 0, which must be "
           "finite and greater than 0");
     CHECK(refusal("\"1 um\"", "\"0,8 um\"") ==
           "f:3: surface.rms_height = \"0,8 um\": has a comma; the decimal mark is the point, as in 0.8");
@@ -198,7 +198,7 @@ TEST_CASE(
     "The answer has all points of a list and of a range up to twelve, of a longer range the ends and the decades") {
     const auto points = [](std::vector<double> values, bool range = true, bool separations = false) {
         scene::Scene of;
-        if (range) of.inputs.push_back({.key = "contact.pressures.count", .written = "5", .value = 5, .unit = ""});
+        of.listed = !range;
         of.points = std::move(values);
         of.at_separations = separations;
         return scene::points_of_answer(of);

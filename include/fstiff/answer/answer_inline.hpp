@@ -25,11 +25,11 @@ namespace detail {
 
 /// \p value of \p name, which must be above \p low and at most \p high.
 FSTIFF_INLINE void require_between(const char* name, const std::optional<double>& value, double low,
-                                   double high = std::numeric_limits<double>::max()) {
+                                   double high = (std::numeric_limits<double>::max)()) {
     if (value && !(*value > low && *value <= high))
         parts::refuse(
             name, *value,
-            high == std::numeric_limits<double>::max()
+            high == (std::numeric_limits<double>::max)()
                 ? "finite and greater than " + parts::rounded_text(low, 6)
                 : "greater than " + parts::rounded_text(low, 6) + " and at most " + parts::rounded_text(high, 6));
 }

@@ -208,7 +208,7 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
             double factor = 1;
             if (has_errors) {
                 band = bands[at];
-                failed = std::max(failed, band.failed);
+                failed = (std::max)(failed, band.failed);
                 if (std::isfinite(quick[at])) factor = value / quick[at];
                 if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
             }

@@ -40,7 +40,7 @@ FSTIFF_INLINE void find_limit(const Problem& problem, const Request& request, co
                               LawCurve& curve) {
     if (request.at_separations || !curve.law->varies || !curve.law->holds_when_crowded) return;
     double greatest = 0;
-    for (const auto& state : curve.states) greatest = std::max(greatest, state.pressure.value);
+    for (const auto& state : curve.states) greatest = (std::max)(greatest, state.pressure.value);
     for (MissedPoint& missed : curve.missed) {
         const double pressure = request.points[missed.place];
         if (missed.why == Miss::range || !(pressure > greatest)) continue;
@@ -60,7 +60,7 @@ FSTIFF_INLINE void take_points(const Problem& problem, const Request& request, L
         if (points[i].ok()) {
             ContactState<double> state = points[i].state;
             if (flows(problem, *curve.law) && state.stiffness.value > 0)  // which no loading stiffness exceeds
-                state.loading_stiffness.value = std::min(state.loading_stiffness.value, state.stiffness.value);
+                state.loading_stiffness.value = (std::min)(state.loading_stiffness.value, state.stiffness.value);
             curve.states.push_back(state);
             curve.places.push_back(i);
         } else {
@@ -152,7 +152,7 @@ FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Qu
         });
     if (parts::has(quantities, Quantity::stiffness) && request.samples > 0 && problem.face.has_errors() &&
         has_states(curves))
-        failed = std::max(failed, add_bands(problem, request, curves, progress));
+        failed = (std::max)(failed, add_bands(problem, request, curves, progress));
 }
 
 /// The answer of \p request, which names no law.

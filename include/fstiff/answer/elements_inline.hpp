@@ -27,7 +27,7 @@ FSTIFF_INLINE double measured_side(const Problem& problem) {
     double least = 0;
     for (const Face* face : measured_faces(problem)) {
         const double size = face->measured->size, side = face->measured->is_profile ? size : std::sqrt(size);
-        if (side > 0) least = least > 0 ? std::min(least, side) : side;
+        if (side > 0) least = least > 0 ? (std::min)(least, side) : side;
     }
     return least;
 }
@@ -57,8 +57,8 @@ FSTIFF_INLINE void take_band(parts::Causes<double>& causes, double value, const 
         put(parts::Cause::shape, parts->shape_low, parts->shape_high);
         put(parts::Cause::prior, parts->prior_low, parts->prior_high);
     } else if (sampled && band.low > 0) {
-        put(parts::Cause::measurement, std::min(0.0, std::log(band.low / value)),
-            std::max(0.0, std::log(band.high / value)));
+        put(parts::Cause::measurement, (std::min)(0.0, std::log(band.low / value)),
+            (std::max)(0.0, std::log(band.high / value)));
     }
 }
 
@@ -73,7 +73,7 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
         return curve;
     const HeightMap<double>& map = *problem.face.map->maps.front();
     const double coarser =
-        std::min(1.0, problem.law_options.points / static_cast<double>(std::max(map.rows(), map.columns())));
+        (std::min)(1.0, problem.law_options.points / static_cast<double>(std::max(map.rows(), map.columns())));
     const double size = coarser * coarser * static_cast<double>(map.size());
     Request of{.at_separations = request.at_separations, .seating = request.seating};
     std::vector<std::size_t> places;
@@ -109,7 +109,7 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
                       most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
     std::vector<double> pressures;
     std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < std::min(most, count); ++k) {
+    for (std::size_t k = 0; k < (std::min)(most, count); ++k) {
         places.push_back(count <= most ? k : k * (count - 1) / (most - 1));
         pressures.push_back(solved.states[places.back()].pressure.value);
     }
@@ -139,8 +139,8 @@ FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem&
         const std::vector<double> of_map = changes(problem, map, solved, hardness, progress);
         for (std::size_t i = 0; i < all.size(); ++i) {
             const double change = factor * of_map[i];
-            all[i].low = -std::hypot(all[i].low, both_ways ? change : std::min(0.0, change));
-            all[i].high = std::hypot(all[i].high, both_ways ? change : std::max(0.0, change));
+            all[i].low = -std::hypot(all[i].low, both_ways ? change : (std::min)(0.0, change));
+            all[i].high = std::hypot(all[i].high, both_ways ? change : (std::max)(0.0, change));
         }
     };
     if (all.empty() || !problem.face.measured || !problem.face.measured->map) return all;
@@ -151,7 +151,7 @@ FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem&
     const auto [x, y] = flat.tilt;
     const double tilted = std::hypot(x, y) / std::sqrt(12.0) / problem.face.parameters.rms_height.value;
     if (flat.removed != MapForm::plane || !(tilted > 0)) return all;
-    const double share = std::min(1.0, problem.face.parameters.long_end.form_share / tilted);
+    const double share = (std::min)(1.0, problem.face.parameters.long_end.form_share / tilted);
     HeightMap<double> map = flat.map;
     map.heights.rowwise() += share * Eigen::ArrayXd::LinSpaced(map.columns(), -x / 2, x / 2).transpose();
     map.heights.colwise() += share * Eigen::ArrayXd::LinSpaced(map.rows(), -y / 2, y / 2);
@@ -242,12 +242,12 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         put(parts::Cause::law, law_error(problem, law->which, reason, std::isfinite(grid) ? grid : 0));
         const double K = curve.states[i].stiffness.value;
         if (reason.loading_stiffness) {  // that of the law, next to K of boundary elements
-            *reason.loading_stiffness = std::min(*reason.loading_stiffness, K);
+            *reason.loading_stiffness = (std::min)(*reason.loading_stiffness, K);
             curve.states[i].loading_stiffness.value = *reason.loading_stiffness;
         }
         const auto whole = parts::band_of(reason.causes);
-        constexpr double most = std::numeric_limits<double>::max() / 2;  // as in_range() of a state
-        bands.push_back({K * std::exp(whole.low), K, std::min(most, K * std::exp(whole.high))});
+        constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
+        bands.push_back({K * std::exp(whole.low), K, (std::min)(most, K * std::exp(whole.high))});
         curve.by.push_back(law);
     }
     curve.band = std::move(bands);

@@ -129,7 +129,7 @@ FSTIFF_INLINE SpectralMoments<double> spectral_moments(const Face& face) {
 FSTIFF_INLINE double hurst_exponent(const Face& face) {
     if (face.hurst) return *face.hurst;
     const double of_dimension = face.dimension() ? 2 - *face.dimension() : 0.8;
-    return std::max(of_dimension, parts::least_hurst(spectral_moments(face), face.widest_band));
+    return (std::max)(of_dimension, parts::least_hurst(spectral_moments(face), face.widest_band));
 }
 
 FSTIFF_INLINE bool has_isotropic_peaks(const Face& face) {
@@ -261,9 +261,9 @@ FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts
     Face face = sum_with(upper, lower, a, b, parts::uncertain_sum(upper.parameters, a, lower.parameters, b));
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
-    for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {
+    for (std::size_t k = 0; k < (std::max)(upper.neighbours.size(), lower.neighbours.size()); ++k) {
         const auto neighbour = [k](const Face& one) -> const Face& {
-            return one.neighbours.empty() ? one : one.neighbours[std::min(k, one.neighbours.size() - 1)];
+            return one.neighbours.empty() ? one : one.neighbours[(std::min)(k, one.neighbours.size() - 1)];
         };
         face.neighbours.push_back(sum_of_faces(neighbour(upper), neighbour(lower), shifts, seed));
     }

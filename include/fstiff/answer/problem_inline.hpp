@@ -84,7 +84,7 @@ FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, Problem& pr
     for (const Body* one : {&upper, &lower})
         if (one->yield_strength)
             problem.yield_strength =
-                std::min(problem.yield_strength.value_or(*one->yield_strength), *one->yield_strength);
+                (std::min)(problem.yield_strength.value_or(*one->yield_strength), *one->yield_strength);
 }
 
 FSTIFF_INLINE double hardness_of(const Problem& problem) {

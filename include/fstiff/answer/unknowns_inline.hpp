@@ -46,7 +46,7 @@ FSTIFF_INLINE void fill_hurst(Face& face) {
     const PriorRange& prior = parts::prior_of(face.process).hurst;
     const double middle = hurst_exponent(face);  // no less than the width of what was measured allows
     const double least = parts::least_hurst(spectral_moments(face), face.widest_band);
-    const PriorRange range{std::min(middle, std::max(prior.low, least)), middle, std::max(middle, prior.high)};
+    const PriorRange range{(std::min)(middle, (std::max)(prior.low, least)), middle, (std::max)(middle, prior.high)};
     face.priors.push_back({Unknown::hurst, range.low, range.high, Origin::process, range});
 }
 
@@ -81,7 +81,7 @@ FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
     const auto set_shape = [&](double skewness, double kurtosis) {
         skewness = std::clamp(skewness, -2.5, 2.5);
         face.set_shape(
-            {skewness, std::clamp(kurtosis, parts::least_kurtosis(skewness), std::max(20.0, face.shape.kurtosis))});
+            {skewness, std::clamp(kurtosis, parts::least_kurtosis(skewness), (std::max)(20.0, face.shape.kurtosis))});
     };
     const auto [skewness, kurtosis] = face.shape;
     switch (which) {

@@ -36,7 +36,7 @@ struct Surface : parts::SurfaceParameters<T> {
     std::vector<MeasuredConcern> concerns{};
     parts::CleaningReport cleaning{};
     bool is_profile = false;  ///< measured by profiles, not by maps
-    T size{};  ///< of the points that exist: length of the profile [m], area of the map [m^2]
+    T size{};                 ///< of the points that exist: length of the profile [m], area of the map [m^2]
     /// Ratio of the largest to the smallest wave number of the surface: from its length, or lambda_c, to two steps, or
     /// lambda_s.
     T widest_band = std::numeric_limits<T>::infinity();
@@ -78,7 +78,8 @@ template <Real T>
         const auto *one = used.find(which), *measured = surface.find(which);
         if (one && measured && one->value == measured->value) all.push_back(which);
     };
-    if (has(MeasuredConcern::no_densest_level)) add_measured(Parameter::peak_radius), add_measured(Parameter::peak_density);
+    if (has(MeasuredConcern::no_densest_level))
+        add_measured(Parameter::peak_radius), add_measured(Parameter::peak_density);
     if (has(MeasuredConcern::form) || has(MeasuredConcern::step)) add_measured(Parameter::rms_height);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
