@@ -79,7 +79,7 @@ FSTIFF_INLINE std::vector<double> by_few(Request request, const Law& law, const 
     const auto [least, greatest] = std::minmax_element(wanted.begin(), wanted.end());
     const double from = x_of(*least), half = (x_of(*greatest) - from) / 2;
     const double steps = 2 * half / (request.at_separations ? unit : 1);
-    const int last = 12 + static_cast<int>(std::min(steps, 30.0));  // of Chebyshev's points
+    const int last = 12 + static_cast<int>((std::min)(steps, 30.0));  // of Chebyshev's points
     std::vector<double> nodes, logs, all;
     for (int k = 0; k <= last; ++k) nodes.push_back(from + half * (1 - std::cos(std::numbers::pi * k / last)));
     request.points.clear();

@@ -73,7 +73,7 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
         return curve;
     const HeightMap<double>& map = *problem.face.map->maps.front();
     const double coarser =
-        (std::min)(1.0, problem.law_options.points / static_cast<double>(std::max(map.rows(), map.columns())));
+        (std::min)(1.0, problem.law_options.points / static_cast<double>((std::max)(map.rows(), map.columns())));
     const double size = coarser * coarser * static_cast<double>(map.size());
     Request of{.at_separations = request.at_separations, .seating = request.seating};
     std::vector<std::size_t> places;

@@ -127,7 +127,7 @@ FSTIFF_INLINE Lack lack_of(const Law& law, const Problem& problem, bool at_separ
     if (law.needs_whole_map) {
         if (missing_points(*face.map) > 0) return Lack::points;
         for (const auto& map : face.map->maps)
-            if (std::min(map->rows(), map->columns()) < 16) return Lack::side;
+            if ((std::min)(map->rows(), map->columns()) < 16) return Lack::side;
     }
     if (law.needs_spectrum)
         if (const Lack lack = lack_of_spectrum(face); lack != Lack::nothing) return lack;
@@ -180,7 +180,7 @@ FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request
     std::vector<ContactPoint<double>> points;
     for (std::span<const double> rest = request.points; !rest.empty();) {
         if (progress) progress("points", request.points.size() - rest.size(), request.points.size());
-        const auto some = rest.first(std::min(part, rest.size()));
+        const auto some = rest.first((std::min)(part, rest.size()));
         const auto more =
             request.at_separations ? contact.at_separations(some, quantities) : contact.at_pressures(some, quantities);
         points.insert(points.end(), more.begin(), more.end());
