@@ -170,7 +170,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs
 
 /// The same; of a map with the cut of the map itself.
 FSTIFF_INLINE std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
-    const double hardness = inputs.material.hardness_or_default(), E = inputs.effective_modulus;
+    const double hardness = inputs.material.hardness_or_default(), modulus = inputs.effective_modulus;
     if (!inputs.map || !inputs.spectrum_of_map) {
         if (!inputs.similar) return plastic_of_numbers(inputs);
         return std::make_unique<QuickContact<Flowing>>(inputs, plastic_of_numbers,
@@ -178,10 +178,11 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     }
     const double g = inputs.map->spectrum(inputs.options.edges).rms_gradient();
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
-        return PlasticContact(hybrid_of_map(inputs, of, shift),
-                              inputs.map->bearings->cut(inputs.map->first_bearing + shift, inputs.options.edges, E)
-                                  .scaled(inputs.map->taller),
-                              hardness, E, g);
+        return PlasticContact(
+            hybrid_of_map(inputs, of, shift),
+            inputs.map->bearings->cut(inputs.map->first_bearing + shift, inputs.options.edges, modulus)
+                .scaled(inputs.map->taller),
+            hardness, modulus, g);
     });
 }
 

@@ -23,11 +23,11 @@ namespace fstiff::inline v0_1::detail {
 
 /// One peak density; the values are checked when the PeakDistribution is made.
 struct Peaks {
-    double theta = 0;         ///< [rad]
-    std::optional<double> r;  ///< none: of an exponential autocorrelation
-    bool of_surface = false;  ///< theta and r are those of the face, with their errors
-    parts::Place where{};     ///< for messages
-    std::string key{};        ///< prefix of theta and r in them
+    double theta = 0;           ///< [rad]
+    std::optional<double> r{};  ///< none: of an exponential autocorrelation
+    bool of_surface = false;    ///< theta and r are those of the face, with their errors
+    parts::Place where{};       ///< for messages
+    std::string key{};          ///< prefix of theta and r in them
 };
 /// \throws domain_error naming the place of the value that no peak density has.
 [[nodiscard]] PeakDistribution<double> peak_density(const Peaks& peaks);
@@ -55,11 +55,11 @@ struct Problem {
 
 /// What a contact is asked for.
 struct Request {
-    std::vector<double> points;  ///< pressures [Pa], or separations [m]
+    std::vector<double> points{};  ///< pressures [Pa], or separations [m]
     bool at_separations = false;
-    std::vector<const Law*> laws;         ///< none: that of the answer
+    std::vector<const Law*> laws{};       ///< none: that of the answer
     Quantity quantities = Quantity::all;  ///< of the laws that are named
-    std::vector<std::size_t> answered;    ///< places among `points` at which the answer is solved
+    std::vector<std::size_t> answered{};  ///< places among `points` at which the answer is solved
     bool approach = false;                ///< the separation at `seating` too
     bool growth = false;                  ///< d log K/d log p too
     double seating = 1e3;                 ///< the approach is 0 at this pressure [Pa]
