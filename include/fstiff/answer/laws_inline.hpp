@@ -41,7 +41,6 @@ FSTIFF_INLINE RoughContactOptions<double> options_of(const ContactInputs& inputs
 
 // one contact and one fit are compiled for all three elastic laws
 using LawOfDimension = parts::ElasticLaw<double> (*)(double dimension);
-
 FSTIFF_INLINE parts::ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
 FSTIFF_INLINE parts::ElasticLaw<double> fractal_consistent(double dimension) {
     return FractalConsistentLaw<double>(dimension);
