@@ -9,6 +9,7 @@
 ///
 /// What `fstiff run` computes of a scene that names no law. The functions are inline where fstiff/answer.hpp is
 /// included; fstiff::double has them compiled.
+///
 /// Reference   answer/causes.hpp, answer/law_error.hpp
 /// Units       SI
 /// Valid       joints as answer/joint.hpp has them

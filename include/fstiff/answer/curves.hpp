@@ -101,8 +101,8 @@ struct MadeContact {
 /// \throws domain_error where no law answers.
 [[nodiscard]] const Law& law_of_answer(Problem& problem, bool at_separations);
 
-/// What \p request asks of \p problem; of the contacts \p made, where they are those of its laws. Of named laws the
-/// answer is that at the points \p answers. No band and no answer where no named law has a state.
+/// What \p request asks of \p problem, by the contacts \p made where they are those of its laws. Next to more than 100
+/// points of named laws the answer is at Request::answered alone. No band and no answer where no named law has a state.
 /// \throws domain_error where the model cannot give it.
 [[nodiscard]] Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress = {},
                                const std::vector<MadeContact>* made = nullptr);

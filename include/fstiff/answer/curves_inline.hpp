@@ -110,7 +110,7 @@ FSTIFF_INLINE std::vector<parts::Check<double>> checks_of(const Problem& problem
     return checks;
 }
 
-/// The states of \p begun by \p contact, and what else \p request asks for, but no band.
+/// \p curve with its states by \p contact, and what else \p request asks for, but no band.
 FSTIFF_INLINE LawCurve curve_of(const Problem& problem, const Request& request, LawCurve curve,
                                 const AnyContact& contact, Quantity quantities, const ProgressHook& progress) {
     const Quantity given =
