@@ -8,10 +8,13 @@
 !   - fstiff_make_contact, fstiff_contact_from_scene and fstiff_law_from_text take Fortran strings;
 !   - arrays go by c_loc of a target, or c_null_ptr; entries of a scene are counted from 0, as in C.
 !
-!     type(c_ptr) :: contact
-!     type(fstiff_roughness) :: fine = fstiff_roughness(rms_height=0.832d-6, peak_radius=40d-6, peak_density=5d8, r=0.5d0, theta=1d0)
-!     type(fstiff_body) :: body = fstiff_body(effective_modulus=112.6d9)
-!     if (fstiff_make_contact("hertz", fine, body, contact) /= FSTIFF_OK) print *, fstiff_message()
+!     type(fstiff_face), target :: face = fstiff_face(rms_height=0.8d-6, rms_gradient=0.1d0)
+!     type(fstiff_joint) :: joint = fstiff_joint(upper=fstiff_solid(210d9, 0.3d0), lower=fstiff_solid(210d9, 0.3d0))
+!     type(fstiff_answer_points) :: to
+!     real(c_double), target :: stiffness(2), low(2), high(2)
+!     joint%face = c_loc(face)
+!     to%stiffness = c_loc(stiffness); to%stiffness_p05 = c_loc(low); to%stiffness_p95 = c_loc(high)
+!     if (fstiff_answer(joint, [1d6, 1d7], 2_c_size_t, to, doubtful) /= FSTIFF_OK) print *, fstiff_message()
 module fstiff
     use, intrinsic :: iso_c_binding
     implicit none
@@ -90,6 +93,35 @@ module fstiff
         integer(c_size_t) :: rows = 0, columns = 0
         real(c_double) :: dx = 0, dy = 0
     end type
+    enum, bind(c)
+        enumerator :: FSTIFF_PROCESS_UNKNOWN = 0, FSTIFF_PROCESS_GROUND, FSTIFF_PROCESS_TURNED, FSTIFF_PROCESS_MILLED, &
+            FSTIFF_PROCESS_HONED, FSTIFF_PROCESS_LAPPED, FSTIFF_PROCESS_POLISHED, FSTIFF_PROCESS_BLASTED, FSTIFF_PROCESS_ERODED
+    end enum
+    integer, parameter :: FSTIFF_CAUSES = 8
+    ! heights and options are c_loc of a target, or c_null_ptr; so are face and other of a joint.
+    type, bind(c) :: fstiff_face
+        integer(c_size_t) :: size = 128
+        type(c_ptr) :: heights = c_null_ptr, options = c_null_ptr
+        real(c_double) :: rms_height = 0, mean_height = 0, rms_gradient = 0, profile_gradient = 0, profile_spacing = 0, &
+            alpha = 0, hurst = 0, skewness = 0, kurtosis = 0, peak_radius = 0, peak_density = 0, fractal_dimension = 0
+        integer(c_int) :: process = FSTIFF_PROCESS_UNKNOWN
+    end type
+    type, bind(c) :: fstiff_solid
+        real(c_double) :: youngs_modulus = 0, poisson_ratio = 0, yield_strength = 0, hardness = 0
+    end type
+    type, bind(c) :: fstiff_joint
+        integer(c_size_t) :: size = 112
+        type(c_ptr) :: face = c_null_ptr, other = c_null_ptr
+        type(fstiff_solid) :: upper, lower
+        real(c_double) :: nominal_area = 0, seating = 0
+        integer(c_int) :: samples = 0, seed = 0
+    end type
+    type, bind(c) :: fstiff_answer_points
+        integer(c_size_t) :: size = 96
+        type(c_ptr) :: stiffness = c_null_ptr, stiffness_p05 = c_null_ptr, stiffness_p95 = c_null_ptr, &
+            loading_stiffness = c_null_ptr, tangential_stiffness = c_null_ptr, approach = c_null_ptr, contacts = c_null_ptr, &
+            p_star = c_null_ptr, causes = c_null_ptr, law = c_null_ptr, status = c_null_ptr
+    end type
     type, bind(c) :: fstiff_curve
         integer(c_size_t) :: size = 48
         type(c_ptr) :: pressures = c_null_ptr, values = c_null_ptr, errors = c_null_ptr
@@ -98,6 +130,15 @@ module fstiff
     end type
 
     interface
+        function fstiff_answer(joint, pressures, count, points, doubtful) bind(c) result(status)
+            import
+            type(fstiff_joint), intent(in) :: joint
+            real(c_double), intent(in) :: pressures(*)
+            integer(c_size_t), value :: count
+            type(fstiff_answer_points), intent(in) :: points
+            integer(c_int), intent(out) :: doubtful
+            integer(c_int) :: status
+        end function
         function fstiff_contact_make(law, surface, body, made) bind(c) result(status)
             import
             character(kind=c_char), intent(in) :: law(*)
@@ -390,6 +431,11 @@ module fstiff
             import
             type(c_ptr) :: text
         end function
+        function fstiff_law_name_c(law) bind(c, name="fstiff_law_name") result(text)
+            import
+            integer(c_int), value :: law
+            type(c_ptr) :: text
+        end function
         function fstiff_strerror_c(status) bind(c, name="fstiff_strerror") result(text)
             import
             integer(c_int), value :: status
@@ -482,6 +528,11 @@ contains
         text = text_of(fstiff_last_message_c())
     end function
 
+    function fstiff_name_of_law(law) result(text)
+        integer(c_int), intent(in) :: law
+        character(:), allocatable :: text
+        text = text_of(fstiff_law_name_c(law))
+    end function
     function fstiff_error_text(status) result(text)
         integer(c_int), intent(in) :: status
         character(:), allocatable :: text

@@ -3,12 +3,14 @@
  * \file
  * The C interface of fstiff: normal contact stiffness of rough surfaces, for C, Fortran and all languages that call C.
  *
- *     fstiff_roughness fine = {sizeof fine};
- *     fine.rms_height = 0.832e-6, fine.peak_radius = 40e-6, fine.peak_density = 5e8, fine.r = 0.5, fine.theta = 1.0;
- *     fstiff_body body = {sizeof body};
- *     body.effective_modulus = 112.6e9;
- *     fstiff_contact* contact = NULL;
- *     if (fstiff_contact_make("hertz", &fine, &body, &contact) != FSTIFF_OK) puts(fstiff_last_message());
+ *     fstiff_face face = {sizeof face};
+ *     face.rms_height = 0.8e-6, face.rms_gradient = 0.1;
+ *     fstiff_joint joint = {sizeof joint, &face};
+ *     joint.upper.youngs_modulus = joint.lower.youngs_modulus = 210e9;
+ *     joint.upper.poisson_ratio = joint.lower.poisson_ratio = 0.3;
+ *     double pressure = 10e6, K, low, high;
+ *     fstiff_answer_points to = {sizeof to, &K, &low, &high};
+ *     if (fstiff_answer(&joint, &pressure, 1, &to, NULL) != FSTIFF_OK) puts(fstiff_last_message());
  *
  * Units       SI, per nominal area: heights, lengths and separations [m], pressures [Pa], stiffness [Pa/m], contacts
  *             [1/m^2]
@@ -66,6 +68,8 @@ FSTIFF_API const char* fstiff_strerror(int status);
  * warnings, a sentence a line. Never NULL; valid until the next call of this thread. */
 FSTIFF_API const char* fstiff_last_message(void);
 
+#include "fstiff_answer.h"
+
 /* ---- Contacts ---- */
 
 typedef struct fstiff_contact fstiff_contact;
@@ -79,7 +83,7 @@ typedef struct fstiff_roughness {
     double max_peak_height;   /**< R_p [m]; 0: not known */
     double r;                 /**< correlation of heights and curvatures of the peaks, 0 <= r < 1 */
     double theta;             /**< sampling angle [rad], 0 < theta < pi/2; 0: not known, for laws without joint peaks */
-    double fractal_dimension; /**< D, 1 < D < 2; 0: not known, for laws that do not take it */
+    double fractal_dimension; /**< D, 1 < D <= 1.99; 0: not known, for laws that do not take it */
     double rms_gradient;      /**< > 0; 0: not known. Persson's theory and the hybrid law take it */
     double skewness;          /**< of the heights, -3 to 3; needs the kurtosis. The hybrid law takes both */
     double kurtosis;          /**< of the heights, 3 of Gaussian ones; 0: not known, taken for Gaussian */
@@ -309,15 +313,6 @@ FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_r
  * such as "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that the function
  * does not know is refused. Warnings of the result are in fstiff_last_message() afterwards. */
 typedef struct fstiff_document fstiff_document;
-
-/** Heights [m], row after row; NaN marks a missing point. Where a function takes NULL in place of them, the option
- * `file` names a file. */
-typedef struct fstiff_heights {
-    size_t size;           /**< sizeof(fstiff_heights) */
-    const double* heights; /**< rows * columns */
-    size_t rows, columns;  /**< rows 0: a profile of `columns` points */
-    double dx, dy;         /**< distance of the points of a row, and of the rows [m] */
-} fstiff_heights;
 
 /** A measured curve. Where a function takes NULL in its place, an option names the file. */
 typedef struct fstiff_curve {

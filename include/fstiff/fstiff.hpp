@@ -11,6 +11,7 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
@@ -156,12 +157,10 @@
 #include <fstiff/measured/prepare.hpp>
 #include <fstiff/measured/sampled_band.hpp>
 #include <fstiff/measured/sections.hpp>
-#include <fstiff/measured/stiffness_band.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/measured/unmeasured_waves.hpp>
-#include <fstiff/measured/widened_band.hpp>
 #include <fstiff/fit/difference_fit.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>

@@ -3,6 +3,8 @@
 
     import fstiff
 
+    found = fstiff.answer(height="0.8 um", gradient=0.1, upper="steel", pressures=[1e6, 1e7])
+    found.stiffness, found.low, found.high                      # K per area [Pa/m] with its 90 % band
     surface = fstiff.measure(heights, spacing=0.5e-6)           # a 1-D or 2-D array of heights [m], or a file
     contact = fstiff.Contact("hybrid", surface=surface, effective_modulus=112.6e9)
     stiffness = contact.at_pressures([1e6, 1e7]).stiffness      # K per area [Pa/m]
@@ -14,6 +16,7 @@ an argument is a ValueError with one sentence; FileError, a ValueError and an OS
 
 from __future__ import annotations
 
+from ._answers import Stiffness, answer
 from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names
 from ._core import version as __version__
 from ._errors import FileError
@@ -38,10 +41,12 @@ __all__ = [
     "Points",
     "Scene",
     "Spectrum",
+    "Stiffness",
     "Surface",
     "Truth",
     "Ultrasound",
     "__version__",
+    "answer",
     "effective_modulus",
     "export",
     "fit",

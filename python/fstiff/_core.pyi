@@ -45,6 +45,22 @@ class Contact:
     @property
     def quantities(self) -> list[str]: ...
 
+class Face:
+    def __init__(self, numbers: dict[str, _Numbers], process: str, measured: list[Measured]) -> None: ...
+
+def answers(
+    count: int,
+    face: Face,
+    other: Face | None,
+    upper: str,
+    of_upper: dict[str, float],
+    lower: str,
+    of_lower: dict[str, float],
+    pressures: _Numbers,
+    numbers: dict[str, float],
+    quantities: list[str],
+) -> dict[str, Any]: ...
+
 class Scene:
     @staticmethod
     def of_text(text: str, name: str, surface: str, measured: Measured | None) -> Scene: ...

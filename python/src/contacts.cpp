@@ -125,32 +125,37 @@ Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<s
     return {results, why};
 }
 
-/// Numbers by their names.
-scene::ContactNumbers numbers_of_contact(const std::map<std::string, double>& numbers, const std::string& interaction) {
-    const auto optional = [&](const char* name) {
+/// The joint of numbers by their names; its face is \p measured where that is given.
+Joint joint_of(const std::map<std::string, double>& numbers, const std::string& interaction,
+               const scene::MeasuredSurface* measured = nullptr) {
+    const auto number = [&](const char* name) {
         const auto found = numbers.find(name);
         return found == numbers.end() ? std::optional<double>() : found->second;
     };
-    const auto number = [&](const char* name) { return optional(name).value_or(0); };
-    return {.surface = {number("rms_height"), number("peak_radius"), number("peak_density"), number("max_peak_height")},
-            .r = optional("r"),
-            .theta = optional("theta"),
-            .fractal_dimension = number("fractal_dimension"),
-            .rms_gradient = number("rms_gradient"),
-            .skewness = number("skewness"),
-            .kurtosis = number("kurtosis"),
-            .effective_modulus = number("effective_modulus"),
-            .poisson_ratio = optional("poisson_ratio"),
-            .yield_strength = number("yield_strength"),
-            .hardness = number("hardness"),
-            .reading = parse<InteractionReading>(interaction, "interaction"),
-            .interaction_length = number("interaction_length")};
+    Joint joint{.face = {.rms_height = number("rms_height"),
+                         .rms_gradient = number("rms_gradient"),
+                         .skewness = number("skewness"),
+                         .kurtosis = number("kurtosis"),
+                         .peak_radius = number("peak_radius"),
+                         .peak_density = number("peak_density"),
+                         .max_peak_height = number("max_peak_height"),
+                         .r = number("r"),
+                         .theta = number("theta"),
+                         .fractal_dimension = number("fractal_dimension")},
+                .upper = {.elastic = {0, number("poisson_ratio").value_or(std::numeric_limits<double>::quiet_NaN())},
+                          .yield_strength = number("yield_strength"),
+                          .hardness = number("hardness")},
+                .effective_modulus = number("effective_modulus"),
+                .interaction = {parse<InteractionReading>(interaction, "interaction"),
+                                number("interaction_length").value_or(0)}};
+    if (measured) joint.face.measured = std::make_shared<const fstiff::Surface<double>>(measured->found);
+    return joint;
 }
 
 OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
                       const std::string& interaction, const scene::MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
-    return scene::contact_of(law, numbers_of_contact(numbers, interaction), measured, until_interrupted());
+    return scene::contact_of(law, joint_of(numbers, interaction, measured), until_interrupted());
 }
 
 /// Arrays of the caller that are filled; none: new ones.
@@ -262,7 +267,7 @@ void add_contacts(nb::module_& m) {
         [](const std::string& law, const std::map<std::string, double>& numbers, const std::string& interaction,
            double pressure) {
             const nb::gil_scoped_release free;
-            return scene::sensitivity_of(law, numbers_of_contact(numbers, interaction), pressure);
+            return scene::sensitivity_of(law, joint_of(numbers, interaction), pressure);
         },
         nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"), nb::arg("pressure"));
     m.def("law_names", [] {

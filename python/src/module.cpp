@@ -32,4 +32,5 @@ NB_MODULE(_core, m) {
     add_contacts(m);
     add_scenes(m);
     add_surfaces(m);
+    add_answers(m);
 }

@@ -55,6 +55,7 @@ private:
 /// Ends a computation by what a signal raises, KeyboardInterrupt for Ctrl-C.
 ProgressHook until_interrupted();
 
+void add_answers(nb::module_& m);
 void add_contacts(nb::module_& m);
 void add_scenes(nb::module_& m);
 void add_surfaces(nb::module_& m);

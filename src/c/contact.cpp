@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contacts of numbers and of scenes, and their points.
 #include "c/contact.hpp"
+#include "c/measure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,22 +15,26 @@
 namespace fstiff::c {
 namespace {
 
-scene::ContactNumbers numbers_of(const fstiff_roughness& surface, const fstiff_body& body) {
+Joint joint_of(const fstiff_roughness& surface, const fstiff_body& body) {
     if (body.interaction < FSTIFF_NO_INTERACTION || body.interaction > FSTIFF_INTERACTION_AS_PRINTED)
         refuse_argument("interaction", body.interaction, "FSTIFF_NO_INTERACTION or one of the two readings");
-    return {.surface = {surface.rms_height, surface.peak_radius, surface.peak_density, surface.max_peak_height},
-            .r = surface.r,
-            .theta = surface.theta,
-            .fractal_dimension = surface.fractal_dimension,
-            .rms_gradient = surface.rms_gradient,
-            .skewness = surface.skewness,
-            .kurtosis = surface.kurtosis,
-            .effective_modulus = body.effective_modulus,
-            .poisson_ratio = body.poisson_ratio,
-            .yield_strength = body.yield_strength,
-            .hardness = body.hardness,
-            .reading = static_cast<InteractionReading>(body.interaction),
-            .interaction_length = body.interaction_length};
+    if (surface.kurtosis == 0 && surface.skewness != 0) throw domain_error("skewness: needs kurtosis");
+    Joint joint{.face = {.rms_height = surface.rms_height,
+                         .rms_gradient = known(surface.rms_gradient),
+                         .kurtosis = known(surface.kurtosis),
+                         .peak_radius = known(surface.peak_radius),
+                         .peak_density = known(surface.peak_density),
+                         .max_peak_height = known(surface.max_peak_height),
+                         .theta = known(surface.theta),
+                         .fractal_dimension = known(surface.fractal_dimension)},
+                .upper = {.elastic = {0, body.poisson_ratio},
+                          .yield_strength = known(body.yield_strength),
+                          .hardness = known(body.hardness)},
+                .effective_modulus = body.effective_modulus,
+                .interaction = {static_cast<InteractionReading>(body.interaction), body.interaction_length}};
+    if (joint.face.kurtosis) joint.face.skewness = surface.skewness;
+    if (joint.face.theta) joint.face.r = surface.r;
+    return joint;
 }
 
 /// An array of the caller, and what goes into it.
@@ -119,7 +124,7 @@ int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const 
     return made_by(made, [&] {
         not_null(law, "law");
         const fstiff_roughness roughness = taken(surface, "surface");
-        return new fstiff_contact{fstiff::scene::contact_of(law, numbers_of(roughness, taken(body, "body")))};
+        return new fstiff_contact{fstiff::scene::contact_of(law, joint_of(roughness, taken(body, "body")))};
     });
 }
 
@@ -130,7 +135,7 @@ int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const f
         const fstiff_roughness roughness = taken(surface, "surface");
         if (by_surface) sized(by_surface, "by_surface");
         if (by_body) sized(by_body, "by_body");
-        auto by = fstiff::scene::sensitivity_of(law, numbers_of(roughness, taken(body, "body")), pressure);
+        auto by = fstiff::scene::sensitivity_of(law, joint_of(roughness, taken(body, "body")), pressure);
         bool finite = true;
         for (const auto& [name, slope] : by) finite = finite && std::isfinite(slope);
         if (const int status = handed_on(finite)) return status;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Answers of commands to requests, as documents.
-#include "c/guard.hpp"
+#include "c/measure.hpp"
 
 #include "io/number.hpp"
 #include "scene/exported_law.hpp"
@@ -120,22 +120,6 @@ private:
     std::map<std::string, std::string, std::less<>> values_;
     std::string known_;
 };
-
-SurfaceInput input_of(const SurfaceOptions& options, const fstiff_heights& from) {
-    const std::size_t rows = std::max<std::size_t>(from.rows, 1);
-    if (from.columns > static_cast<std::size_t>(-1) / rows)
-        throw argument_error("rows times columns: must fit into memory");
-    require_array(from.heights, rows * from.columns, "heights");
-    if (from.rows == 0)
-        return surface_of_heights(options, Profile<double>{{from.heights, from.heights + from.columns}, from.dx},
-                                  "an array");
-    using Array = HeightMap<double>::Array;
-    return surface_of_heights(options,
-                              HeightMap<double>{Eigen::Map<const Array>(from.heights, static_cast<Eigen::Index>(rows),
-                                                                        static_cast<Eigen::Index>(from.columns)),
-                                                from.dx, from.dy},
-                              "an array");
-}
 
 /// The heights, or the file that \p options name.
 std::optional<SurfaceInput> surface_of(SurfaceOptions& options, const fstiff_heights* heights) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measurement of profiles and maps.
-#include "c/guard.hpp"
-
-#include "surface/measured_surface.hpp"
+#include "c/measure.hpp"
 
 #include <fstiff/measured/height_shape.hpp>
 
@@ -24,36 +22,6 @@ Lengths length(const char* name, double value) {
 }
 Lengths cut_off(const char* name, double value) {
     return value == FSTIFF_NO_CUT_OFF ? Lengths("none") : length(name, value);
-}
-
-MeasureOptions options_of(const fstiff_measure_options* given) {
-    MeasureOptions options;
-    options.neighbours = false;  // for the band of K, which nobody asks here
-    options.input.file = "heights";
-    if (!given) return options;
-    const fstiff_measure_options from = taken(given, "options");
-    if (from.detrend) options.input.detrend = std::string(from.detrend).substr(0, 40);
-    options.input.lambda_s = cut_off("lambda_s", from.lambda_s);
-    options.input.lambda_c = cut_off("lambda_c", from.lambda_c);
-    options.input.tip_radius = length("tip_radius", from.tip_radius);
-    options.input.resolution = length("resolution", from.resolution);
-    if (from.shortest_lag != 0 || from.longest_lag != 0) {
-        require_positive("shortest_lag", from.shortest_lag);
-        require_positive("longest_lag", from.longest_lag);
-        options.input.window = std::vector<double>{from.shortest_lag, from.longest_lag};
-    }
-    if (from.filter != FSTIFF_FILTER_GAUSSIAN && from.filter != FSTIFF_FILTER_ROBUST)
-        refuse_argument("filter", from.filter, "FSTIFF_FILTER_GAUSSIAN or FSTIFF_FILTER_ROBUST");
-    options.input.filter = from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
-    if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
-        refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
-    options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? parts::PeakSource::summits : parts::PeakSource::islands;
-    if (from.resamples != 0) {
-        require(from.resamples >= 2 && from.resamples <= 100000, "resamples", from.resamples, "2 to 100000");
-        options.resamples = from.resamples;
-    }
-    if (from.seed != 0) options.seed = from.seed;
-    return options;
 }
 
 void put(fstiff_measured& to, const Measurement<double>& from) {
@@ -97,6 +65,53 @@ int measure(Heights heights, const fstiff_measure_options* given, fstiff_surface
 }
 
 }  // namespace
+
+MeasureOptions options_of(const fstiff_measure_options* given) {
+    MeasureOptions options;
+    options.neighbours = false;  // for the band of K, which nobody asks here
+    options.input.file = "heights";
+    if (!given) return options;
+    const fstiff_measure_options from = taken(given, "options");
+    if (from.detrend) options.input.detrend = std::string(from.detrend).substr(0, 40);
+    options.input.lambda_s = cut_off("lambda_s", from.lambda_s);
+    options.input.lambda_c = cut_off("lambda_c", from.lambda_c);
+    options.input.tip_radius = length("tip_radius", from.tip_radius);
+    options.input.resolution = length("resolution", from.resolution);
+    if (from.shortest_lag != 0 || from.longest_lag != 0) {
+        require_positive("shortest_lag", from.shortest_lag);
+        require_positive("longest_lag", from.longest_lag);
+        options.input.window = std::vector<double>{from.shortest_lag, from.longest_lag};
+    }
+    if (from.filter != FSTIFF_FILTER_GAUSSIAN && from.filter != FSTIFF_FILTER_ROBUST)
+        refuse_argument("filter", from.filter, "FSTIFF_FILTER_GAUSSIAN or FSTIFF_FILTER_ROBUST");
+    options.input.filter = from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
+    if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
+        refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
+    options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? parts::PeakSource::summits : parts::PeakSource::islands;
+    if (from.resamples != 0) {
+        require(from.resamples >= 2 && from.resamples <= 100000, "resamples", from.resamples, "2 to 100000");
+        options.resamples = from.resamples;
+    }
+    if (from.seed != 0) options.seed = from.seed;
+    return options;
+}
+
+scene::SurfaceInput input_of(const scene::SurfaceOptions& options, const fstiff_heights& from) {
+    const std::size_t rows = std::max<std::size_t>(from.rows, 1);
+    if (from.columns > static_cast<std::size_t>(-1) / rows)
+        throw argument_error("rows times columns: must fit into memory");
+    require_array(from.heights, rows * from.columns, "heights");
+    if (from.rows == 0)
+        return surface_of_heights(options, Profile<double>{{from.heights, from.heights + from.columns}, from.dx},
+                                  "an array");
+    using Array = HeightMap<double>::Array;
+    return surface_of_heights(options,
+                              HeightMap<double>{Eigen::Map<const Array>(from.heights, static_cast<Eigen::Index>(rows),
+                                                                        static_cast<Eigen::Index>(from.columns)),
+                                                from.dx, from.dy},
+                              "an array");
+}
+
 }  // namespace fstiff::c
 
 using namespace fstiff::c;

@@ -3,8 +3,7 @@
 
 #include "scene/results.hpp"
 
-#include <fstiff/contact/microslip.hpp>
-#include <fstiff/ultrasound/propagation.hpp>
+#include <fstiff/answer/derived.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,34 +13,29 @@
 namespace fstiff::scene {
 namespace {
 
-/// Conductance of heat or current, by \p quantity, through the spots of \p s and their film [W/(m^2 K)], [S/m^2].
-Estimate<double> conductance_of_spots(CurveQuantity quantity, const Scene& scene, const ContactState<double>& s) {
-    const Conduction& by = scene.conduction;
-    const bool heat = quantity == CurveQuantity::thermal_conductance;
-    const double h = spot_conductance(s.stiffness.value, heat ? *by.thermal : *by.electrical, scene.effective_modulus);
-    const double under = parts::under_film(h, s.real_area_fraction.value, heat ? by.thermal_film : by.electrical_film);
-    return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
-}
-
-/// Loss factor of a cycle of the scene's amplitude. For yielded spots two limits are known; the middle is their mean.
-double loss_of(const Scene& scene, const Curve& curve, std::size_t i, double tangential_stiffness,
-               Statistic statistic) {
-    const double x = tangential_stiffness * *scene.friction->amplitude /
-                     (scene.friction->coefficient * curve.states[i].pressure.value);
-    const double elastic = parts::loss_factor(parts::PowerUnloading<double>{curve.growth[i]}, x);
-    if (!flows(scene, *curve.law) || statistic == Statistic::p95) return elastic;
-    const double flowed = parts::loss_factor(parts::FlowedUnloading<double>{}, x);
-    return statistic == Statistic::p05 ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
+/// The quantity that the library derives from K; none for what a state has itself.
+std::optional<Derived> derived_of(CurveQuantity quantity) {
+    using enum CurveQuantity;
+    switch (quantity) {
+        case tangential_stiffness: return Derived::tangential_stiffness;
+        case loss_factor: return Derived::loss_factor;
+        case reflection: return Derived::reflection;
+        case shear_reflection: return Derived::shear_reflection;
+        case thermal_conductance: return Derived::thermal_conductance;
+        case electrical_conductance: return Derived::electrical_conductance;
+        default: return std::nullopt;
+    }
 }
 
 /// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
-Estimate<double> estimate_of(const Column& column, const Scene& scene, double tangential_ratio, const Curve& curve,
-                             std::size_t i, const ContactState<double>& s) {
+Estimate<double> estimate_of(const Column& column, const Scene& scene, const Curve& curve, std::size_t i,
+                             const ContactState<double>& s) {
+    if (const auto which = derived_of(column.quantity))
+        return derived(*which, scene, curve, i, s,
+                       column.statistic == Statistic::p05   ? BandEnd::low
+                       : column.statistic == Statistic::p95 ? BandEnd::high
+                                                            : BandEnd::value);
     const double area = scene.nominal_area.value_or(0);
-    const auto reflected = [&](const Impedances<double>& media, double factor) {
-        return fstiff::reflection(s.stiffness * factor, media, scene.ultrasound->angular());
-    };
-    const auto loss = [&](double K) { return loss_of(scene, curve, i, tangential_ratio * K, column.statistic); };
     using enum CurveQuantity;
     switch (column.quantity) {
         case force: return {s.pressure.value * area, s.pressure.error * area};
@@ -52,21 +46,11 @@ Estimate<double> estimate_of(const Column& column, const Scene& scene, double ta
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
-        case tangential_stiffness: return {tangential_ratio * s.stiffness.value, tangential_ratio * s.stiffness.error};
-        case loss_factor: {
-            const double found = loss(s.stiffness.value);
-            return {found, std::abs(loss(s.stiffness.value + s.stiffness.error) - found)};
-        }
-        case reflection: return reflected(scene.ultrasound->longitudinal, 1);
-        case shear_reflection: return reflected(*scene.ultrasound->shear, tangential_ratio);
-        case thermal_conductance:
-        case electrical_conductance: return conductance_of_spots(column.quantity, scene, s);
-        case thermal_conductance_gap:
-            return {parts::gap_conductance(*scene.conduction.gap, s.separation.value) + scene.conduction.radiation, 0};
+        case thermal_conductance_gap: return {conductance_of_gap(scene.conduction, s.separation.value), 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
+        default: return {};
     }
-    return {};
 }
 
 }  // namespace
@@ -112,7 +96,7 @@ const std::string& Column::key() const {
     return keys[static_cast<std::size_t>(quantity)][static_cast<std::size_t>(statistic)];
 }
 
-std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio, bool bands) {
+std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool bands) {
     std::vector<Column> columns;
     const auto add = [&](const CurveQuantityRow& row, Statistic statistic) {
         Column& column = columns.emplace_back(Column{row.quantity, statistic});
@@ -129,7 +113,7 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
-            const Estimate<double> found = estimate_of(column, scene, tangential_ratio, curve, i, state);
+            const Estimate<double> found = estimate_of(column, scene, curve, i, state);
             const bool lost = (row.quantity == CurveQuantity::loading_stiffness && found.value == 0) ||
                               (of_planes && !curve.has_separation(i));
             column.values.push_back(lost                            ? std::numeric_limits<double>::quiet_NaN()

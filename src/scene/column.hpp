@@ -65,7 +65,6 @@ struct Column {
 };
 
 /// The columns that \p scene asks for, of the states and the band of \p curve; with \p bands some curve has a band.
-[[nodiscard]] std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio,
-                                             bool bands);
+[[nodiscard]] std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool bands);
 
 }  // namespace fstiff::scene

@@ -3,7 +3,7 @@
 
 #include "document/shown_unit.hpp"
 
-#include <fstiff/measured/unmeasured_waves.hpp>
+#include <fstiff/answer/concerns.hpp>
 
 #include <algorithm>
 #include <array>
@@ -91,71 +91,21 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     return text.empty() ? text : text + ".";
 }
 
-/// A measurement, and the factor between the ends of the band at one point once it was made.
-struct Measuring {
-    std::string what;
-    double factor = 0;
-};
-
-/// The factor at the point \p place of \p scene once \p which of its faces is known; infinite without a band.
-double factor_of(Scene scene, std::size_t place, parts::Unknown which) {
-    scene.best = true;
-    scene.points = {scene.points[place]};
-    if (!scene.forces.empty()) scene.forces = {scene.forces[place]};
-    for (Face& face : scene.faces) face = with_measured(std::move(face), which);
-    scene.face = with_measured(std::move(scene.face), which);
-    try {
-        Request request = request_of(scene);
-        request.checked = false;
-        const LawCurve curve = *curves_of(scene, request).answer;
-        if (!curve.band.empty()) return curve.band.front().high / curve.band.front().low;
-    } catch (const domain_error&) {  // as where some drawn surfaces have other peaks than the rest
-    }
-    return std::numeric_limits<double>::infinity();
-}
-
-/// The factor that \p reason makes of a profile or map four times as large: half the errors, and fewer waves that are
-/// longer.
-double factor_of_larger(const Scene& scene, const AnswerReason& reason, bool itself) {
-    parts::Causes<double> causes = reason.causes;
-    const auto scale = [&](parts::Cause cause, double by) {
-        auto& one = causes[static_cast<std::size_t>(cause)];
-        one = {by * one.low, by * one.high};
-    };
-    scale(parts::Cause::measurement, 0.5), scale(parts::Cause::shape, 0.5);
-    if (scene.nominal_area && !itself) {
-        parts::LongEnd<double> end = scene.face.parameters.long_end;
-        end.side *= measured_faces(scene).front()->measured->is_profile ? 4 : 2, end.error /= 2;
-        causes[static_cast<std::size_t>(parts::Cause::long_waves)] = {
-            -parts::unmeasured_waves(end, std::sqrt(*scene.nominal_area)).growth, 0};
-    } else {
-        scale(parts::Cause::contacts, measured_faces(scene).front()->measured->is_profile ? 0.25 : 0.5);
-    }
-    const auto [low, high] = parts::band_of(causes);
-    return std::exp(high - low);
-}
-
-/// Measurements that narrow the band of the answer at its state \p at.
-std::vector<Measuring> measurings(const Scene& scene, const Results& results, std::size_t at) {
-    using parts::Unknown;
-    std::vector<Measuring> all;
-    const bool map = scene.face.map && scene.face.spectrum_of_map, measured = !measured_faces(scene).empty();
-    const std::size_t place = results.answer->curve.places[at];
+/// What to measure, for people.
+std::string words_of(const NextMeasurement& next, const Scene& scene) {
+    if (!next.which)
+        return measured_faces(scene).front()->measured->is_profile ? "four times the length" : "four times the area";
     const bool lay = parts::prior_of(rough_faces(scene).front()->process).has_lay;
-    const std::pair<Unknown, const char*> candidates[]{{Unknown::height, "Rq or Sq"},
-                                                       {Unknown::gradient, lay ? "Sdq" : "Sdq or Rdq"},
-                                                       {Unknown::alpha, "alpha"},
-                                                       {Unknown::hurst, "D or H"},
-                                                       {Unknown::skewness, "skewness and kurtosis"}};
-    for (const auto& [which, what] : candidates)
-        if (!map && scene.face.is_open(which) && !(measured && parts::is_of_shape(which)))
-            all.push_back(
-                {what + std::string(scene.faces.empty() ? "" : " of both faces"), factor_of(scene, place, which)});
-    if (measured && !results.answer->of_map_itself)
-        all.push_back(
-            {measured_faces(scene).front()->measured->is_profile ? "four times the length" : "four times the area",
-             factor_of_larger(scene, results.answer->reasons[at], false)});
-    return all;
+    const auto what = [&]() -> std::string {
+        switch (*next.which) {
+            case parts::Unknown::height: return "Rq or Sq";
+            case parts::Unknown::gradient: return lay ? "Sdq" : "Sdq or Rdq";
+            case parts::Unknown::alpha: return "alpha";
+            case parts::Unknown::hurst: return "D or H";
+            default: return "skewness and kurtosis";
+        }
+    };
+    return what() + (scene.faces.empty() ? "" : " of both faces");
 }
 
 }  // namespace
@@ -194,16 +144,15 @@ std::string measure_next(const Scene& scene, const Results& results) {
     const std::vector<std::size_t> points = points_of_answer(scene);
     const auto at = curve.state_at(points[points.size() / 2]);
     if (!at) return "";
-    const double wide = std::log(curve.band[*at].high / curve.band[*at].low);
-    Measuring most{"", 0.95 * std::exp(wide)};  // nothing that narrows the factor by less
-    for (const Measuring& one : measurings(scene, results, *at))
-        if (one.factor < most.factor) most = one;
-    if (most.what.empty()) return "";
+    const auto next = next_measurement(scene, request_of(scene), curve, *results.answer, *at);
+    if (!next) return "";
+    const double wide = curve.band[*at].high / curve.band[*at].low;
     const auto factor = [&](double value) {
-        return rounded(value, rounded(std::exp(wide), 2) == rounded(most.factor, 2) ? 3 : 2);
+        return rounded(value, rounded(wide, 2) == rounded(next->factor, 2) ? 3 : 2);
     };
-    return "measure " + most.what + ": the band at " + with_unit(curve.states[*at].pressure.value, "Pa", 3) +
-           " narrows from a factor of " + factor(std::exp(wide)) + " to " + factor(most.factor);
+    return "measure " + words_of(*next, scene) + ": the band at " +
+           with_unit(curve.states[*at].pressure.value, "Pa", 3) + " narrows from a factor of " + factor(wide) + " to " +
+           factor(next->factor);
 }
 
 std::string origin_of_band(const Scene& scene) {

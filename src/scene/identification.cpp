@@ -326,7 +326,8 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
             return found_by(scene, fit, {data, request.wanted, fit.start, options});
         });
     }
-    for (const Parameter unknown : unknown_parameters(scene))  // of the surface, and held at an assumed value
+    for (const Parameter unknown :
+         unknown_parameters(scene, scene.best))  // of the surface, and held at an assumed value
         if (!has(request.wanted, unknown)) all.doubtful = true;
     if (scene.implausible) all.doubtful = true;
     std::size_t sound = 0;

@@ -148,8 +148,7 @@ LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& poin
     columns.current = values_after(0, curve, CurveQuantity::electrical_conductance);
     columns.heat = values_after(0, curve, CurveQuantity::thermal_conductance);
     if (columns.heat.empty() || !scene.thermal_conductance_gap) return columns;
-    const Conduction& by = scene.conduction;
-    const double open = parts::gap_conductance(*by.gap, zero_separation) + by.radiation;
+    const double open = conductance_of_gap(scene.conduction, zero_separation);
     const std::vector<double> gap = values_after(open, curve, CurveQuantity::thermal_conductance_gap);
     for (std::size_t i = 0; i < columns.heat.size(); ++i) columns.heat[i] += gap[i];
     return columns;

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <span>
 #include <string>
 
@@ -22,7 +21,7 @@ using CoreKeys = std::array<std::string_view, 5>;
 constexpr std::array<CoreKeys, 2> core_keys{
     {{"Sk", "Spk", "Svk", "Smr1", "Smr2"}, {"Rk", "Rpk", "Rvk", "Rmr1", "Rmr2"}}};
 
-parts::HeightShape<double> read_shape(Source& source, const Section& surface) {
+void read_shape(Source& source, const Section& surface, JointFace& of) {
     const auto number = [&](const char* name, const char* other) {
         const toml::node& node =
             surface.at(name, "is missing; surface.skewness and surface.kurtosis belong together, and " +
@@ -36,7 +35,7 @@ parts::HeightShape<double> read_shape(Source& source, const Section& surface) {
     if (!(kurtosis >= least && kurtosis <= parts::most_kurtosis<double>))
         source.refuse(*surface.find("kurtosis"), surface.key("kurtosis"),
                       "must be from " + rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
-    return {skewness, kurtosis};
+    of.skewness = skewness, of.kurtosis = kurtosis;
 }
 
 parts::MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
@@ -81,14 +80,6 @@ parts::BearingSlope<double> read_heights(Source& source, const toml::node& node,
     return source.located(node, [&] { return parts::BearingSlope<double>::of_heights(heights); });
 }
 
-/// Refuses a curve that is not that of the rms height, likely for a unit. Of a curve in the unit of the rms height.
-void require_rms(Source& source, const toml::node& node, const std::string& key, double rms, double rms_height) {
-    if (!(rms > rms_height / 2 && rms < rms_height * 2))
-        source.refuse(node, key,
-                      "belongs to an rms height of " + rounded(rms, 3) + " m, and rms_height is " +
-                          rounded(rms_height, 3) + " m; both must agree within a factor of 2");
-}
-
 }  // namespace
 
 std::vector<std::string_view> bearing_keys() {
@@ -97,12 +88,13 @@ std::vector<std::string_view> bearing_keys() {
     return all;
 }
 
-bool has_bearing(const Section& surface) {
-    const auto keys = bearing_keys();
-    return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key) != nullptr; });
+std::string first_bearing_key(const Section& surface) {
+    for (const std::string_view key : bearing_keys())
+        if (surface.find(key)) return std::string(key);
+    return {};
 }
 
-void read_bearing(Source& source, const Section& surface, Face& face) {
+void read_bearing(Source& source, const Section& surface, JointFace& of) {
     const auto first_of = [&](std::span<const std::string_view> keys) {
         const auto found =
             std::find_if(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key); });
@@ -121,24 +113,15 @@ void read_bearing(Source& source, const Section& surface, Face& face) {
         chosen = i;
     }
     if (chosen == ways.size()) return;
-    if (chosen == 0) {
-        const parts::HeightShape<double> shape = read_shape(source, surface);
-        return face.write([&](Face& one) { one.set_shape(shape); });
-    }
-    const double rms_height = face.parameters.rms_height.value;
+    if (chosen == 0) return read_shape(source, surface, of);
     const std::string_view key = *first_of(ways[chosen]);
     const toml::node& node = *surface.find(key);
-    const auto of_core = [&](const CoreKeys& keys) {
-        const parts::MaterialRatio<double> core = read_core(source, surface, keys);
-        return source.located(node, [&] { return parts::bearing_of_core(core); });
-    };
-    const parts::BearingSlope<double> curve =
-        chosen == 1 ? read_heights(source, node, surface.key(key)) : of_core(core_keys[chosen - 2]);
-    const auto [mean, variance, skewness, kurtosis] = parts::normal_moments(curve);
-    require_rms(source, node, surface.key(key), std::sqrt(variance), rms_height);
-    const auto of_rms = std::make_shared<const parts::BearingSlope<double>>(curve.scaled(1 / rms_height));
-    const parts::HeightShape<double> shape = parts::counted_shape(skewness, kurtosis, 1.0);
-    face.write([&](Face& one) { one.shape = shape, one.bearing = of_rms; });
+    if (chosen == 1) {
+        of.bearing = read_heights(source, node, surface.key(key));
+        return;
+    }
+    const parts::MaterialRatio<double> core = read_core(source, surface, core_keys[chosen - 2]);
+    of.bearing = source.located(node, [&] { return parts::bearing_of_core(core); });
 }
 
 }  // namespace fstiff::scene

@@ -108,9 +108,8 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     const toml::node* second = material.find("lower");
     const ReadBody lower = second ? read_material(source, *second, material.key("lower")) : upper;
     if (!second) source.record("material.lower", "as material.upper (default)");
-    scene.upper = upper.body.elastic, scene.lower = lower.body.elastic;
     scene.upper_name = upper.name, scene.lower_name = lower.name;
-    take_bodies(upper.body, lower.body, scene);
+    take_bodies(upper.body, lower.body, {}, scene);
     if (upper.thermal && lower.thermal) scene.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
     if (upper.electrical && lower.electrical)
         scene.conduction.electrical = joint_conductivity(*upper.electrical, *lower.electrical);

@@ -220,7 +220,8 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
 void read_peaks(Source& source, const Section& contact, Scene& scene, bool replaced) {
     const toml::node* peaks = contact.find("peaks");
     if (scene.face.has_peaks() && (replaced || !peaks)) {
-        scene.peaks.push_back(peaks_of_surface(scene, {.file = source.file}));
+        take_peaks(scene);
+        scene.peaks.front().where.file = source.file, scene.peaks.front().key = "surface.";
         source.record(contact.key("peaks"), replaced ? "surface (--surface)" : "surface (default)");
     } else if (peaks) {
         if (peaks->is_string())
@@ -233,10 +234,8 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
                 scene.peaks.push_back(read_one_peaks(source, (*peaks->as_array())[i],
                                                      contact.key("peaks") + "[" + std::to_string(i) + "]", scene));
     } else {
-        for (const char* theta : {"pi/4", "pi/3"})
-            scene.peaks.push_back(
-                {io::parse_angle(theta, "theta"), std::nullopt, false, {.file = source.file}, "contact.peaks."});
-        scene.default_peaks = true;
+        take_peaks(scene);
+        for (Peaks& one : scene.peaks) one.where.file = source.file, one.key = "contact.peaks.";
         const bool isotropic = has_isotropic_peaks(scene.face);
         source.record(contact.key("peaks"), isotropic
                                                 ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws theta = pi/4 "

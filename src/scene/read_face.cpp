@@ -15,9 +15,7 @@ namespace {
 
 using Measured = std::shared_ptr<const MeasuredSurface>;
 
-Face face_of_measured(const Measured& measured) {
-    return face_of(std::shared_ptr<const Surface<double>>(measured, &measured->found));
-}
+std::shared_ptr<const Surface<double>> found_of(const Measured& measured) { return {measured, &measured->found}; }
 
 /// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
 Measured measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
@@ -143,33 +141,37 @@ double read_parameter(Source& source, const Section& section, const parts::Param
 }
 
 /// rms_gradient, alpha and hurst, as they are written.
-void read_spectrum(Source& source, const Section& surface, Face& face) {
-    const auto read = [&](std::string_view name, std::optional<double> Face::*into, double low, double high,
-                          const char* range) {
+void read_spectrum(Source& source, const Section& surface, JointFace& of) {
+    const auto read = [&](std::string_view name, double low, double high, const char* range) -> std::optional<double> {
         const toml::node* node = surface.find(name);
-        if (!node) return;
+        if (!node) return std::nullopt;
         const double value = source.number(*node, surface.key(name));
         if (!(value > low && value <= high)) source.refuse(*node, surface.key(name), range);
-        face.write([&](Face& one) { one.*into = value; });
+        return value;
     };
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    read("rms_gradient", &Face::rms_gradient, 0, infinity, "must be greater than 0");
-    read("alpha", &Face::alpha, 1.5, infinity, "must be greater than 1.5, which every isotropic surface exceeds");
-    read("hurst", &Face::hurst, 0, 1, "must be greater than 0 and at most 1");
+    if (const auto written = read("rms_gradient", 0, infinity, "must be greater than 0")) of.rms_gradient = written;
+    of.alpha = read("alpha", 1.5, infinity, "must be greater than 1.5, which every isotropic surface exceeds");
+    of.hurst = read("hurst", 0, 1, "must be greater than 0 and at most 1");
 }
 
-/// surface.errors.rms_gradient, or of \p key, which made it.
-void read_gradient_error(Source& source, const Section& surface, const Section& errors, std::string_view key,
-                         const toml::node& node, Face& face) {
-    if (!surface.find(key) && !(key == "rms_gradient" && face.measured && face.rms_gradient))
-        source.refuse(node, errors.key(key), "needs the value of " + surface.key(key));
-    const double error = source.number(node, errors.key(key));
-    if (!(error >= 0)) source.refuse(node, errors.key(key), "must be finite and not negative");
-    face.gradient_error = key == "rms_gradient" ? error : error * over_written(surface, key, *face.rms_gradient);
-}
+/// A parameter of a surface in a JointFace, and its error.
+struct WrittenParameter {
+    Parameter which;
+    std::optional<double> JointFace::*value;
+    std::optional<double> JointFace::Errors::*error;
+};
+/// In the order of Parameter.
+constexpr WrittenParameter written_parameters[]{
+    {Parameter::rms_height, &JointFace::rms_height, &JointFace::Errors::height},
+    {Parameter::peak_radius, &JointFace::peak_radius, &JointFace::Errors::peak_radius},
+    {Parameter::peak_density, &JointFace::peak_density, &JointFace::Errors::peak_density},
+    {Parameter::fractal_dimension, &JointFace::fractal_dimension, &JointFace::Errors::fractal_dimension},
+    {Parameter::r, &JointFace::r, &JointFace::Errors::r},
+    {Parameter::theta, &JointFace::theta, &JointFace::Errors::theta}};
 
 /// surface.errors: standard errors of parameters that are known.
-void read_errors(Source& source, const Section& surface, Face& face) {
+void read_errors(Source& source, const Section& surface, JointFace& of) {
     const toml::node* errors = surface.find("errors");
     if (!errors) return;
     if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
@@ -179,32 +181,38 @@ void read_errors(Source& source, const Section& surface, Face& face) {
     keys.insert(keys.end(), heights.begin(), heights.end());
     for (const parts::ParameterRow& row : parts::surface_parameter_table) keys.push_back(row.key);
     const Section section(source, *errors->as_table(), surface.key("errors"), keys);
-    for (const parts::ParameterRow& row : parts::surface_parameter_table) {
+    const auto require_error = [&](const toml::node& node, std::string_view key, bool known, const auto& read) {
+        if (!known) source.refuse(node, section.key(key), "needs the value of " + surface.key(key));
+        const double error = read();
+        if (!(error >= 0 && std::isfinite(error)))
+            source.refuse(node, section.key(key), "must be finite and not negative");
+        return error;
+    };
+    const auto measured = [&](Parameter which) {
+        const auto* known = of.measured ? of.measured->find(which) : nullptr;
+        return known != nullptr;
+    };
+    for (const auto& [which, value, error] : written_parameters) {
+        const parts::ParameterRow& row = parts::row_of(which);
         const toml::node* node = section.find(row.key);
         if (!node) continue;
-        const std::string key = section.key(row.key);
-        Measurement<double>* known = face.parameters.find(row.parameter);
-        if (!known || !(face.measured || surface.find(row.key)))
-            source.refuse(*node, key, "needs the value of " + surface.key(row.key));
-        known->error = read_parameter(source, section, row, *node, true);
-        if (!(known->error >= 0 && std::isfinite(known->error)))
-            source.refuse(*node, key, "must be finite and not negative");
+        of.errors.*error = require_error(*node, row.key, surface.find(row.key) || measured(which),
+                                         [&] { return read_parameter(source, section, row, *node, true); });
         const double half = static_cast<double>(row.high.value - row.low.value) / 2;
-        if (row.variation == parts::Variation::between && known->error > half)
-            source.refuse(*node, key,
+        if (row.variation == parts::Variation::between && *(of.errors.*error) > half)
+            source.refuse(*node, section.key(row.key),
                           "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
     for (const std::string_view key : heights)
-        if (const toml::node* node = section.find(key)) {
-            if (!surface.find(key)) source.refuse(*node, section.key(key), "needs the value of " + surface.key(key));
-            const double error = source.quantity(*node, section.key(key), Dimension::length);
-            if (!(error >= 0 && std::isfinite(error)))
-                source.refuse(*node, section.key(key), "must be finite and not negative");
-            Measurement<double>& height = face.parameters.rms_height;
-            height.error = error * over_written(surface, key, height.value);
-        }
+        if (const toml::node* node = section.find(key))
+            of.errors.height = require_error(*node, key, surface.find(key), [&] {
+                return source.quantity(*node, section.key(key), Dimension::length);
+            });
     for (const std::string_view key : gradients)
-        if (const toml::node* node = section.find(key)) read_gradient_error(source, surface, section, key, *node, face);
+        if (const toml::node* node = section.find(key))
+            of.errors.gradient = require_error(
+                *node, key, surface.find(key) || (key == "rms_gradient" && of.measured && of.measured->heights),
+                [&] { return source.number(*node, section.key(key)); });
 }
 
 /// The keys of a face in \p table.
@@ -231,54 +239,52 @@ std::vector<std::string_view> keys_of_face(const toml::table& table) {
     return keys;
 }
 
-/// Whether \p surface gives numbers in place of the spectrum of a map.
-bool writes_spectrum(const Section& surface) {
-    constexpr std::array<std::string_view, 6> keys{"rms_height",   "peak_radius", "peak_density",
-                                                   "rms_gradient", "alpha",       "hurst"};
-    return has_bearing(surface) ||
-           std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key) != nullptr; });
+/// Puts on record what follows from numbers of other names, at the place of these, and R and D_p of the moments.
+void record_following(Source& source, const Section& surface, const Face& face,
+                      const std::vector<Following>& following) {
+    for (auto one = following.rbegin(); one != following.rend(); ++one) {
+        const parts::ParameterRow& row = parts::row_of(one->which);
+        const double value =
+            one->which == Parameter::rms_height ? face.parameters.rms_height.value : *face.rms_gradient;
+        source.inputs.insert(
+            source.inputs.begin() + static_cast<std::ptrdiff_t>(one->place),
+            {surface.key(row.key), "of " + std::string(one->of) + " (default)", value, std::string(row.unit)});
+    }
+    for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
+                                         std::pair(face.density_follows, Parameter::peak_density)})
+        if (follows)
+            source.record(surface.key(parts::row_of(which).key), "of rms_height, rms_gradient and alpha (default)",
+                          *face.value(which), parts::row_of(which).unit);
 }
 
-/// Puts on record R or D_p of \p face where it follows from the moments, which must make it a number.
-void record_following(Source& source, const Section& surface, const Face& face) {
-    for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
-                                         std::pair(face.density_follows, Parameter::peak_density)}) {
-        if (!follows) continue;
+/// The parameters that \p surface writes.
+void read_parameters(Source& source, const Section& surface, JointFace& of) {
+    for (const auto& [which, into, error] : written_parameters) {
         const parts::ParameterRow& row = parts::row_of(which);
-        const double value =
-            (which == Parameter::peak_radius ? face.parameters.peak_radius : face.parameters.peak_density)
-                .value;  // 0 counts as not known
-        if (!(value > 0 && std::isfinite(value))) {
-            const toml::node* alpha = surface.find("alpha");
-            source.refuse(alpha ? *alpha : surface.node(), surface.key(alpha ? "alpha" : "rms_height"),
-                          "makes, with rms_height and rms_gradient, " + std::string(row.key) + " = " + shortest(value) +
-                              ", which must be finite and greater than 0");
-        }
-        source.record(surface.key(row.key), "of rms_height, rms_gradient and alpha (default)", value, row.unit);
+        if (!of.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
+        const toml::node* node = surface.find(row.key);
+        if (!node) continue;
+        const double value = read_parameter(source, surface, row, *node);
+        if (!parts::parameter_in_range(which, value))
+            source.refuse(*node, surface.key(row.key), "must be " + row.range());
+        if (which == Parameter::fractal_dimension && value > greatest_dimension)
+            source.refuse(*node, surface.key(row.key),
+                          "must be greater than 1 and at most " + rounded(greatest_dimension) +
+                              "; K of the fractal laws goes as 1/(2 - D)");
+        of.*into = value;
     }
 }
 
-/// The parameters that \p surface writes. R and D_p of a face that was not measured follow where they are not there.
-void read_parameters(Source& source, const Section& surface, Face& face) {
-    for (const parts::ParameterRow& row : parts::surface_parameter_table) {
-        const toml::node* node = surface.find(row.key);
-        if (!face.measured && row.parameter == Parameter::rms_height) continue;  // read_roughness() has it
-        if (!node) {
-            if (!face.measured && row.parameter == Parameter::peak_radius) face.radius_follows = true;
-            if (!face.measured && row.parameter == Parameter::peak_density) face.density_follows = true;
-            continue;
-        }
-        const double value = read_parameter(source, surface, row, *node);
-        if (!parts::parameter_in_range(row.parameter, value))
-            source.refuse(*node, surface.key(row.key), "must be " + row.range());
-        if (row.parameter == Parameter::fractal_dimension) {
-            if (value > greatest_dimension)
-                source.refuse(*node, surface.key(row.key),
-                              "must be greater than 1 and at most " + rounded(greatest_dimension) +
-                                  "; K of the fractal laws goes as 1/(2 - D)");
-            face.write([](Face& one) { one.parameters.dimension_window_error = 0; });
-        }
-        face.write(row.parameter, value);
+/// The face of \p of; what it lacks is refused at the key of \p surface that it follows from.
+Face face_of_section(const Source& source, const Section& surface, const JointFace& of) {
+    try {
+        return face_of(of);
+    } catch (const domain_error& error) {
+        const std::string key(error.parameter() == "bearing" ? first_bearing_key(surface) : error.parameter());
+        if (key.empty()) throw error.with_place(source.place(surface.node()));
+        if (const toml::node* node = surface.find(key))
+            source.refuse(*node, surface.key(key), std::string(error.reason()));
+        throw domain_error(source.at(surface.node()) + ": " + surface.key(key) + ": " + std::string(error.reason()));
     }
 }
 
@@ -287,44 +293,35 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
                const ProgressHook& progress) {
     refuse_extremes(source, table, path);
     const Section surface(source, table, path, keys_of_face(table));
-    Face face;
+    JointFace of;
+    std::vector<Following> following;
     Measured& measured = scene.measured.emplace_back();
-    const auto read_process = [&] {
-        if (const toml::node* node = surface.find("process"))
-            face.process = source.choice<parts::Process>(*node, surface.key("process"));
-    };
     if (surface.find("from")) {
         measured = read_from(source, surface, progress);
-        face = face_of_measured(measured);
         record_measured(source, *measured, path);
-        read_process();
-    } else {
-        read_process();
-        read_roughness(source, surface, face);
+        of.measured = found_of(measured);
     }
-    read_spectrum(source, surface, face);
-    if (face.map && writes_spectrum(surface)) face.write([](Face& one) { one.spectrum_of_map = false; });
-    read_parameters(source, surface, face);
-    read_errors(source, surface, face);
-    const parts::SurfaceParameters<double>& parameters = face.parameters;
-    if (const auto highest = surface.optional_positive("max_peak_height", Dimension::length))
-        face.write([&](Face& one) { one.parameters.max_peak_height = {*highest, 0}; });
-    if (const auto roughness = surface.optional_positive("fractal_roughness", Dimension::length))
-        face.write([&](Face& one) { one.parameters.fractal_roughness = {*roughness, 0}; });
-    if (parameters.r.has_value() != parameters.theta.has_value())
-        throw domain_error(source.at(table) + ": " + surface.key(parameters.r ? "theta" : "r") + ": is missing; " +
-                           surface.key("r") + " and " + surface.key("theta") + " belong together");
-    read_bearing(source, surface, face);
-    fill_unknown(face, has_bearing(surface));
-    record_following(source, surface, face);
+    if (const toml::node* node = surface.find("process"))
+        of.process = source.choice<parts::Process>(*node, surface.key("process"));
+    if (!of.measured) following = read_roughness(source, surface, of);
+    read_spectrum(source, surface, of);
+    read_parameters(source, surface, of);
+    read_errors(source, surface, of);
+    of.max_peak_height = surface.optional_positive("max_peak_height", Dimension::length);
+    of.fractal_roughness = surface.optional_positive("fractal_roughness", Dimension::length);
+    read_bearing(source, surface, of);
+    Face face = face_of_section(source, surface, of);
+    if (surface.find("Sa"))
+        for (Prior& one : face.priors)
+            if (one.origin == Origin::mean_height) one.origin = Origin::mean_heights;
+    record_following(source, surface, face, following);
     return face;
 }
 
 /// The face of \p measured, the only one of \p scene.
 void take_surface(Source& source, const Measured& measured, Scene& scene) {
     record_measured(source, *measured, "surface");
-    scene.face = face_of_measured(measured);
-    fill_unknown(scene.face, false);
+    scene.face = face_of(JointFace{.measured = found_of(measured)});
     scene.measured = {measured};
 }
 

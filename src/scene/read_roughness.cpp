@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Height and gradient of [surface] by the names that drawings and instruments have for them.
-#include "document/file.hpp"
 #include "scene/readers.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
 #include <string>
 
 namespace fstiff::scene {
 namespace {
 
-using parts::PriorRange;
-using parts::Unknown;
 using Keys = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 5> height_keys{"rms_height", "Rq", "Sq", "Ra", "Sa"};
@@ -32,57 +28,27 @@ std::string_view one_of(const Source& source, const Section& surface, Keys keys)
     return found;
 }
 
-void read_height(Source& source, const Section& surface, Face& face) {
+std::optional<Following> read_height(Source& source, const Section& surface, JointFace& of) {
     const std::string_view key = one_of(source, surface, height_keys);
     if (key.empty())
         (void)surface.at("rms_height",
                          "is missing; the scene needs the height of the surface: rms_height, Rq, Sq, Ra or Sa");
-    const double height = surface.positive(key, Dimension::length);
-    if (key.back() != 'a') {
-        face.write(Parameter::rms_height, height);
-        if (key == "rms_height") return;
-    } else {
-        const PriorRange& ratio = parts::prior_of(face.process).mean_over_rms;
-        face.write(Parameter::rms_height, height / ratio.middle);
-        face.priors.push_back({Unknown::height, height / ratio.high, height / ratio.low,
-                               key == "Ra" ? Origin::mean_height : Origin::mean_heights, ratio});
-    }
-    source.record(surface.key("rms_height"), "of " + std::string(key) + " (default)", face.parameters.rms_height.value,
-                  "m");
+    (key.back() == 'a' ? of.mean_height : of.rms_height) = surface.positive(key, Dimension::length);
+    if (key == "rms_height") return std::nullopt;
+    return Following{source.inputs.size(), Parameter::rms_height, key};
 }
 
-/// A gradient of the range \p range, which is from \p origin.
-void take_gradient(const PriorRange& range, Origin origin, Face& face) {
-    face.rms_gradient = range.middle;
-    if (range.low < range.high) face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
-}
-
-void read_gradient(Source& source, const Section& surface, Face& face) {
+std::optional<Following> read_gradient(Source& source, const Section& surface, JointFace& of) {
     const std::string_view key = one_of(source, surface, gradient_keys);
-    if (key.empty() || key == "rms_gradient") return;  // read_spectrum() reads that
-    const toml::node& node = surface.at(key);
-    const PriorRange of_slope = parts::gradient_of_slope(parts::prior_of(face.process));
-    const auto times = [](const PriorRange& a, const PriorRange& b) {
-        const auto side = [&](double PriorRange::*end) {  // independent factors
-            return std::hypot(std::log(a.*end / a.middle), std::log(b.*end / b.middle));
-        };
-        const double middle = a.middle * b.middle;
-        return PriorRange{middle * std::exp(-side(&PriorRange::low)), middle,
-                          middle * std::exp(side(&PriorRange::high))};
-    };
+    if (key.empty() || key == "rms_gradient") return std::nullopt;  // read_spectrum() reads that
     if (key == "RSm") {
-        const double spacing = surface.positive(key, Dimension::length);
-        take_gradient(times(parts::slope_of_spacing(face.parameters.rms_height.value, spacing), of_slope),
-                      Origin::spacing, face);
+        of.profile_spacing = surface.positive(key, Dimension::length);
     } else {
-        const double slope = source.number(node, surface.key(key));
-        if (!(slope > 0)) source.refuse(node, surface.key(key), "must be greater than 0");
-        if (key == "Sdq")
-            face.rms_gradient = slope;
-        else
-            take_gradient(times({slope, slope, slope}, of_slope), Origin::slope, face);
+        const double slope = source.number(surface.at(key), surface.key(key));
+        if (!(slope > 0)) source.refuse(surface.at(key), surface.key(key), "must be greater than 0");
+        (key == "Sdq" ? of.rms_gradient : of.profile_gradient) = slope;
     }
-    source.record(surface.key("rms_gradient"), "of " + std::string(key) + " (default)", *face.rms_gradient);
+    return Following{source.inputs.size(), Parameter::rms_gradient, key};
 }
 
 }  // namespace
@@ -101,15 +67,11 @@ void refuse_extremes(const Source& source, const toml::table& table, const std::
                           "at every place; give Ra or Rq (Sa or Sq for a map)");
 }
 
-void read_roughness(Source& source, const Section& surface, Face& face) {
-    read_height(source, surface, face);
-    read_gradient(source, surface, face);
-}
-
-double over_written(const Section& surface, std::string_view key, double value) {
-    const toml::node& node = surface.at(key);
-    return value / (node.is_string() ? io::parse_quantity(written(node), Dimension::length, std::string(key))
-                                     : plain_number(node).value_or(value));
+std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& of) {
+    std::vector<Following> all;
+    for (const auto read : {read_height, read_gradient})
+        if (const auto one = read(source, surface, of)) all.push_back(*one);
+    return all;
 }
 
 }  // namespace fstiff::scene

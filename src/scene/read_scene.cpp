@@ -3,6 +3,8 @@
 #include "document/file.hpp"
 #include "scene/readers.hpp"
 
+#include <fstiff/answer/concerns.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -111,14 +113,12 @@ void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::s
 
 /// Warns of rms gradients that no surface has, unless the warnings of what was measured do.
 void warn_of_gradients(Scene& scene) {
-    double r = 0;  // the greatest, 1/2 where none is written
-    for (const Peaks& peaks : scene.peaks) r = std::max(r, peaks.r.value_or(0.5));
     constexpr std::array<std::string_view, 4> origins{
         "measured", "rms_gradient", "implied by peak_radius and peak_density", "implied by rms_height and peak_radius"};
     for (const auto& [name, face, file] : named_faces(scene)) {
         const bool told = face->measured && std::count(face->measured->concerns.begin(), face->measured->concerns.end(),
                                                        MeasuredConcern::implausible_gradient) > 0;
-        const auto wrong = told ? std::nullopt : implausible_gradient(*face, r);
+        const auto wrong = told ? std::nullopt : implausible_gradient(scene, *face);
         const std::string line =
             wrong ? gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->of)]) : "";
         if (told || !line.empty()) scene.implausible = true;

@@ -26,18 +26,22 @@ void read_gap(Source& source, const toml::table& table, Scene& scene);
 void read_friction(Source& source, const toml::table& table, Scene& scene);
 /// Reads [contact] of \p root, with the sections of its laws. \p replaced: the surface is not that of the scene.
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced);
-/// The keys of a bearing curve, and what they make of \p face, whose rms height is known; nothing where none is there.
+/// The keys of a bearing curve, the first of them that is there, and what they make of \p of.
 [[nodiscard]] std::vector<std::string_view> bearing_keys();
-[[nodiscard]] bool has_bearing(const Section& surface);
-void read_bearing(Source& source, const Section& surface, Face& face);
+[[nodiscard]] std::string first_bearing_key(const Section& surface);
+void read_bearing(Source& source, const Section& surface, JointFace& of);
+/// A number that follows from one of another name, and where it belongs among Source::inputs.
+struct Following {
+    std::size_t place;
+    Parameter which;
+    std::string_view of;
+};
 /// The keys that give height and gradient by other names than rms_height and rms_gradient, and what they make of \p
-/// face, which is not measured. What they leave open gets a prior.
+/// of, which is not measured.
 [[nodiscard]] std::vector<std::string_view> roughness_keys();
-void read_roughness(Source& source, const Section& surface, Face& face);
+[[nodiscard]] std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& of);
 /// Refuses Rz and its like in \p table, the section \p path.
 void refuse_extremes(const Source& source, const toml::table& table, const std::string& path);
-/// \p value, which the number or length \p key of \p surface made, over that number or length.
-[[nodiscard]] double over_written(const Section& surface, std::string_view key, double value);
 /// An angle with its unit, or a number of radians.
 [[nodiscard]] double read_angle(Source& source, const toml::node& node, const std::string& key);
 

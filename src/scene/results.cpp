@@ -35,13 +35,13 @@ std::vector<LawCurve> moved(Curves& from) {
 }
 
 /// \p curves with the columns of \p scene.
-std::vector<Curve> with_columns(const Scene& scene, std::vector<LawCurve> curves, double tangential_ratio) {
+std::vector<Curve> with_columns(const Scene& scene, std::vector<LawCurve> curves) {
     const bool bands =
         std::any_of(curves.begin(), curves.end(), [](const LawCurve& curve) { return !curve.band.empty(); });
     std::vector<Curve> all;
     for (LawCurve& curve : curves) {
         all.push_back({std::move(curve)});
-        all.back().columns = columns_of(scene, all.back(), tangential_ratio, bands);
+        all.back().columns = columns_of(scene, all.back(), bands);
     }
     return all;
 }
@@ -61,7 +61,7 @@ void take_answer(const Scene& scene, Curves& found, Results& results) {
     StiffnessAnswer& answer = results.answer.emplace();
     static_cast<AnswerFacts&>(answer) = std::move(found.facts);
     static_cast<LawCurve&>(answer.curve) = std::move(*found.answer);
-    answer.curve.columns = columns_of(scene, answer.curve, results.tangential_ratio, true);
+    answer.curve.columns = columns_of(scene, answer.curve, true);
 }
 
 }  // namespace
@@ -105,24 +105,6 @@ std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity,
     return std::nullopt;
 }
 
-std::vector<Parameter> unknown_parameters(const Scene& scene) {
-    std::vector<Parameter> all;
-    const auto measured = measured_faces(scene);
-    if (scene.face.measured)
-        all = parts::unknown_parameters(*scene.face.measured, scene.face.parameters);
-    else if (!measured.empty())  // of a sum: what is unknown of one face may not matter next to the other
-        all = parts::unknown_parameters(scene.face.parameters);
-    if (all.empty() && scene.faces.size() == 2)
-        for (const Face* face : measured) {
-            const double share = face->parameters.rms_height.value / scene.face.parameters.rms_height.value;
-            const auto own = parts::unknown_parameters(*face->measured, face->parameters);
-            if (2 * share * share > 1 && std::count(own.begin(), own.end(), Parameter::rms_height) > 0)
-                all = {Parameter::rms_height};
-        }
-    if (scene.best) std::erase_if(all, [](Parameter one) { return one != Parameter::rms_height; });
-    return all;
-}
-
 std::vector<const Curve*> shown_curves(const Results& results) {
     std::vector<const Curve*> shown;
     const bool named = results.curves.front().by.empty();  // else it is the answer's
@@ -142,7 +124,7 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
     Curves found = curves_of(scene, request, {}, &contacts);
     std::vector<LawCurve> curves = moved(found);
     require_states(scene, curves);
-    return with_columns(scene, std::move(curves), tangential_ratio(scene.upper, scene.lower));
+    return with_columns(scene, std::move(curves));
 }
 
 Results compute(const Scene& scene, const ProgressHook& progress) {
@@ -171,7 +153,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         results.warnings.push_back(
             "up to " + std::to_string(found.failed) + " of " + std::to_string(scene.samples) +
             " sampled surfaces are outside the range of the model at some point: the band there is from the others");
-    results.curves = with_columns(scene, std::move(curves), results.tangential_ratio);
+    results.curves = with_columns(scene, std::move(curves));
     if (best) {
         StiffnessAnswer& answer = results.answer.emplace();
         static_cast<AnswerFacts&>(answer) = std::move(found.facts);

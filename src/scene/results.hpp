@@ -50,12 +50,9 @@ struct Results {
     std::vector<std::string> explanation;  ///< three sentences at most: the kind of K, its uses and its source
     std::vector<std::string> short_explanation;  ///< the same for a picture: one or two short sentences
     /// A real area above the nominal one, integrals that did not converge, points that a law does not reach, an rms
-    /// gradient that no surface has, or a measured surface with unknown_parameters().
+    /// gradient that no surface has, or a measured surface with detail::unknown_parameters().
     bool doubtful = false;
 };
-
-/// The measured parameters of \p scene on which no result can rest; an answer rests on the rms height alone.
-[[nodiscard]] std::vector<Parameter> unknown_parameters(const Scene& scene);
 
 /// The curve of the answer, then those of the laws that are named.
 [[nodiscard]] std::vector<const Curve*> shown_curves(const Results& results);

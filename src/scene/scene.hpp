@@ -6,11 +6,9 @@
 #include "scene/joint.hpp"
 #include "surface/measured_surface.hpp"
 
-#include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/progress.hpp>
-#include <fstiff/ultrasound/spring_interface.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -44,29 +42,6 @@ struct Range {
     }
 };
 
-/// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
-struct Waves {
-    double frequency = 0;                     ///< [Hz]
-    Impedances<double> longitudinal{};        ///< the wave comes from material.upper
-    std::optional<Impedances<double>> shear;  ///< none: not known
-
-    [[nodiscard]] double angular() const { return parts::angular_frequency(frequency); }
-};
-
-/// Resistances to heat and current.
-struct Conduction {
-    std::optional<double> thermal, electrical;     ///< k of both bodies in series [W/(m K)], [S/m]; none: not known
-    std::optional<parts::GapFilling<double>> gap;  ///< what lies between the faces
-    double radiation = 0;                          ///< h in addition [W/(m^2 K)]
-    double thermal_film = 0, electrical_film = 0;  ///< on the spots [m^2 K/W], [ohm m^2]
-};
-
-/// Conditions of a tangential force.
-struct Friction {
-    double coefficient = 0;           ///< mu
-    std::optional<double> amplitude;  ///< of the tangential displacement, mean to peak [m]
-};
-
 /// A joint, what is asked of it, and the text that both come from.
 struct Scene : Problem {
     std::string name;
@@ -82,7 +57,6 @@ struct Scene : Problem {
     /// Phrases on what was assumed, such as "both bodies steel, 210 GPa"; printed with the answer.
     std::vector<std::string> assumptions;
 
-    Material<double> upper, lower;
     const parts::NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
     std::string open_body;  ///< where one body alone has a hardness, the other one: "copper", "the lower body"
 
@@ -99,10 +73,6 @@ struct Scene : Problem {
         true;           ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
     int samples = 400;  ///< of the band; 0: no band
     std::uint64_t seed = 2014;
-
-    std::optional<Waves> ultrasound;
-    Conduction conduction;
-    std::optional<Friction> friction;
 
     /// output.quantities
     bool stiffness = false, separation = false, real_area = false, contacts = false, loading_stiffness = false;

@@ -6,7 +6,7 @@
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 
-#include <fstiff/answer/law_error.hpp>
+#include <fstiff/answer/concerns.hpp>
 
 #include <algorithm>
 #include <string_view>
@@ -54,14 +54,12 @@ void warn_of_lost(const Scene& scene, Results& results) {
 
 /// A warning where law plastic is nearer to the hardness than any comparison of it.
 void warn_of_hardness(const Scene& scene, Results& results) {
-    const double most = parts::law_error_pressures.back() * hardness_of(scene);
     for (const Curve* curve : shown_curves(results))
-        for (std::size_t i = 0; i < curve->states.size(); ++i) {
-            const double pressure = curve->states[i].pressure.value;
-            if (curve->law_at(i).which != LawName::plastic || !(pressure > most)) continue;
+        if (const auto check = beyond_comparison(scene, *curve)) {
             results.doubtful = results.doubtful || !curve->by.empty();
-            return results.warnings.push_back("law plastic was compared up to " + with_unit(most, "Pa", 3) +
-                                              ", a quarter of the hardness: K at " + with_unit(pressure, "Pa", 3) +
+            return results.warnings.push_back("law plastic was compared up to " + with_unit(check->limit, "Pa", 3) +
+                                              ", a quarter of the hardness: K at " +
+                                              with_unit(curve->states[check->first].pressure.value, "Pa", 3) +
                                               " may be far off, and outside of its band");
         }
 }
@@ -163,7 +161,7 @@ void add_warnings(const Scene& scene, Results& results) {
     if (!scene.best) warn_of_missed(scene, results);
     if (results.answer) warn_of_lost(scene, results);
     warn_of_hardness(scene, results);
-    const std::vector<Parameter> unknown = unknown_parameters(scene);
+    const std::vector<Parameter> unknown = unknown_parameters(scene, scene.best);
     if (!scene.best)
         warn_of_named_laws(scene, results);
     else if (scene.reading != InteractionReading::none && scene.laws.front()->holds_when_crowded)

@@ -13,6 +13,12 @@ program fortran_test
     type(fstiff_slip) :: before, after
     type(fstiff_heights), target :: array
     type(fstiff_curve) :: curve
+    type(fstiff_face), target :: face
+    type(fstiff_joint) :: joint
+    type(fstiff_answer_points) :: answer
+    real(c_double), target :: low(2)
+    integer(c_int), target :: law_of_answer(2)
+    integer(c_int) :: doubtful
     real(c_double), allocatable, target :: generated(:)
     integer(c_size_t) :: count
     real(c_double), allocatable :: pressures(:), wanted(:), heights(:)
@@ -31,6 +37,7 @@ program fortran_test
     call get_command_argument(2, law_file)
     call check(fine%size == c_sizeof(fine) .and. body%size == c_sizeof(body) .and. points%size == c_sizeof(points) .and. &
         facts%size == c_sizeof(facts) .and. options%size == c_sizeof(options) .and. surface%size == c_sizeof(surface) .and. &
+        face%size == c_sizeof(face) .and. joint%size == c_sizeof(joint) .and. answer%size == c_sizeof(answer) .and. &
         array%size == c_sizeof(array) .and. curve%size == c_sizeof(curve) .and. before%size == c_sizeof(before), "sizes")
 
     fine = fstiff_roughness(rms_height=0.832d-6, peak_radius=40d-6, peak_density=500d6, r=0.5d0, theta=1d0)
@@ -130,6 +137,17 @@ program fortran_test
         == FSTIFF_OK .and. count == 2 .and. bits(separation(2)) == bits(2d7), "pressures of an answer")
     call check(len(fstiff_word_of_document(document, "answer.1.law")) > 4, "law of an answer")
     call check(fstiff_word_of_document(document, "answer.2.law") == "", "no third row")
+    face = fstiff_face(rms_height=1d-6, rms_gradient=0.1d0, alpha=5d0)
+    joint = fstiff_joint(face=c_loc(face), upper=fstiff_solid(205d9, 0.3d0), lower=fstiff_solid(205d9, 0.3d0))
+    answer%stiffness = c_loc(stiffness); answer%stiffness_p05 = c_loc(low); answer%law = c_loc(law_of_answer)
+    call check(fstiff_answer(joint, [1d7, 2d7], 2_c_size_t, answer, doubtful) == FSTIFF_OK .and. doubtful == 0, "answer")
+    call check(fstiff_document_numbers(document, "answer.*.stiffness_Pa_per_m"//c_null_char, separation, 7_c_size_t, count) &
+        == FSTIFF_OK .and. count == 2, "stiffness of a scene")
+    call check(all(bits(separation(:2)) == bits(stiffness(:2))), "stiffness of an answer")
+    call check(fstiff_document_numbers(document, "answer.*.stiffness_p05_Pa_per_m"//c_null_char, separation, 7_c_size_t, count) &
+        == FSTIFF_OK .and. count == 2, "band of a scene")
+    call check(all(bits(separation(:2)) == bits(low)), "band of an answer")
+    call check(fstiff_name_of_law(law_of_answer(1)) == fstiff_word_of_document(document, "answer.0.law"), "law by its name")
     call fstiff_document_free(document)
 
     fine%rms_height = -1

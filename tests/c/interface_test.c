@@ -573,6 +573,90 @@ static void test_conductance(void) {
     fstiff_document_free(made);
 }
 
+/* ---- The answer of a joint ---- */
+
+/* Numbers of the answer of a scene, at path. */
+static void of_scene(const char* scene, const char* path, double* values, size_t count) {
+    fstiff_document* made = NULL;
+    size_t found = 0;
+    CHECK(fstiff_run(scene, strlen(scene), "scene", NULL, &made) == FSTIFF_OK);
+    CHECK(fstiff_document_numbers(made, path, values, count, &found) == FSTIFF_OK && found == count);
+    fstiff_document_free(made);
+}
+
+/* K, its band and its law of numbers, of two faces and of heights are those of a scene to the last digit. */
+static void test_answer(void) {
+    const char* scene =
+        "surface = { Ra = \"0.8 um\", Sdq = 0.1, process = \"ground\" }\n"
+        "[material.upper]\nname = \"steel\"\nhardness = \"2 GPa\"\n"
+        "[material.lower]\nname = \"steel\"\nhardness = \"3 GPa\"\n"
+        "[contact]\npressures = [\"1 MPa\", \"100 MPa\"]\nnominal_area = \"1 cm^2\"\n";
+    const double pressures[2] = {1e6, 100e6};
+    fstiff_face face = {.size = sizeof face, .process = FSTIFF_PROCESS_GROUND};
+    face.mean_height = 0.8e-6, face.rms_gradient = 0.1;
+    fstiff_joint joint = {.size = sizeof joint, .face = &face, .nominal_area = 1e-4};
+    joint.upper = (fstiff_solid){210e9, 0.3, 0, 2e9};
+    joint.lower = (fstiff_solid){210e9, 0.3, 0, 3e9};
+    double K[2], low[2], high[2], loading[2], causes[2 * FSTIFF_CAUSES], wanted[2];
+    int law[2], status[2], doubtful = 7;
+    const fstiff_answer_points to = {.size = sizeof to,
+                                     .stiffness = K,
+                                     .stiffness_p05 = low,
+                                     .stiffness_p95 = high,
+                                     .loading_stiffness = loading,
+                                     .causes = causes,
+                                     .law = law,
+                                     .status = status};
+    CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OK && doubtful == 0);
+    of_scene(scene, "answer.*.stiffness_Pa_per_m", wanted, 2);
+    CHECK(K[0] == wanted[0] && K[1] == wanted[1]);
+    of_scene(scene, "answer.*.stiffness_p05_Pa_per_m", wanted, 2);
+    CHECK(low[0] == wanted[0] && low[1] == wanted[1]);
+    of_scene(scene, "answer.*.stiffness_p95_Pa_per_m", wanted, 2);
+    CHECK(high[0] == wanted[0] && high[1] == wanted[1]);
+    of_scene(scene, "answer.*.loading_stiffness_Pa_per_m", wanted, 2);
+    CHECK(loading[0] == wanted[0] && loading[1] == wanted[1]);
+    of_scene(scene, "answer.*.causes.prior", wanted, 2);
+    CHECK(causes[3] == wanted[0] && causes[FSTIFF_CAUSES + 3] == wanted[1]);
+    CHECK(strcmp(fstiff_law_name(law[0]), "plastic") == 0 && status[1] == FSTIFF_OK);
+    CHECK(strcmp(fstiff_law_name(-1), "unknown law") == 0 && strcmp(fstiff_law_name(999), "unknown law") == 0);
+
+    enum { n = 2048 };
+    static double heights[n];
+    unsigned state = 1;
+    double at = 0;
+    for (int i = 0; i < n; ++i) {
+        state = state * 1664525u + 1013904223u;
+        at = 0.98 * at + ((double)(state >> 8) / 0x1p24 - 0.5) * 1e-7;
+        heights[i] = at;
+    }
+    const fstiff_heights array = {.size = sizeof array, .heights = heights, .columns = n, .dx = 0.5e-6};
+    fstiff_face measured = {.size = sizeof measured, .heights = &array};
+    fstiff_face fine = {.size = sizeof fine, .rms_height = 0.1e-6, .rms_gradient = 0.05};
+    joint.face = &measured, joint.other = &fine, joint.samples = -1;
+    CHECK(fstiff_answer(&joint, pressures, 2, &to, NULL) == FSTIFF_OK && K[0] > 0);
+    const double without = K[0];
+    joint.samples = 50;
+    CHECK(fstiff_answer(&joint, pressures, 2, &to, NULL) == FSTIFF_OK && K[0] == without && low[0] < K[0]);
+
+    REFUSES(FSTIFF_BAD_ARGUMENT, "joint", fstiff_answer(NULL, pressures, 2, &to, NULL));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_answer(&joint, NULL, 2, &to, NULL));
+    REFUSES(FSTIFF_REFUSED, "pressure = -1", fstiff_answer(&joint, (const double[]){1e6, -1}, 2, &to, NULL));
+    joint.face = NULL;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "face", fstiff_answer(&joint, pressures, 2, &to, NULL));
+    joint.face = &face, face.rms_height = 1e-6;
+    REFUSES(FSTIFF_REFUSED, "mean_height: must not be given with rms_height",
+            fstiff_answer(&joint, pressures, 2, &to, NULL));
+    face.rms_height = 0, face.process = 99;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "process = 99", fstiff_answer(&joint, pressures, 2, &to, NULL));
+    face.process = 0, face.mean_height = NAN;
+    REFUSES(FSTIFF_REFUSED, "mean_height = nan", fstiff_answer(&joint, pressures, 2, &to, NULL));
+    face.mean_height = 0.8e-6, joint.other = NULL, joint.upper.hardness = 50e6;
+    CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OUT_OF_REACH && doubtful == 1);
+    CHECK(strncmp(fstiff_last_message(), "at the hardness", 15) == 0);
+    CHECK(status[0] == FSTIFF_OK && status[1] == FSTIFF_OUT_OF_REACH && K[0] > 0 && K[1] == 0 && law[1] == -1);
+}
+
 /* ---- Sensitivities ---- */
 
 static double stiffness_of(const fstiff_roughness* surface, const fstiff_body* body) {
@@ -690,7 +774,8 @@ static void test_hybrid_of_gradient(void) {
     CHECK(wanted > 0 && fabs(stiffness / wanted - 1) < 1e-14);
     fstiff_contact_free(hybrid);
     fstiff_document_free(made);
-    REFUSES(FSTIFF_REFUSED, "peak_radius = 0", fstiff_contact_make("hertz", &surface, &body, &hybrid));
+    REFUSES(FSTIFF_REFUSED, "needs peak_radius and peak_density",
+            fstiff_contact_make("hertz", &surface, &body, &hybrid));
 }
 
 static void test_refusals(void) {
@@ -710,7 +795,7 @@ static void test_refusals(void) {
     fine = fine_surface();
     REFUSES(FSTIFF_REFUSED, "must be one of", fstiff_contact_make("herz", &fine, &body, &none));
     REFUSES(FSTIFF_REFUSED, "must be one of", fstiff_contact_make("", &fine, &body, &none));
-    REFUSES(FSTIFF_REFUSED, "needs a map", fstiff_contact_make("summits", &fine, &body, &none));
+    REFUSES(FSTIFF_REFUSED, "needs a measured map", fstiff_contact_make("summits", &fine, &body, &none));
     REFUSES(FSTIFF_REFUSED, "needs", fstiff_contact_make("plastic", &fine, &body, &none));
     double* const fields[] = {&fine.rms_height, &fine.peak_radius,       &fine.peak_density, &fine.r,
                               &fine.theta,      &fine.fractal_dimension, &fine.rms_gradient, &body.effective_modulus,
@@ -994,6 +1079,7 @@ int main(int argc, char** argv) {
         test_scene(scene);
         test_law(argv[3]);
         test_tangents();
+        test_answer();
         test_sensitivity();
         test_law_of_a_map();
         test_measurement();

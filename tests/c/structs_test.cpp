@@ -73,6 +73,10 @@ TEST_CASE("a size that no version had is refused", "[c]") {
 // Sizes where doubles, pointers and size_t have 8 bytes. These numbers never change.
 TEST_CASE("the sizes of version 0.1 are taken", "[c]") {
     if (sizeof(void*) != 8) return;
+    CHECK(first_size<fstiff_face> == 128);
+    CHECK(first_size<fstiff_solid> == 32);
+    CHECK(first_size<fstiff_joint> == 112);
+    CHECK(first_size<fstiff_answer_points> == 96);
     CHECK(first_size<fstiff_roughness> == 88);
     CHECK(first_size<fstiff_body> == 56);
     CHECK(first_size<fstiff_points> == 72);

@@ -2,6 +2,9 @@
 # The names that LIBRARY defines for others are the functions that HEADER declares. NM: the program nm.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${HEADER} text)
+cmake_path(GET HEADER PARENT_PATH folder)
+file(READ ${folder}/fstiff_answer.h more)  # which HEADER includes
+string(APPEND text "${more}")
 string(REGEX MATCHALL "FSTIFF_API [^(;]*[ *]fstiff_[a-z_]+\\(" declared "${text}")
 list(TRANSFORM declared REPLACE ".*(fstiff_[a-z_]+)\\(" "\\1")
 execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)

@@ -95,7 +95,8 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     CHECK(largest_change({listed[1], listed[2]}, {found[1], found[2]}) < 0.01);
     CHECK(largest_change(listed, found) < 0.05);  // 1 of 1001 heights ends at 3.3 sigma
     // as many numbers as a program has: without alpha
-    scene::ContactNumbers plain{.surface = {1e-6, 20e-6, 2e9}, .rms_gradient = 0.1, .effective_modulus = modulus};
+    Joint plain{.face = {.rms_height = 1e-6, .rms_gradient = 0.1, .peak_radius = 20e-6, .peak_density = 2e9},
+                .effective_modulus = modulus};
     const std::vector<double> pressure{1e8};
     const auto stiffness = [&] {
         return scene::contact_of("hybrid", plain)
@@ -103,11 +104,11 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
             .state.stiffness.value;
     };
     const double without = stiffness();
-    plain.skewness = -1, plain.kurtosis = 4.5;
+    plain.face.skewness = -1, plain.face.kurtosis = 4.5;
     CHECK(stiffness() > 1.2 * without);
-    plain.kurtosis = 0;
+    plain.face.kurtosis = 0;
     CHECK_THROWS_AS(stiffness(), domain_error);
-    plain.kurtosis = 1.5;
+    plain.face.kurtosis = 1.5;
     CHECK_THROWS_AS(stiffness(), domain_error);
 }
 

@@ -4,11 +4,19 @@
 
 #include "support/library.hpp"
 
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/asperity/named_materials.hpp>
+#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/surface/bearing_family.hpp>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace joint_test {
@@ -48,6 +56,7 @@ void require_same(const Answer& found, const scene::Scene& scene) {
     CHECK(found.flows == answer.flows);
     CHECK(found.of_map_itself == answer.of_map_itself);
     CHECK(found.relative_hardness == answer.relative_hardness);
+    CHECK(found.doubtful == results.doubtful);
 }
 
 scene::Scene read(const std::string& text, const std::string& name = "s.toml") {
@@ -75,9 +84,40 @@ TEST_CASE("The answer of a joint of numbers is that of its scene") {
          {.rms_height = 0.8e-6,
           .rms_gradient = 0.2,
           .fractal_dimension = 1.3,
-          .rms_height_error = 0.1e-6,
-          .rms_gradient_error = 0.02}}};
-    for (const Case& one : cases) {
+          .errors = {.height = 0.1e-6, .gradient = 0.02}}}};
+    // by the names of drawings, a bearing curve, joint peaks and their errors
+    const parts::MaterialRatio<double> core{1.5e-6, 0.4e-6, 1.2e-6, 0.08, 0.85};
+    std::vector<double> heights;
+    std::string list;
+    for (int i = 0; i < 50; ++i) {
+        heights.push_back(1e-6 * (std::sin(0.4 * i) + 0.02 * i));
+        list += (i > 0 ? ", \"" : "\"") + parts::shortest_text(heights.back()) + " m\"";
+    }
+    const auto more = std::to_array<Case>(
+        {{"Ra = \"0.8 um\"\nRdq = 0.1\nprocess = \"milled\"\nerrors = { Ra = \"0.1 um\", Rdq = 0.02 }\n",
+          {.mean_height = 0.8e-6,
+           .profile_gradient = 0.1,
+           .process = parts::Process::milled,
+           .errors = {.height = 0.1e-6, .gradient = 0.02}}},
+         {"Rq = \"0.8 um\"\nRSm = \"60 um\"\n", {.rms_height = 0.8e-6, .profile_spacing = 60e-6}},
+         {"Sq = \"0.8 um\"\nSdq = 0.1\nSk = \"1.5 um\"\nSpk = \"0.4 um\"\nSvk = \"1.2 um\"\nSmr1 = 0.08\nSmr2 = "
+          "0.85\n",
+          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = parts::bearing_of_core(core)}},
+         {"Sq = \"0.8 um\"\nSdq = 0.1\nbearing_curve = [" + list + "]\n",
+          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = parts::BearingSlope<double>::of_heights(heights)}},
+         {"rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nmax_peak_height = \"3 um\"\n"
+          "r = 0.5\ntheta = 1.0\nerrors = { peak_radius = \"5 um\", peak_density = \"50 /mm^2\", r = 0.1, theta = 0.1 "
+          "}\n",
+          {.rms_height = 0.8e-6,
+           .peak_radius = 40e-6,
+           .peak_density = 500e6,
+           .max_peak_height = 3e-6,
+           .r = 0.5,
+           .theta = 1.0,
+           .errors = {.peak_radius = 5e-6, .peak_density = 50e6, .r = 0.1, .theta = 0.1}}}});
+    std::vector<Case> all = cases;
+    all.insert(all.end(), more.begin(), more.end());
+    for (const Case& one : all) {
         CAPTURE(one.surface);
         const Joint elastic{.face = one.face, .upper = body("steel"), .lower = body("cast_iron")};
         require_same(answer(elastic, pressures), read("[surface]\n" + one.surface + steel_on_iron + contact_of_text));
@@ -121,6 +161,185 @@ TEST_CASE("The answer of a joint of a trace, of a map and of two faces is that o
                  "nominal_area = \"1 cm^2\"\n"));
 }
 
+TEST_CASE("Laws by name have the curves and bands of a scene that names them") {
+    Joint joint{.face = {.rms_height = 0.8e-6,
+                         .peak_radius = 40e-6,
+                         .peak_density = 500e6,
+                         .fractal_dimension = 1.4,
+                         .errors = {.height = 0.1e-6, .fractal_dimension = 0.05}},
+                .upper = body("steel"),
+                .lower = body("cast_iron")};
+    const Answer found = answer(joint, pressures, {.laws = {LawName::hertz, LawName::fractal, LawName::persson}});
+    const scene::Results results = compute(
+        read("[surface]\nrms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 "
+             "/mm^2\"\nfractal_dimension = 1.4\nerrors = { rms_height = \"0.1 um\", fractal_dimension = 0.05 }\n" +
+             steel_on_iron + contact_of_text + "laws = [\"hertz\", \"fractal\", \"persson\"]\n"));
+    REQUIRE(found.laws.size() == results.curves.size());
+    for (std::size_t k = 0; k < found.laws.size(); ++k) {
+        const scene::Curve& curve = results.curves[k];
+        CAPTURE(k);
+        CHECK(found.laws[k].law == curve.law->which);
+        CHECK(found.laws[k].theta == curve.theta);
+        for (std::size_t i = 0; i < curve.states.size(); ++i) {
+            const AnswerPoint& point = found.laws[k].points[curve.places[i]];
+            CHECK(point.stiffness.value == curve.states[i].stiffness.value);
+            CHECK(point.stiffness.low == curve.band[i].low);
+            CHECK(point.stiffness.high == curve.band[i].high);
+        }
+    }
+    CHECK(test::refusal([&] { (void)answer(joint, pressures, {.laws = {LawName::summits}}); }) ==
+          "law summits: needs a measured map");
+}
+
+TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, with their bands") {
+    Joint joint{
+        .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("cast_iron")};
+    joint.upper.hardness = 1e9, joint.lower.hardness = 2e9;
+    joint.waves = Waves{.frequency = 5e6, .longitudinal = {46e6, 33e6}, .shear = Impedances<double>{25e6, 19e6}};
+    joint.conduction = {.thermal = joint_conductivity(53.3, 48.5),
+                        .electrical = joint_conductivity(6e6, 1e6),
+                        .gap = parts::GapFilling<double>{0.026, 0},
+                        .thermal_film = 1e-6};
+    joint.friction = Friction{.coefficient = 0.2, .amplitude = 1e-8};
+    const Answer found = answer(joint, pressures);
+    const scene::Results results = compute(read(
+        "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n[material.upper]\nname = \"steel\"\nhardness = \"1 "
+        "GPa\"\nelectrical_conductivity = \"6e6 S/m\"\n[material.lower]\nname = \"cast_iron\"\nhardness = \"2 "
+        "GPa\"\nelectrical_conductivity = \"1e6 S/m\"\n" +
+        contact_of_text +
+        "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\", shear_impedance = \"25 MRayl\" }\n"
+        "lower = { impedance = \"33 MRayl\", shear_impedance = \"19 MRayl\" }\n[gap]\nconductivity = \"0.026 W/(m "
+        "K)\"\n"
+        "thermal_film = \"1e-6 m^2 K/W\"\n[friction]\ncoefficient = 0.2\namplitude = \"10 nm\"\n"));
+    REQUIRE(results.answer);
+    const scene::Curve& curve = results.answer->curve;
+    using enum scene::CurveQuantity;
+    const std::pair<scene::CurveQuantity, std::optional<Banded> AnswerPoint::*> all[]{
+        {tangential_stiffness, &AnswerPoint::tangential_stiffness},
+        {loss_factor, &AnswerPoint::loss_factor},
+        {reflection, &AnswerPoint::reflection},
+        {shear_reflection, &AnswerPoint::shear_reflection},
+        {thermal_conductance, &AnswerPoint::thermal_conductance},
+        {electrical_conductance, &AnswerPoint::electrical_conductance}};
+    for (std::size_t i = 0; i < pressures.size(); ++i) {
+        for (const auto& [quantity, member] : all) {
+            const std::optional<Banded>& value = found.points[i].*member;
+            CAPTURE(i, static_cast<int>(quantity));
+            REQUIRE(value);
+            CHECK(value->value == curve.value_at(i, quantity));
+            CHECK(value->low == curve.value_at(i, quantity, scene::Statistic::p05));
+            CHECK(value->high == curve.value_at(i, quantity, scene::Statistic::p95));
+            CHECK(value->low < value->high);
+        }
+        CHECK(found.points[i].gap_conductance == curve.value_at(i, thermal_conductance_gap));
+    }
+    joint.waves->frequency = 0;
+    CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("frequency = 0"));
+    joint.waves.reset(), joint.conduction.thermal = -1;
+    CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("thermal = -1"));
+}
+
+TEST_CASE("What does not hold of an answer, and what to measure next, are values") {
+    const auto kinds = [](const Answer& of) {
+        std::set<parts::Concern> all;
+        for (const auto& one : of.concerns) all.insert(one.concern);
+        return all;
+    };
+    Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    CHECK(kinds(answer(joint, pressures)).empty());
+    joint.face.rms_gradient = 100;  // in per cent, likely
+    const Answer steep = answer(joint, pressures);
+    CHECK(kinds(steep) == std::set{parts::Concern::implausible_gradient});
+    CHECK(steep.concerns.front().greatest == 100);
+    CHECK(steep.doubtful);
+    joint.face.rms_gradient = 0.1, joint.upper.hardness = joint.lower.hardness = 30e6;
+    const Answer flowed = answer(joint, pressures);
+    CHECK(kinds(flowed) == std::set{parts::Concern::no_state, parts::Concern::beyond_comparison});
+    CHECK(std::any_of(flowed.concerns.begin(), flowed.concerns.end(), [](const auto& one) {
+        return one.concern == parts::Concern::no_state && one.first == 2 && one.violations == 1;
+    }));
+    CHECK(flowed.doubtful);
+
+    joint = {.face = {.mean_height = 0.8e-6}, .upper = body("steel"), .lower = body("steel")};
+    CHECK_FALSE(answer(joint, pressures).next);
+    const Answer told = answer(joint, pressures, {.next = true});
+    REQUIRE(told.next);
+    CHECK(told.next->which == parts::Unknown::gradient);
+    CHECK(told.next->pressure == pressures[1]);
+    CHECK(told.next->factor == told.points[1].stiffness.high / told.points[1].stiffness.low);
+    joint.face.rms_gradient = answer(joint, pressures).assumed[1].range.value;  // as it is assumed: the promise is kept
+    const Banded& then = answer(joint, pressures).points[1].stiffness;
+    CHECK(test::relative_error(then.high / then.low, told.next->narrowed) < 0.05);
+    CHECK(told.next->narrowed < 0.95 * told.next->factor);
+}
+
+TEST_CASE("The law of an answer and of the ends of its band is a table of K with its own approach") {
+    const Joint joint{
+        .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    std::vector<double> many;
+    for (int i = 0; i <= 40; ++i) many.push_back(1e5 * std::pow(10, i / 10.0));
+    const Answer found = answer(joint, many);
+    const std::pair<double, double Banded::*> ends[]{
+        {0.05, &Banded::low}, {0.5, &Banded::value}, {0.95, &Banded::high}};
+    for (const auto& [quantile, end] : ends) {
+        const ContactLaw<double> law = found.law_at(quantile, {.min_pressure = 1e5, .max_pressure = 1e9});
+        CAPTURE(quantile);
+        CHECK(law.stiffness_is_slope());
+        for (const AnswerPoint& point : found.points)
+            CHECK(test::relative_error(law.stiffness(point.pressure), point.stiffness.*end) <
+                  (std::max)(1e-3, 2 * law.relative_error()));
+        CHECK(law.relative_error() < 1e-3);
+    }
+    // hybrid, whose K is its slope: K between the points, and the approach, are those of the law itself
+    const ContactLaw<double> law = found.law_at(0.5, {.min_pressure = 1e5, .max_pressure = 1e9});
+    std::vector<double> between;
+    for (int i = 0; i < 40; ++i) between.push_back(1e5 * std::pow(10, (i + 0.5) / 10));
+    const Answer at = answer(joint, between);
+    for (std::size_t i = 0; i < between.size(); ++i) {
+        CHECK(test::relative_error(law.stiffness(between[i]), at.points[i].stiffness.value) < 1e-3);
+        const double approach = *at.points[i].approach - *found.points[0].approach;
+        CHECK(std::abs(law.approach(between[i], 1e5) - approach) < 1e-3 * found.rms_height);
+    }
+    CHECK(test::refusal([&] { (void)found.law_at(0.1, {1e5, 1e9}); }).starts_with("quantile = 0.1: must be"));
+    CHECK(test::refusal([&] {
+              (void)found.law_at(0.5, {1e4, 1e9});
+          }).starts_with("min_pressure = 10000: must be from"));
+    CHECK(test::refusal([&] { (void)found.law_at(0.5, {1e5, 1e10}); }).starts_with("max_pressure = "));
+    CHECK(test::refusal([&] { (void)Answer().law_at(0.5, {1e5, 1e9}); }).starts_with("points with a stiffness = 0"));
+}
+
+TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on what is thrown") {
+    const SelfAffineOptions<double> rough{.hurst = 0.8, .rms = 0.2e-6, .longest_wavelength = 20e-6, .seed = 3};
+    const auto map = std::make_shared<const Surface<double>>(measure(self_affine_map(rough, 64, 64, 0.5e-6, 0.5e-6)));
+    const Joint joint{.face = {.measured = map}, .upper = body("steel"), .lower = body("steel")};
+    const std::vector<double> many{1e7, 3e7, 1e8, 3e8, 1e9};
+    const Answer alone = answer(joint, many);
+    std::atomic<int> pieces = 0;
+    const auto on_two_threads = [&](std::size_t count, const Piece& run) {
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i = next++; i < count; i = next++) ++pieces, run(i);
+        };
+        std::thread other(work);
+        work();
+        other.join();
+    };
+    const Answer found = answer(joint, many, {.parallel = on_two_threads});
+    CHECK(pieces > 5);
+    CHECK(std::count_if(found.points.begin(), found.points.end(),
+                        [](const AnswerPoint& point) { return point.law == LawName::boundary_elements; }) >= 2);
+    for (std::size_t i = 0; i < many.size(); ++i) {
+        CHECK(found.points[i].stiffness.value == alone.points[i].stiffness.value);
+        CHECK(found.points[i].stiffness.low == alone.points[i].stiffness.low);
+        CHECK(found.points[i].stiffness.high == alone.points[i].stiffness.high);
+    }
+    const auto fails = [](std::size_t i) {
+        if (i > 2) throw domain_error(std::to_string(i));
+    };
+    CHECK(test::refusal([&] { parts::run_pieces(on_two_threads, 8, fails); }) == "3");
+    CHECK(test::refusal([&] { parts::run_pieces({}, 8, fails); }) == "3");
+}
+
 TEST_CASE("A contact by the name of its law has K of the answer, and keeps what it is made of") {
     Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
     joint.upper.hardness = 1e9;
@@ -157,6 +376,16 @@ TEST_CASE("A joint out of range is refused by the name of its member") {
     CHECK(refused([](Joint& of) { of.face.skewness = 0, of.face.kurtosis = 0.5; }).find("kurtosis") !=
           std::string::npos);
     CHECK(refused([](Joint& of) { of.nominal_area = 0; }).starts_with("nominal_area = 0"));
+    CHECK(refused([](Joint& of) { of.face.profile_gradient = 0.2; }) ==
+          "profile_gradient: must not be given with rms_gradient");
+    CHECK(refused([](Joint& of) { of.face.r = 0.5; }) == "theta: is missing; r and theta belong together");
+    CHECK(refused([](Joint& of) { of.face.r = 1, of.face.theta = 1; }).starts_with("r = 1: must be"));
+    CHECK(refused([](Joint& of) {
+              of.face.bearing = parts::BearingSlope<double>::of_heights(std::vector{-1e-3, 0.0, 1e-3});
+          }).starts_with("bearing: belongs to an rms height of 0.0"));
+    CHECK(refused([](Joint& of) { of.face.errors.peak_radius = 1e-6; }) == "error of peak_radius: needs the number");
+    CHECK(refused([](Joint& of) { of.face.errors.height = -1; }).starts_with("error of the height = -1: must be"));
+    CHECK(refused([](Joint& of) { of.effective_modulus = 0; }).starts_with("effective_modulus = 0"));
     CHECK(refused([](Joint& of) { of.lower.hardness = -2; }).starts_with("hardness = -2"));
     CHECK(refused([](Joint& of) { of.upper.elastic.poisson_ratio = 0.7; }).starts_with("poisson_ratio = 0.7"));
     CHECK(refused([](Joint&) {}, {1e6, 0.0}).starts_with("pressure = 0: must be finite and greater than 0"));

@@ -5,13 +5,17 @@
 #include "support/skip.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/hybrid_of_map.hpp>
+#include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/measured/pooled_surface.hpp>
-#include <fstiff/measured/widened_band.hpp>
+#include <fstiff/measured/sampled_band.hpp>
 #ifdef FSTIFF_TEST_HAS_C
 #include <fstiff.h>
 #endif
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -150,13 +154,41 @@ bool is_measured(const std::filesystem::path& path) {
     return true;
 }
 
-/// K of \p curve and its band are those of \p found.
-void require_same_band(const scene::Curve& curve, const std::vector<parts::WidenedBand<double>>& found) {
-    REQUIRE(curve.states.size() == found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        CHECK(same(curve.states[i].stiffness.value, found[i].stiffness));
-        CHECK(same(curve.band[i].low, found[i].band.low));
-        CHECK(same(curve.band[i].high, found[i].band.high));
+/// K of \p curve and its band, step by step: the surfaces drawn about \p surface, and its neighbours, each by a
+/// contact of its own with the law \p law_of(D).
+template <class LawOf>
+void require_same_band(const scene::Curve& curve, const Surface<double>& surface, double modulus, const LawOf& law_of) {
+    const std::vector<double> pressures{1e6, 1e7};
+    const auto at = [&](const std::array<double, parts::surface_parameter_count>& drawn) {
+        const auto value = [&](Parameter which) { return drawn[parts::index_of(which)]; };
+        std::vector<double> all;
+        for (const auto& point : curve_at_pressures(
+                 RoughContact(Roughness<double>{value(Parameter::rms_height), value(Parameter::peak_radius),
+                                                value(Parameter::peak_density)},
+                              PeakDistribution<double>(value(Parameter::r), value(Parameter::theta)),
+                              law_of(value(Parameter::fractal_dimension)), modulus),
+                 pressures, Quantity::stiffness))
+            all.push_back(point.state.stiffness.value);
+        return all;
+    };
+    const std::vector<double> own = at(surface.values());
+    const auto errors = parts::sampled_band<double>(surface, at);
+    REQUIRE(curve.states.size() == own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        double low = 0, high = 0;
+        for (const Surface<double>& neighbour : surface.neighbours) {
+            auto values = neighbour.values();
+            for (const Parameter which : {Parameter::r, Parameter::theta})
+                if (!neighbour.find(which)) values[parts::index_of(which)] = surface.values()[parts::index_of(which)];
+            const double change = std::log(at(values)[i] / own[i]);
+            low = (std::min)(low, change), high = (std::max)(high, change);
+        }
+        CHECK(same(curve.states[i].stiffness.value, own[i]));
+        CHECK(test::relative_error(curve.band[i].low,
+                                   own[i] * std::exp(-std::hypot(std::log(errors[i].low / own[i]), low))) < 1e-12);
+        CHECK(test::relative_error(curve.band[i].high,
+                                   own[i] * std::exp(std::hypot(std::log(errors[i].high / own[i]), high))) < 1e-12);
+        CHECK(high - low > 0.001);  // so that a band without it is another
     }
 }
 
@@ -215,7 +247,7 @@ TEST_CASE("The command and the headers pool several measurements of one surface 
                    std::vector<HeightMap<double>>{});
 }
 
-TEST_CASE("The command and the headers find the same K and the same band of it") {
+TEST_CASE("K of a law that is named and its band are those of the contacts one by one") {
     const test::Folder folder;
     for (const std::string& text :
          {test::profile_text(4096, 0.5e-6, {.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6, .seed = 3}),
@@ -230,12 +262,11 @@ TEST_CASE("The command and the headers find the same K and the same band of it")
         const auto measured = [](const auto& heights) { return measure(heights); };
         const Surface<double> found = std::visit(measured, scene::read_surface_input(options).surface.data);
         REQUIRE(found.fractal_dimension);
-        const std::vector<double> pressures{1e6, 1e7};
         const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
         const auto hertz = [](double) { return HertzLaw<double>{}; };
         const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
-        require_same_band(results.curves[0], stiffness_band(found, pressures, hertz, modulus));
-        require_same_band(results.curves[1], stiffness_band(found, pressures, fractal, modulus));
+        require_same_band(results.curves[0], found, modulus, hertz);
+        require_same_band(results.curves[1], found, modulus, fractal);
     }
 }
 

@@ -18,7 +18,9 @@
 
 #include <fstiff/answer/any_contact.hpp>
 #include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/checks.hpp>
 #include <fstiff/answer/joint.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/topography/line_transform.hpp>
 
@@ -33,14 +35,17 @@ namespace fstiff::inline v0_1 {
 
 /// How an answer is computed.
 struct AnswerOptions {
-    int samples = 400;          ///< surfaces drawn for the band; 0: K alone, without a band of the surface
-    std::uint64_t seed = 2014;  ///< of them
-    bool solve_map = true;      ///< boundary elements of a map where they know more, which take seconds
-    int grid = 256;             ///< their points a side, at least 16
+    std::vector<LawName> laws{};  ///< that have a curve each next to the answer
+    bool next = false;            ///< what to measure next too, which takes up to five more answers at one pressure
+    int samples = 400;            ///< surfaces drawn for the band; 0: K alone, without a band of the surface
+    std::uint64_t seed = 2014;    ///< of them
+    bool solve_map = true;        ///< boundary elements of a map where they know more, which take seconds
+    int grid = 256;               ///< their points a side, at least 16
     Edges edges = Edges::mirrored;
     double gamma = 0.45;   ///< of Persson's theory, above 0 and at most 1
     double seating = 1e3;  ///< the approach is 0 at this pressure [Pa]
     ProgressHook progress{};
+    ParallelHook parallel{};  ///< runs the solutions by boundary elements, which then report no progress
 };
 
 /// A value between the 5 % and the 95 % end of its band.
@@ -48,17 +53,24 @@ struct Banded {
     double low = 0, value = 0, high = 0;
 };
 
-/// The answer at one pressure.
+/// K at one pressure, and what follows from it where the joint has what it takes.
 struct AnswerPoint {
-    double pressure = 0;                        ///< [Pa]
-    std::string reason{};                       ///< why there is no K; empty where there is one
-    Banded stiffness{};                         ///< K of the nominal area [Pa/m]
-    LawName law{};                              ///< that gave it
-    parts::Causes<double> causes{};             ///< of the band, in ln K: parts::shares_of() are their shares
-    std::optional<double> p_star{};             ///< p/(E g)
-    std::optional<double> contacts{};           ///< expected on the nominal area, or on that of the measurement
-    std::optional<double> loading_stiffness{};  ///< -dp/dd of the first loading where peaks yield [Pa/m]
-    std::optional<double> approach{};           ///< since AnswerOptions::seating [m]
+    double pressure = 0;                           ///< [Pa]
+    std::string reason{};                          ///< why there is no K; empty where there is one
+    Banded stiffness{};                            ///< K of the nominal area [Pa/m]; without a band three equal numbers
+    LawName law{};                                 ///< that gave it
+    parts::Causes<double> causes{};                ///< of the band, in ln K: parts::shares_of() are their shares
+    std::optional<double> p_star{};                ///< p/(E g)
+    std::optional<double> contacts{};              ///< expected on the nominal area, or on that of the measurement
+    std::optional<double> loading_stiffness{};     ///< -dp/dd of the first loading where peaks yield [Pa/m]
+    std::optional<double> approach{};              ///< since AnswerOptions::seating [m]
+    std::optional<Banded> tangential_stiffness{};  ///< before slip, by Mindlin's ratio [Pa/m]
+    std::optional<Banded> loss_factor{};           ///< of a cycle of Friction::amplitude
+    std::optional<Banded> reflection{};            ///< |R| of Waves; its low end is that of the high end of K
+    std::optional<Banded> shear_reflection{};      ///< the same of shear waves
+    std::optional<Banded> thermal_conductance{};   ///< of the spots [W/(m^2 K)]
+    std::optional<Banded> electrical_conductance{};  ///< [S/m^2]
+    std::optional<double> gap_conductance{};         ///< of the gap, next to the spots [W/(m^2 K)]
 
     [[nodiscard]] bool ok() const { return reason.empty(); }
 };
@@ -72,11 +84,36 @@ struct AssumedNumber {
 
 /// The answer of a joint.
 struct Answer {
-    std::vector<AnswerPoint> points;            ///< one for each pressure, in their order
+    std::vector<AnswerPoint> points{};  ///< one for each pressure, in their order
+    /// One law on one joint distribution of peaks; its points have no causes.
+    struct Curve {
+        LawName law{};
+        std::optional<double> theta{}, r{};  ///< of the peaks; none: a law without them
+        std::vector<AnswerPoint> points{};
+    };
+    std::vector<Curve> laws{};                  ///< of AnswerOptions::laws
     bool flows = false;                         ///< the peaks yield: K is that of unloading, of vibration and waves
     bool of_map_itself = false;                 ///< the contact is the measured map, and no other piece of the surface
     std::optional<double> relative_hardness{};  ///< H/(E g), where both are known
     std::vector<AssumedNumber> assumed{};       ///< that the law of the answer depends on
+    std::vector<parts::Check<double>> concerns{};  ///< what does not hold; `first` is a place among the pressures
+    bool doubtful = false;                         ///< `fstiff run` would end with exit code 4
+    /// A measurement that narrows the band.
+    struct Next {
+        std::optional<parts::Unknown> which{};  ///< none: the same measurement of four times the length or the area
+        double pressure = 0;                    ///< the middle one of the pressures [Pa]
+        double factor = 0, narrowed = 0;        ///< high over low of its band, and once it finds what is assumed
+    };
+    std::optional<Next> next{};  ///< the measurement that narrows the band most, where AnswerOptions::next asks for it
+    double rms_height = 0;       ///< of both faces [m]
+
+    /// The law of the answer, or of an end of its band, between the pressures of its points: ln K by cubics over ln p
+    /// that rise where the points do, and -dp/dd = K. Separations count from the greatest pressure of \p range:
+    /// approach() and touch() of the law are those of the joint. Of peaks that yield it is the law of unloading.
+    /// \p quantile is 0.05, 0.5 (K itself) or 0.95.
+    /// The caller includes fstiff/contact/contact_law.hpp.
+    /// \throws domain_error for another quantile, a range beyond the points, and a K that does not rise.
+    [[nodiscard]] ContactLaw<double> law_at(double quantile, const LawRange<double>& range) const;
 };
 
 /// K of \p joint under \p pressures [Pa], each above 0.

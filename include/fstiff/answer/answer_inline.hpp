@@ -5,142 +5,28 @@
 
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/bands_inline.hpp>
+#include <fstiff/answer/concerns_inline.hpp>
 #include <fstiff/answer/curves_inline.hpp>
+#include <fstiff/answer/derived_inline.hpp>
 #include <fstiff/answer/elements_inline.hpp>
 #include <fstiff/answer/face_inline.hpp>
 #include <fstiff/answer/laws_inline.hpp>
 #include <fstiff/answer/maps_inline.hpp>
 #include <fstiff/answer/problem_inline.hpp>
 #include <fstiff/answer/quick_hybrids_inline.hpp>
+#include <fstiff/answer/resolve_inline.hpp>
+#include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/answer/unknowns_inline.hpp>
 
+#include <fstiff/contact/contact_law.hpp>
+
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 namespace fstiff::inline v0_1 {
 
 namespace detail {
-
-/// \p value of \p name, which must be above \p low and at most \p high.
-FSTIFF_INLINE void require_between(const char* name, const std::optional<double>& value, double low,
-                                   double high = (std::numeric_limits<double>::max)()) {
-    if (value && !(*value > low && *value <= high))
-        parts::refuse(
-            name, *value,
-            high == (std::numeric_limits<double>::max)()
-                ? "finite and greater than " + parts::rounded_text(low, 6)
-                : "greater than " + parts::rounded_text(low, 6) + " and at most " + parts::rounded_text(high, 6));
-}
-
-FSTIFF_INLINE void require_numbers(const JointFace& of) {
-    for (const auto& [name, value] :
-         {std::pair("rms_height", of.rms_height), std::pair("mean_height", of.mean_height),
-          std::pair("rms_gradient", of.rms_gradient), std::pair("peak_radius", of.peak_radius),
-          std::pair("peak_density", of.peak_density)})
-        require_between(name, value, 0);
-    require_between("alpha", of.alpha, 1.5);
-    require_between("hurst", of.hurst, 0, 1);
-    require_between("fractal_dimension", of.fractal_dimension, 1, greatest_dimension);
-    if (of.rms_height && of.mean_height) throw domain_error("mean_height: must not be given with rms_height");
-    if (!of.measured && !of.rms_height && !of.mean_height)
-        throw domain_error("rms_height: is missing; a face needs it, mean_height or a measured surface");
-    if (of.skewness.has_value() != of.kurtosis.has_value())
-        throw domain_error("skewness: must be given with kurtosis, and kurtosis with it");
-    require(of.rms_height_error >= 0 && of.rms_gradient_error >= 0, "rms_height_error", of.rms_height_error,
-            "not negative, as rms_gradient_error");
-}
-
-/// The face of \p of as the contact has it.
-FSTIFF_INLINE Face face_of(const JointFace& of) {
-    require_numbers(of);
-    Face face;
-    if (of.measured) face = face_of(of.measured);
-    face.process = of.process;
-    if (of.rms_height) face.write(Parameter::rms_height, *of.rms_height);
-    if (of.mean_height) {
-        const parts::PriorRange& ratio = parts::prior_of(face.process).mean_over_rms;
-        face.write(Parameter::rms_height, *of.mean_height / ratio.middle);
-        face.priors.push_back({parts::Unknown::height, *of.mean_height / ratio.high, *of.mean_height / ratio.low,
-                               Origin::mean_height, ratio});
-    }
-    const auto put = [&](const std::optional<double>& value, std::optional<double> Face::*into) {
-        if (value) face.write([&](Face& one) { one.*into = value; });
-    };
-    put(of.rms_gradient, &Face::rms_gradient), put(of.alpha, &Face::alpha), put(of.hurst, &Face::hurst);
-    const bool has_shape = of.skewness.has_value();
-    if (of.rms_height || of.mean_height || of.rms_gradient || of.alpha || of.hurst || of.peak_radius ||
-        of.peak_density || has_shape)
-        face.write([](Face& one) { one.spectrum_of_map = one.spectrum_of_map && !one.map; });
-    if (of.peak_radius) face.write(Parameter::peak_radius, *of.peak_radius);
-    if (of.peak_density) face.write(Parameter::peak_density, *of.peak_density);
-    face.radius_follows = !of.measured && !of.peak_radius;
-    face.density_follows = !of.measured && !of.peak_density;
-    if (of.fractal_dimension) {
-        face.write([](Face& one) { one.parameters.dimension_window_error = 0; });
-        face.write(Parameter::fractal_dimension, *of.fractal_dimension);
-    }
-    if (of.rms_height_error > 0) face.parameters.rms_height.error = of.rms_height_error;
-    if (of.rms_gradient_error > 0) face.gradient_error = of.rms_gradient_error;
-    if (has_shape) {
-        const parts::HeightShape<double> shape{*of.skewness, *of.kurtosis};
-        face.write([&](Face& one) { one.set_shape(shape); });
-    }
-    fill_unknown(face, has_shape);
-    return face;
-}
-
-FSTIFF_INLINE Problem problem_of(const Joint& joint, const AnswerOptions& options) {
-    for (const Body* body : {&joint.upper, &joint.lower}) {
-        require_between("yield_strength", body->yield_strength, 0);
-        require_between("hardness", body->hardness, 0);
-    }
-    require_between("nominal_area", joint.nominal_area, 0);
-    require_between("gamma", options.gamma, 0, 1);
-    require(options.grid >= 16 && options.grid <= 4096, "grid", options.grid, "from 16 to 4096");
-    require(joint.shifts >= 1 && joint.shifts <= 1000, "shifts", joint.shifts, "from 1 to 1000");
-    Problem problem;
-    problem.face = face_of(joint.face);
-    if (joint.other) {
-        problem.faces = {problem.face, face_of(*joint.other)};
-        problem.face = sum_of_faces(problem.faces[0], problem.faces[1], joint.shifts, AnswerOptions().seed);
-    }
-    take_bodies(joint.upper, joint.lower, problem);
-    problem.nominal_area = joint.nominal_area;
-    problem.law_options.gamma = options.gamma;
-    problem.law_options.points = options.grid;
-    problem.law_options.edges = options.edges;
-    if (problem.face.has_peaks()) {
-        problem.peaks = {{*problem.face.value(Parameter::theta), problem.face.value(Parameter::r), true, {}, ""}};
-    } else {
-        for (const double theta : {std::numbers::pi / 4, std::numbers::pi / 3})
-            problem.peaks.push_back({.theta = theta});
-        problem.default_peaks = true;
-    }
-    return problem;
-}
-
-/// \p lack as the reason of \p law.
-FSTIFF_INLINE std::string reason_of(Lack lack) {
-    switch (lack) {
-        case Lack::nothing: break;
-        case Lack::separation: return "gives no separation";
-        case Lack::peaks: return "needs peak_radius and peak_density, which are not known";
-        case Lack::map: return "needs a measured map";
-        case Lack::sum_of_maps: return "needs two measured maps of one grid";
-        case Lack::summits: return "needs summits: no point of the map is above its eight neighbours";
-        case Lack::points: return "needs a map without missing points";
-        case Lack::side: return "needs a map of at least 16 points a side";
-        case Lack::small_map: return "needs a map of at least 4 points a side";
-        case Lack::moments: return "needs a spectrum: rms_gradient and alpha, or peak_radius and peak_density";
-        case Lack::range: return "needs moments in the range of double precision";
-        case Lack::alpha: return "needs an alpha above 1.5, which rms_height, peak_radius and peak_density must make";
-        case Lack::hardness: return "needs hardness or yield_strength of a body";
-        case Lack::yield_strength: return "needs yield_strength of a body";
-    }
-    return "";
-}
 
 FSTIFF_INLINE std::string reason_of(const MissedPoint& missed) {
     switch (missed.why) {
@@ -165,47 +51,126 @@ FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const Problem& problem, cons
     return all;
 }
 
-}  // namespace detail
+FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
+    LawOptions of;
+    of.gamma = options.gamma, of.points = options.grid, of.edges = options.edges;
+    return of;
+}
 
-FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options) {
+/// What follows from K of the state \p i of \p curve, into \p point.
+FSTIFF_INLINE void derive(const Problem& problem, const LawCurve& curve, std::size_t i, AnswerPoint& point) {
+    const ContactState<double>& state = curve.states[i];
+    const auto put = [&](Derived which, std::optional<Banded>& into) {
+        if (!can_derive(which, problem) || (which == Derived::loss_factor && curve.growth.empty())) return;
+        const auto at = [&](double K, BandEnd end) {
+            ContactState<double> other = state;
+            if (end != BandEnd::value) other.stiffness = {K, 0};
+            return derived(which, problem, curve, i, other, end).value;
+        };
+        const double low = falls(which) ? point.stiffness.high : point.stiffness.low,
+                     high = falls(which) ? point.stiffness.low : point.stiffness.high;
+        into = {at(low, BandEnd::low), at(point.stiffness.value, BandEnd::value), at(high, BandEnd::high)};
+    };
+    put(Derived::tangential_stiffness, point.tangential_stiffness);
+    put(Derived::loss_factor, point.loss_factor);
+    put(Derived::reflection, point.reflection);
+    put(Derived::shear_reflection, point.shear_reflection);
+    put(Derived::thermal_conductance, point.thermal_conductance);
+    put(Derived::electrical_conductance, point.electrical_conductance);
+    if (problem.conduction.gap && curve.has_separation(i) && parts::has(curve.law->quantities, Quantity::separation))
+        point.gap_conductance = conductance_of_gap(problem.conduction, state.separation.value);
+}
+
+/// The points of \p curve at \p pressures.
+FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const LawCurve& curve,
+                                                 std::span<const double> pressures) {
+    std::vector<AnswerPoint> points(pressures.size());
+    for (const MissedPoint& missed : curve.missed)
+        points[missed.place] = {.pressure = pressures[missed.place], .reason = reason_of(missed)};
+    for (std::size_t i = 0; i < curve.states.size(); ++i) {
+        AnswerPoint& point = points[curve.places[i]];
+        const double K = curve.states[i].stiffness.value;
+        point.pressure = pressures[curve.places[i]];
+        point.stiffness = curve.band.empty() ? Banded{K, K, K} : Banded{curve.band[i].low, K, curve.band[i].high};
+        point.law = curve.law_at(i).which;
+        if (!curve.seated.empty() && curve.has_separation(i))
+            point.approach = curve.seated[i] - curve.states[i].separation.value;
+        derive(problem, curve, i, point);
+    }
+    return points;
+}
+
+FSTIFF_INLINE void require_options(std::span<const double> pressures, const AnswerOptions& options) {
     for (const double p : pressures) require_positive("pressure", p);
     require_positive("seating", options.seating);
     require(options.samples == 0 || (options.samples >= 20 && options.samples <= 100000), "samples", options.samples,
             "0, or from 20 to 100000");
-    const detail::Problem problem = detail::problem_of(joint, options);
+}
+
+}  // namespace detail
+
+FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options) {
+    detail::require_options(pressures, options);
+    const detail::Problem problem = detail::problem_of(joint, detail::law_options(options), options.seed);
     detail::Request request{.points = {pressures.begin(), pressures.end()},
                             .approach = true,
+                            .growth = can_derive(detail::Derived::loss_factor, problem),
                             .seating = options.seating,
                             .samples = options.samples,
                             .seed = options.seed,
                             .solves_map = options.solve_map,
-                            .checked = false};
+                            .parallel = options.parallel};
     for (std::size_t i = 0; i < pressures.size(); ++i) request.answered.push_back(i);
     Answer found;
+    found.rms_height = problem.face.parameters.rms_height.value;
     if (pressures.empty()) return found;
     const detail::Curves curves = curves_of(problem, request, options.progress);
     const detail::LawCurve& curve = *curves.answer;
-    found.points.resize(pressures.size());
-    for (const detail::MissedPoint& missed : curve.missed)
-        found.points[missed.place] = {.pressure = pressures[missed.place], .reason = reason_of(missed)};
+    found.points = points_of(problem, curve, pressures);
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const detail::AnswerReason& reason = curves.facts.reasons[i];
         AnswerPoint& point = found.points[curve.places[i]];
-        point = {.pressure = pressures[curve.places[i]],
-                 .stiffness = {curve.band[i].low, curve.states[i].stiffness.value, curve.band[i].high},
-                 .law = curve.law_at(i).which,
-                 .causes = reason.causes,
-                 .p_star = reason.p_star,
-                 .contacts = reason.contacts,
-                 .loading_stiffness = reason.loading_stiffness};
-        if (!curve.seated.empty() && curve.has_separation(i))
-            point.approach = curve.seated[i] - curve.states[i].separation.value;
+        point.causes = reason.causes, point.p_star = reason.p_star, point.contacts = reason.contacts;
+        point.loading_stiffness = reason.loading_stiffness;
     }
     found.flows = curves.facts.flows;
     found.of_map_itself = curves.facts.of_map_itself;
     found.relative_hardness = curves.facts.relative_hardness;
     found.assumed = detail::assumed_of(problem, *curve.law);
+    found.concerns = concerns_of(problem, curve);
+    found.doubtful = std::any_of(found.concerns.begin(), found.concerns.end(), [](const parts::Check<double>& one) {
+        return one.concern != parts::Concern::missing_points;
+    });
+    if (const auto at = curve.state_at(pressures.size() / 2); options.next && at)
+        if (const auto next = next_measurement(problem, request, curve, curves.facts, *at))
+            found.next = {next->which, pressures[pressures.size() / 2], curve.band[*at].high / curve.band[*at].low,
+                          next->factor};
+    if (options.laws.empty()) return found;
+    for (const LawName law : options.laws) request.laws.push_back(&detail::possible_law(law, problem));
+    request.answers = request.checked = false;
+    for (const detail::LawCurve& one : curves_of(problem, request, options.progress).named)
+        found.laws.push_back({one.law->which, one.theta, one.r, points_of(problem, one, pressures)});
     return found;
+}
+
+FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<double>& range) const {
+    if (!(quantile == 0.05 || quantile == 0.5 || quantile == 0.95))
+        parts::refuse("quantile", quantile, 3, "0.05, 0.5 or 0.95");
+    std::vector<std::pair<double, double>> logs;  // of p and K
+    for (const AnswerPoint& one : points) {
+        const auto& [low, value, high] = one.stiffness;
+        if (one.ok())
+            logs.push_back({std::log(one.pressure), std::log(quantile < 0.5 ? low : quantile > 0.5 ? high : value)});
+    }
+    const detail::RisingCurve curve(std::move(logs));
+    curve.require_within(range.min_pressure, range.max_pressure);
+    const double last = std::log(range.max_pressure);
+    return ContactLaw<double>::tabulate_points(
+        [&](double p) {
+            const double x = std::log(p);
+            return detail::LawPoint<double>{curve.fall(x, last), std::exp(curve.log_stiffness(x))};
+        },
+        rms_height, range, 1.0);
 }
 
 FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, LawName law,
@@ -214,12 +179,9 @@ FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, L
         detail::Problem problem;
         std::unique_ptr<AnyContact> contact;
     };
-    const auto kept = std::make_shared<Kept>(Kept{detail::problem_of(joint, options), nullptr});
-    const detail::Law& one = detail::find_law(law);
-    const std::string name = "law " + std::string(one.name) + ": ";
-    if (one.needs_dimension && !kept->problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
-    if (const detail::Lack lack = lack_of(one, kept->problem); lack != detail::Lack::nothing)
-        throw domain_error(name + detail::reason_of(lack));
+    const auto kept =
+        std::make_shared<Kept>(Kept{detail::problem_of(joint, detail::law_options(options), options.seed), nullptr});
+    const detail::Law& one = detail::possible_law(law, kept->problem);
     for_each_contact(kept->problem, {&one}, options.progress, [&](const detail::ContactOfLaw& of) {
         if (!kept->contact) kept->contact = of.make();
     });

@@ -9,7 +9,7 @@
 #include <fstiff/answer/unknowns.hpp>
 
 #include <fstiff/math/random.hpp>
-#include <fstiff/measured/widened_band.hpp>
+#include <fstiff/measured/band_parts.hpp>
 
 #include <algorithm>
 #include <cmath>

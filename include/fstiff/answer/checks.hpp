@@ -86,16 +86,24 @@ enum class Concern {
     area_above_nominal,      ///< the real area exceeds the nominal one
     above_hardness,          ///< the mean pressure on the real area exceeds 2.8 Y
     not_converged,           ///< the error of K is above 1e-6 K
-    implausible_gradient     ///< an rms gradient above 1 or below 1e-6: a unit of length is likely wrong
+    implausible_gradient,    ///< an rms gradient above 1 or below 1e-6: a unit of length is likely wrong
+    unknown_height,          ///< sigma is not known to a factor of two
+    lay,                     ///< a profile across a lay does not determine K, which may be so many times higher
+    missing_points,          ///< of a map, whose numbers answer in its place
+    beyond_comparison,       ///< law plastic nearer to the hardness than any comparison of it
+    no_state                 ///< the law does not reach a point
 };
 
 }  // namespace parts
 
 /// The word of \p concern, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(parts::Concern concern) {
-    constexpr std::array<std::string_view, 10> names{
-        "plasticity",   "gaussian_surface",   "interacting_asperities", "mean_planes_crossed", "above_highest_peak",
-        "few_contacts", "area_above_nominal", "above_hardness",         "not_converged",       "implausible_gradient"};
+    constexpr std::array<std::string_view, 15> names{
+        "plasticity",           "gaussian_surface",   "interacting_asperities",
+        "mean_planes_crossed",  "above_highest_peak", "few_contacts",
+        "area_above_nominal",   "above_hardness",     "not_converged",
+        "implausible_gradient", "unknown_height",     "lay",
+        "missing_points",       "beyond_comparison",  "no_state"};
     return names[static_cast<std::size_t>(concern)];
 }
 

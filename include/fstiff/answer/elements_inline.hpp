@@ -7,7 +7,7 @@
 
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/halfspace/truth.hpp>
-#include <fstiff/measured/widened_band.hpp>
+#include <fstiff/measured/band_parts.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
     const double coarser =
         (std::min)(1.0, problem.law_options.points / static_cast<double>((std::max)(map.rows(), map.columns())));
     const double size = coarser * coarser * static_cast<double>(map.size());
-    Request of{.at_separations = request.at_separations, .seating = request.seating};
+    Request of{.at_separations = request.at_separations, .seating = request.seating, .parallel = request.parallel};
     std::vector<std::size_t> places;
     for (const std::size_t place : request.answered) {
         const auto state = base.state_at(place);
@@ -104,7 +104,7 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
 /// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others
 /// lie on lines over ln p.
 FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMap<double>& map, const LawCurve& solved,
-                                          double hardness, const ProgressHook& progress) {
+                                          double hardness, const ParallelHook& parallel, const ProgressHook& progress) {
     const std::size_t count = solved.states.size(),
                       most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
     std::vector<double> pressures;
@@ -114,8 +114,14 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
         pressures.push_back(solved.states[places.back()].pressure.value);
     }
     const LawOptions& of = problem.law_options;
-    const auto found =
-        truth(map, problem.effective_modulus, pressures, {of.points, of.edges, hardness, false, progress});
+    const parts::TruthOptions<double> how{of.points, of.edges, hardness, false, parallel ? ProgressHook() : progress};
+    std::vector<TruthPoint<double>> found(pressures.size());
+    if (parallel)
+        parts::run_pieces(parallel, found.size(), [&](std::size_t k) {
+            found[k] = truth(map, problem.effective_modulus, std::span(&pressures[k], 1), how).front();
+        });
+    else
+        found = truth(map, problem.effective_modulus, pressures, how);
     std::vector<double> all(count);
     for (std::size_t k = 0; k < places.size(); ++k) {
         const double change = std::log(found[k].state.stiffness / solved.states[places[k]].stiffness.value);
@@ -133,10 +139,11 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
 /// neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be the surface's
 /// own.
 FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
-                                                                  double hardness, const ProgressHook& progress) {
+                                                                  double hardness, const ParallelHook& parallel,
+                                                                  const ProgressHook& progress) {
     std::vector<parts::CauseSpread<double>> all(solved.states.size());
     const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
-        const std::vector<double> of_map = changes(problem, map, solved, hardness, progress);
+        const std::vector<double> of_map = changes(problem, map, solved, hardness, parallel, progress);
         for (std::size_t i = 0; i < all.size(); ++i) {
             const double change = factor * of_map[i];
             all[i].low = -std::hypot(all[i].low, both_ways ? change : (std::min)(0.0, change));
@@ -214,7 +221,8 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         if (facts.flows && state.loading_stiffness.value > 0) reason.loading_stiffness = state.loading_stiffness.value;
     }
     const LawCurve elements = solved(problem, request, curve, facts, progress);
-    const auto cut_offs = of_cut_offs(problem, elements, facts.flows ? hardness_of(problem) : 0, progress);
+    const auto cut_offs =
+        of_cut_offs(problem, elements, facts.flows ? hardness_of(problem) : 0, request.parallel, progress);
     std::vector<parts::SampledBand<double>> bands;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerReason& reason = facts.reasons[i];

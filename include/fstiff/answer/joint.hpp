@@ -13,9 +13,14 @@
 /// Valid       each member as it states; fstiff::answer() refuses others, and names the member
 /// Accuracy    that of the numbers
 
+#include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/interaction.hpp>
 #include <fstiff/measured/measure.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/process_prior.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
+#include <fstiff/ultrasound/spring_interface.hpp>
 
 #include <memory>
 #include <optional>
@@ -29,14 +34,28 @@ struct JointFace {
     std::optional<double> rms_height{};                 ///< Rq, Sq [m], above 0
     std::optional<double> mean_height{};                ///< Ra, Sa [m], above 0, in place of rms_height
     std::optional<double> rms_gradient{};               ///< Sdq [1], above 0
+    std::optional<double> profile_gradient{};           ///< Rdq across the lay [1], above 0, in place of rms_gradient
+    std::optional<double> profile_spacing{};            ///< RSm [m], above 0, in place of rms_gradient
     std::optional<double> alpha{};                      ///< Nayak's m0 m4/m2^2, above 1.5
     std::optional<double> hurst{};                      ///< above 0, at most 1
     std::optional<double> skewness{}, kurtosis{};       ///< of the heights: both or none, from -3 to 3 and up to 100
-    std::optional<double> peak_radius{};                ///< R [m], above 0
-    std::optional<double> peak_density{};               ///< D_p [1/m^2], above 0
-    std::optional<double> fractal_dimension{};          ///< D of a profile, above 1 and at most 1.99
+    /// In place of them, the heights [m] over the material ratio: of_heights() of it, or parts::bearing_of_core().
+    std::optional<parts::BearingSlope<double>> bearing{};
+    std::optional<double> peak_radius{};      ///< R [m], above 0
+    std::optional<double> peak_density{};     ///< D_p [1/m^2], above 0
+    std::optional<double> max_peak_height{};  ///< R_p [m], above 0
+    std::optional<double> r{}, theta{};       ///< of the joint peaks: both or none, 0 <= r < 1, theta [rad] below pi/2
+    std::optional<double> fractal_dimension{};  ///< D of a profile, above 1 and at most 1.99
+    std::optional<double> fractal_roughness{};  ///< G [m], above 0
     parts::Process process = parts::Process::unknown;
-    double rms_height_error = 0, rms_gradient_error = 0;  ///< standard errors of the numbers that are given
+
+    /// Standard errors, 0 or more, of the numbers that are given; of those that were measured in place of the error of
+    /// the measurement.
+    struct Errors {
+        std::optional<double> height{};    ///< of the one that is given [m]
+        std::optional<double> gradient{};  ///< the same; of profile_spacing [m]
+        std::optional<double> peak_radius{}, peak_density{}, fractal_dimension{}, r{}, theta{};
+    } errors{};
 };
 
 /// A body.
@@ -46,13 +65,43 @@ struct Body {
     std::optional<double> hardness{};        ///< of an indentation [Pa], above 0; none: 2.8 times the yield strength
 };
 
+/// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
+struct Waves {
+    double frequency = 0;                     ///< [Hz], above 0
+    Impedances<double> longitudinal{};        ///< the wave comes from the upper body
+    std::optional<Impedances<double>> shear;  ///< none: not known
+
+    [[nodiscard]] double angular() const { return parts::angular_frequency(frequency); }
+};
+
+/// Resistances to heat and current.
+struct Conduction {
+    /// joint_conductivity() of both bodies [W/(m K)], [S/m], above 0; none: not known.
+    std::optional<double> thermal{}, electrical{};
+    std::optional<parts::GapFilling<double>> gap{};  ///< what lies between the faces
+    double radiation = 0;                            ///< h in addition [W/(m^2 K)]
+    double thermal_film = 0, electrical_film = 0;    ///< on the spots [m^2 K/W], [ohm m^2]
+};
+
+/// Conditions of a tangential force.
+struct Friction {
+    double coefficient = 0;             ///< mu, above 0
+    std::optional<double> amplitude{};  ///< of the tangential displacement, mean to peak [m], above 0
+};
+
 /// Two bodies, and the rough faces between them.
 struct Joint {
     JointFace face{};                  ///< of one body; the other is smooth, unless
     std::optional<JointFace> other{};  ///< it is rough too
     Body upper{}, lower{};
+    /// [Pa], above 0, in place of the elastic constants: `upper` has the rest of the softer body then.
+    std::optional<double> effective_modulus{};
     std::optional<double> nominal_area{};  ///< [m^2], above 0
     int shifts = 4;                        ///< of the map of the other face over that of the first, where both are maps
+    Interaction<double> interaction{};  ///< of the peaks, for laws that are named; those of the answer have their own
+    std::optional<Waves> waves{};
+    Conduction conduction{};
+    std::optional<Friction> friction{};
 };
 
 }  // namespace fstiff::inline v0_1

@@ -10,6 +10,7 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 
@@ -36,9 +37,10 @@ enum class InteractionLength { nominal, peak_spacing, given };
 
 /// A joint, resolved. A surface drawn at random, a neighbour and an unknown at its end are the same with another face.
 struct Problem {
-    Face face;                     ///< that a smooth one meets: the rough one, or the sum of two
-    std::vector<Face> faces;       ///< that the sum is of, the upper one first; empty where one face is smooth
-    double effective_modulus = 0;  ///< [Pa]
+    Face face;                          ///< that a smooth one meets: the rough one, or the sum of two
+    std::vector<Face> faces;            ///< that the sum is of, the upper one first; empty where one face is smooth
+    double effective_modulus = 0;       ///< [Pa]
+    Material<double> upper{}, lower{};  ///< of which it is; 0: it was given by itself
     std::optional<double> yield_strength, hardness;  ///< the smaller of those that are known [Pa]
     bool one_hardness = false;                       ///< of one body alone: the other may be softer
     double softer_poisson = 0;           ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
@@ -51,6 +53,9 @@ struct Problem {
     double given_length = 0;  ///< [m], for InteractionLength::given
     LawOptions law_options;
     std::shared_ptr<const QuickHybrid> similar;  ///< of surfaces for a band
+    std::optional<Waves> ultrasound;
+    Conduction conduction;
+    std::optional<Friction> friction;
 };
 
 /// What a contact is asked for.
@@ -65,9 +70,10 @@ struct Request {
     double seating = 1e3;                 ///< the approach is 0 at this pressure [Pa]
     int samples = 400;                    ///< of a band; 0: none
     std::uint64_t seed = 2014;
-    bool solves_map = true;  ///< the answer takes boundary elements of a map
-    bool answers = true;     ///< the answer too, next to laws that are named
-    bool checked = true;     ///< checks and means over the load too
+    bool solves_map = true;   ///< the answer takes boundary elements of a map
+    bool answers = true;      ///< the answer too, next to laws that are named
+    bool checked = true;      ///< checks and means over the load too
+    ParallelHook parallel{};  ///< of solutions by boundary elements, each of which takes a second or so
 };
 
 /// Why a law cannot be computed of a joint.
@@ -88,9 +94,18 @@ enum class Lack {
     yield_strength
 };
 
-/// Takes the elastic constants, the hardness and the yield strength of both bodies. \throws domain_error for a modulus
-/// or a Poisson's ratio out of range.
-void take_bodies(const Body& upper, const Body& lower, Problem& problem);
+/// The face of \p of as the contact has it: what is written counts before what was measured, and that before a prior.
+/// \throws domain_error naming the member of \p of.
+[[nodiscard]] Face face_of(const JointFace& of);
+/// \p joint resolved; \p seed is of the shifts of two maps.
+/// \throws domain_error naming the member that is out of range.
+[[nodiscard]] Problem problem_of(const Joint& joint, const LawOptions& options, std::uint64_t seed);
+/// The joint peaks that were measured or given of the surface; where none are, those of the paper.
+void take_peaks(Problem& problem);
+/// Takes the elastic constants, the hardness and the yield strength of both bodies; where \p modulus [Pa] is in place
+/// of the elastic constants, the rest is that of \p upper.
+/// \throws domain_error for a modulus or a Poisson's ratio out of range.
+void take_bodies(const Body& upper, const Body& lower, const std::optional<double>& modulus, Problem& problem);
 /// The faces that were pressed together, and those of them that were measured.
 [[nodiscard]] std::vector<const Face*> rough_faces(const Problem& problem);
 [[nodiscard]] std::vector<const Face*> measured_faces(const Problem& problem);
@@ -114,6 +129,11 @@ void take_bodies(const Body& upper, const Body& lower, Problem& problem);
 [[nodiscard]] Lack lack_of_spectrum(const Face& face);
 /// Why \p law cannot be computed of \p problem.
 [[nodiscard]] Lack lack_of(const Law& law, const Problem& problem, bool at_separations = false);
+
+/// \p lack as the reason of a law.
+[[nodiscard]] std::string reason_of(Lack lack);
+/// The law called \p law. \throws domain_error where it cannot be computed of \p problem.
+[[nodiscard]] const Law& possible_law(LawName law, const Problem& problem);
 
 /// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where none are
 /// given, those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.

@@ -75,8 +75,18 @@ FSTIFF_INLINE double resistance(const Body& body) {
                                  : std::numeric_limits<double>::infinity();
 }
 
-FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, Problem& problem) {
+FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::optional<double>& modulus,
+                               Problem& problem) {
+    if (modulus) {
+        problem.effective_modulus = *modulus;
+        problem.softer_poisson = upper.elastic.poisson_ratio;
+        problem.hardness = upper.hardness, problem.yield_strength = upper.yield_strength;
+        require(!(problem.softer_poisson <= -1 || problem.softer_poisson > 0.5), "poisson_ratio",
+                problem.softer_poisson, "greater than -1 and at most 0.5");
+        return;
+    }
     problem.effective_modulus = effective_modulus(upper.elastic, lower.elastic);
+    problem.upper = upper.elastic, problem.lower = lower.elastic;
     const Body& softer = resistance(lower) < resistance(upper) ? lower : upper;
     problem.softer_poisson = softer.elastic.poisson_ratio;
     problem.hardness = softer.hardness;
@@ -135,6 +145,34 @@ FSTIFF_INLINE Lack lack_of(const Law& law, const Problem& problem, bool at_separ
     return law.needs_yield && !problem.yield_strength ? Lack::yield_strength : Lack::nothing;
 }
 
+FSTIFF_INLINE std::string reason_of(Lack lack) {
+    switch (lack) {
+        case Lack::nothing: break;
+        case Lack::separation: return "gives no separation";
+        case Lack::peaks: return "needs peak_radius and peak_density, which are not known";
+        case Lack::map: return "needs a measured map";
+        case Lack::sum_of_maps: return "needs two measured maps of one grid";
+        case Lack::summits: return "needs summits: no point of the map is above its eight neighbours";
+        case Lack::points: return "needs a map without missing points";
+        case Lack::side: return "needs a map of at least 16 points a side";
+        case Lack::small_map: return "needs a map of at least 4 points a side";
+        case Lack::moments: return "needs a spectrum: rms_gradient and alpha, or peak_radius and peak_density";
+        case Lack::range: return "needs moments in the range of double precision";
+        case Lack::alpha: return "needs an alpha above 1.5, which rms_height, peak_radius and peak_density must make";
+        case Lack::hardness: return "needs hardness or yield_strength of a body";
+        case Lack::yield_strength: return "needs yield_strength of a body";
+    }
+    return "";
+}
+
+FSTIFF_INLINE const Law& possible_law(LawName law, const Problem& problem) {
+    const Law& one = find_law(law);
+    const std::string name = "law " + std::string(one.name) + ": ";
+    if (one.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
+    if (const Lack lack = lack_of(one, problem); lack != Lack::nothing) throw domain_error(name + reason_of(lack));
+    return one;
+}
+
 FSTIFF_INLINE std::vector<Peaks> peaks_of(const Law& law, const Problem& problem) {
     if (!law.has_peaks) return {};
     if (!problem.default_peaks || law.needs_dimension || !has_isotropic_peaks(problem.face)) return problem.peaks;
@@ -178,6 +216,16 @@ FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request
                                                           const ProgressHook& progress) {
     const std::size_t part = law.varies ? 64 : 1;
     std::vector<ContactPoint<double>> points;
+    if (request.parallel && !law.varies) {
+        points.resize(request.points.size());
+        parts::run_pieces(request.parallel, points.size(), [&](std::size_t i) {
+            const std::span<const double> one(&request.points[i], 1);
+            points[i] = (request.at_separations ? contact.at_separations(one, quantities)
+                                                : contact.at_pressures(one, quantities))
+                            .front();
+        });
+        return points;
+    }
     for (std::span<const double> rest = request.points; !rest.empty();) {
         if (progress) progress("points", request.points.size() - rest.size(), request.points.size());
         const auto some = rest.first((std::min)(part, rest.size()));

@@ -117,17 +117,20 @@ public:
     // Defined below: no file that is linked with fstiff::double compiles it again.
     template <Contact<T> Model>
     [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range);
-    /// Tabulates states at pressures [Pa] whose K need not be -dp/dd; the error of the separation is relative to \p
-    /// rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
+    /// Tabulates states at pressures [Pa]; the error of the separation is relative to \p rms_height [m].
+    /// \p stiffness_over_slope: K over -dp/dd, 0 where that is no constant.
+    /// \throws domain_error as above, and for OutsideRange::exact.
     [[nodiscard]] static ContactLaw tabulate_points(const std::function<detail::LawPoint<T>(T pressure)>& law,
-                                                    std::type_identity_t<T> rms_height, const LawRange<T>& range) {
+                                                    std::type_identity_t<T> rms_height, const LawRange<T>& range,
+                                                    std::type_identity_t<T> stiffness_over_slope = T(0)) {
         detail::require_range(range);
         require_positive("rms_height", rms_height);
         if (range.outside == OutsideRange::exact)
             parts::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
         ContactLaw made;
-        made.tables_ = detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, T(0), rms_height)
-                           .tabulate(range.min_pressure, range.max_pressure);
+        made.tables_ =
+            detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, stiffness_over_slope, rms_height)
+                .tabulate(range.min_pressure, range.max_pressure);
         made.tables_.outside = range.outside;
         return made;
     }

@@ -2,7 +2,7 @@
 #pragma once
 /// \file
 /// Parts of a band of K: errors of the measurement, choice of lambda_s, choice of the window of D, and unknown
-/// properties of the surface.
+/// properties of the surface. answer() makes the band of them.
 ///
 ///     low = K exp(-hypot(e_low, s_low, u_low)),  high = K exp(hypot(e_high, s_high, u_high)),  u^2 = sum of u_i^2
 ///
@@ -13,7 +13,7 @@
 /// Reference   independent errors add as squares (JCGM 100:2008, 5.1.2), here in logarithms; surface/process_prior.hpp
 /// Units       K [Pa/m], widths in ln K
 /// Valid       K and the ends of the band greater than 0; neighbours without a positive finite stiffness are left out
-/// Accuracy    rounding (tests/measured/widened_band_test.cpp)
+/// Accuracy    rounding (tests/measured/band_parts_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/sampled_band.hpp>
@@ -146,6 +146,37 @@ template <Real T>
 [[nodiscard]] std::array<T, 2> dimensions_of_other_windows(T dimension, T window_error) {
     const T away = math::normal_95<T>.value * window_error;
     return {std::clamp(dimension - away, T(1.001), T(1.999)), std::clamp(dimension + away, T(1.001), T(1.999))};
+}
+
+/// K of a measured surface at one pressure, with its band.
+template <Real T = double>
+struct WidenedBand {
+    T stiffness{};  ///< of the surface as measured [Pa/m]; NaN where it has none
+    SampledBand<T> band;
+    BandParts<T> parts;
+};
+
+/// Widens \p band of \p stiffness by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows (of
+/// D) are curves of K over many points, used at \p point and times \p factor; \p of_unknowns are relative to K.
+template <Real T>
+[[nodiscard]] WidenedBand<T> widened(T stiffness, const SampledBand<T>& band,
+                                     const std::vector<std::vector<T>>& of_neighbours,
+                                     const std::vector<std::vector<T>>& of_windows, std::size_t point,
+                                     bool has_lay = false, T factor = T(1),
+                                     const std::vector<UnknownCurves<T>>& of_unknowns = {}) {
+    const auto at_point = [&](const std::vector<std::vector<T>>& curves) {
+        std::vector<T> all;
+        for (const auto& curve : curves) all.push_back(curve[point] * factor);
+        return all;
+    };
+    WidenedBand<T> one{stiffness, band, {}};
+    const std::vector<T> neighbours = at_point(of_neighbours), windows = at_point(of_windows);
+    if (!neighbours.empty() || !of_unknowns.empty())
+        one.parts = widen(one.band, stiffness, std::span<const T>(neighbours));
+    if (!of_unknowns.empty()) widen(one.band, one.parts, std::span<const UnknownCurves<T>>(of_unknowns), point);
+    spread_of(stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
+    if (has_lay) widen_by_lay(one.band);
+    return one;
 }
 
 }  // namespace fstiff::inline v0_1::parts

@@ -9,7 +9,7 @@
 ///
 /// Steps: clean() (nothing by default), prepare() (form, lambda_s, lambda_c where given), surface_parameters(),
 /// height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface measured with a shorter and
-/// a longer lambda_s, without errors; their change of K widens the band (measured/stiffness_band).
+/// a longer lambda_s, without errors; their change of K widens the band (measured/band_parts).
 /// Reference   measured/cut_offs.hpp, measured/prepare.hpp, measured/surface_parameters.hpp
 /// Units       SI
 /// Valid       as prepare(), surface_parameters(); options.tip_radius only for profiles, PeakSource::summits for maps

@@ -40,7 +40,7 @@ std::string csv(const Scene& scene, const Results& results) {
     if (results.answer) add(results.answer->curve, 1);
     if (scene.best) return text;
     for (Curve curve : results.curves) {  // with the columns of the answer, which has a band
-        if (results.answer) curve.columns = columns_of(scene, curve, results.tangential_ratio, true);
+        if (results.answer) curve.columns = columns_of(scene, curve, true);
         add(curve, 0);
     }
     return text;

@@ -6,6 +6,7 @@
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <algorithm>
@@ -79,7 +80,7 @@ std::vector<std::string> surface_of_answer(const Scene& scene, const Results& re
 /// The surface that the contact is of, and what was assumed of it.
 std::vector<std::string> surface_parts(const Scene& scene) {
     const parts::SurfaceParameters<double>& s = scene.face.parameters;
-    const std::vector<Parameter> unknown = unknown_parameters(scene);
+    const std::vector<Parameter> unknown = unknown_parameters(scene, scene.best);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
     std::vector<std::string> parts{"sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height))};
     if (s.find(Parameter::peak_radius))

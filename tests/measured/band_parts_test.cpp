@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The band of a measured surface against its parts computed one by one; tests/scene/one_measurement_test.cpp holds the
-// band of the command to it.
-#include <fstiff/measured/widened_band.hpp>
-#include <fstiff/synthetic/self_affine.hpp>
+// The parts of a band by their definition; tests/scene/one_measurement_test.cpp holds the band of K to its parts.
+#include <fstiff/measured/band_parts.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -12,31 +10,10 @@
 #include <span>
 #include <vector>
 
-namespace widened_band_test {
+namespace band_parts_test {
 
 using namespace fstiff;
 using test::relative_error;
-
-namespace {
-
-Profile<double> trace() {
-    return self_affine_profile<double>({.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6, .seed = 3}, 4096,
-                                       0.5e-6);
-}
-
-const auto hertz = [](double) { return HertzLaw<double>{}; };
-const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
-const std::vector<double> pressures{1e6, 1e7};
-
-/// K of \p surface by itself.
-double stiffness_of(const parts::SurfaceParameters<double>& surface, double pressure) {
-    const RoughContact contact(
-        Roughness<double>{surface.rms_height.value, surface.peak_radius.value, surface.peak_density.value},
-        PeakDistribution<double>(surface.r->value, surface.theta->value), HertzLaw<double>{}, 112.6e9);
-    return contact.at_pressure(pressure, Quantity::stiffness).stiffness.value;
-}
-
-}  // namespace
 
 TEST_CASE("Unknowns widen a band by squares as do those of one kind and the greatest is reported") {
     const double k = 2e14;
@@ -115,51 +92,4 @@ TEST_CASE("The window of D moves it by 5 % and 95 % of its error, within its ran
     CHECK(parts::dimensions_of_other_windows(1.01, 0.1)[0] == 1.001);
 }
 
-TEST_CASE("The band of a measured surface is that of its errors, widened by K of its neighbours") {
-    const Surface<double> surface = measure(trace());
-    REQUIRE(surface.neighbours.size() == 2);
-    const parts::BandOptions options{.samples = 60, .seed = 4};
-    const auto found = stiffness_band(surface, pressures, hertz, 112.6e9, options);
-    const parts::SurfaceParameters<double>& parameters = surface;  // without its neighbours
-    const auto errors = stiffness_band(parameters, pressures, hertz, 112.6e9, options);
-    REQUIRE(found.size() == 2);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double k = stiffness_of(surface, pressures[i]);
-        CHECK(found[i].stiffness == k);
-        CHECK(found[i].band.median == errors[i].median);
-        double low = 0, high = 0;
-        for (const auto& neighbour : surface.neighbours) {
-            const double change = std::log(stiffness_of(neighbour, pressures[i]) / k);
-            low = std::min(low, change), high = std::max(high, change);
-        }
-        CHECK(high - low > 0.02);  // so that a band without it is another
-        CHECK(relative_error(found[i].band.low, k * std::exp(-std::hypot(std::log(errors[i].low / k), low))) < 1e-12);
-        CHECK(relative_error(found[i].band.high, k * std::exp(std::hypot(std::log(errors[i].high / k), high))) < 1e-12);
-    }
-    Surface<double> alone = surface;
-    alone.neighbours.clear();
-    const auto narrow = stiffness_band(alone, pressures, hertz, 112.6e9, options);
-    CHECK(narrow[0].band.low == errors[0].low);
-    CHECK(narrow[0].parts.scale_high == 0);
-}
-
-TEST_CASE("A law of D has the part of its window, a lay ends the band higher, and r and theta must be known") {
-    Surface<double> surface = measure(trace());
-    REQUIRE(surface.fractal_dimension);
-    REQUIRE(surface.dimension_window_error > 0);
-    const parts::BandOptions options{.samples = 20};
-    const auto of_fractal = stiffness_band(surface, pressures, fractal, 112.6e9, options);
-    CHECK(of_fractal[0].parts.window_high - of_fractal[0].parts.window_low > 0);
-    const auto plain = stiffness_band(surface, pressures, hertz, 112.6e9, options);
-    CHECK(plain[0].parts.window_high - plain[0].parts.window_low == 0);
-    surface.concerns.push_back(MeasuredConcern::lay);
-    const auto with_lay = stiffness_band(surface, pressures, hertz, 112.6e9, options);
-    CHECK(relative_error(with_lay[1].band.high, 20 * plain[1].band.high) < 1e-14);
-    CHECK(with_lay[1].band.low == plain[1].band.low);
-    surface.neighbours[0].r.reset(), surface.neighbours[0].theta.reset();  // it takes those of the surface
-    CHECK(std::isfinite(stiffness_band(surface, pressures, hertz, 112.6e9, options)[0].band.low));
-    surface.r.reset();
-    CHECK_THROWS_AS(stiffness_band(surface, pressures, hertz, 112.6e9, options), domain_error);
-}
-
-}  // namespace widened_band_test
+}  // namespace band_parts_test

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A joint as it is given becomes a Problem: what is written counts before what was measured, and that before a prior.
+/// Functions of answer/problem.hpp: inline, or compiled in fstiff::double.
+
+#include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/unknowns.hpp>
+
+#include <fstiff/surface/bearing_family.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace fstiff::inline v0_1::detail {
+
+using Given = std::optional<double>;
+
+/// \p value of \p name, which must be above \p low and at most \p high.
+FSTIFF_INLINE void require_between(std::string_view name, const Given& value, double low,
+                                   double high = (std::numeric_limits<double>::max)()) {
+    if (value && !(*value > low && *value <= high))
+        parts::refuse(
+            name, *value,
+            high == (std::numeric_limits<double>::max)()
+                ? "finite and greater than " + parts::rounded_text(low, 6)
+                : "greater than " + parts::rounded_text(low, 6) + " and at most " + parts::rounded_text(high, 6));
+}
+
+/// A number of a face that is a parameter of a surface, and its error.
+struct GivenParameter {
+    Parameter which;
+    Given JointFace::*value;
+    Given JointFace::Errors::*error;
+};
+inline constexpr GivenParameter given_parameters[]{
+    {Parameter::peak_radius, &JointFace::peak_radius, &JointFace::Errors::peak_radius},
+    {Parameter::peak_density, &JointFace::peak_density, &JointFace::Errors::peak_density},
+    {Parameter::fractal_dimension, &JointFace::fractal_dimension, &JointFace::Errors::fractal_dimension},
+    {Parameter::r, &JointFace::r, &JointFace::Errors::r},
+    {Parameter::theta, &JointFace::theta, &JointFace::Errors::theta}};
+
+/// \throws domain_error where more than one of the numbers called \p names is given.
+FSTIFF_INLINE void require_one(const JointFace& of, std::span<const std::pair<const char*, Given JointFace::*>> names) {
+    const char* found = nullptr;
+    for (const auto& [name, value] : names)
+        if ((of.*value).has_value()) {
+            if (found) throw domain_error(std::string(name) + ": must not be given with " + found);
+            found = name;
+        }
+}
+
+FSTIFF_INLINE void require_numbers(const JointFace& of) {
+    using Named = std::pair<const char*, Given JointFace::*>;
+    constexpr Named heights[]{{"rms_height", &JointFace::rms_height}, {"mean_height", &JointFace::mean_height}};
+    constexpr Named gradients[]{{"rms_gradient", &JointFace::rms_gradient},
+                                {"profile_gradient", &JointFace::profile_gradient},
+                                {"profile_spacing", &JointFace::profile_spacing}};
+    constexpr Named lengths[]{{"max_peak_height", &JointFace::max_peak_height},
+                              {"fractal_roughness", &JointFace::fractal_roughness}};
+    require_one(of, heights), require_one(of, gradients);
+    for (const std::span<const Named> some : {std::span<const Named>(heights), {gradients}, {lengths}})
+        for (const auto& [name, value] : some) require_between(name, of.*value, 0);
+    require_between("alpha", of.alpha, 1.5);
+    require_between("hurst", of.hurst, 0, 1);
+    require_between("fractal_dimension", of.fractal_dimension, 1, greatest_dimension);
+    for (const auto& [which, value, error] : given_parameters) {
+        const parts::ParameterRow& row = parts::row_of(which);
+        if (of.*value && !parts::parameter_in_range(which, *(of.*value)))
+            parts::refuse(row.key, *(of.*value), row.range());
+    }
+    if (!of.measured && !of.rms_height && !of.mean_height)
+        throw domain_error("rms_height: is missing; a face needs it, mean_height or a measured surface");
+    if (of.skewness.has_value() != of.kurtosis.has_value())
+        throw domain_error("skewness: must be given with kurtosis, and kurtosis with it");
+    if (of.skewness && of.bearing) throw domain_error("bearing: must not be given with skewness");
+}
+
+/// \throws domain_error for an error out of range, or of a number that is not there.
+FSTIFF_INLINE void require_errors(const JointFace& of, const Face& face) {
+    const auto check = [](std::string_view name, const Given& error, bool known) {
+        if (!error) return;
+        if (!known) throw domain_error("error of " + std::string(name) + ": needs the number");
+        require(*error >= 0 && std::isfinite(*error), "error of " + std::string(name), *error,
+                "finite and not negative");
+    };
+    check("the height", of.errors.height, true);
+    check("the gradient", of.errors.gradient,
+          of.rms_gradient || of.profile_gradient || of.profile_spacing || (of.measured && face.rms_gradient));
+    for (const auto& [which, value, error] : given_parameters)
+        check(parts::row_of(which).key, of.errors.*error,
+              (of.*value).has_value() || (of.measured && face.parameters.find(which)));
+}
+
+/// A gradient of the range \p range, which is from \p origin.
+FSTIFF_INLINE void take_gradient(const parts::PriorRange& range, Origin origin, Face& face) {
+    face.write([&](Face& one) { one.rms_gradient = range.middle; });
+    if (range.low < range.high) face.priors.push_back({parts::Unknown::gradient, range.low, range.high, origin, range});
+}
+
+/// The height and the gradient of \p of, and the errors that they are given.
+FSTIFF_INLINE void take_height_and_gradient(const JointFace& of, Face& face) {
+    const parts::ProcessPrior& prior = parts::prior_of(face.process);
+    if (of.rms_height) face.write(Parameter::rms_height, *of.rms_height);
+    if (of.mean_height) {
+        const parts::PriorRange& ratio = prior.mean_over_rms;
+        face.write(Parameter::rms_height, *of.mean_height / ratio.middle);
+        face.priors.push_back({parts::Unknown::height, *of.mean_height / ratio.high, *of.mean_height / ratio.low,
+                               Origin::mean_height, ratio});
+    }
+    const parts::PriorRange of_slope = parts::gradient_of_slope(prior);
+    const auto times = [](const parts::PriorRange& a, const parts::PriorRange& b) {
+        const auto side = [&](double parts::PriorRange::*end) {  // independent factors
+            return std::hypot(std::log(a.*end / a.middle), std::log(b.*end / b.middle));
+        };
+        const double middle = a.middle * b.middle;
+        return parts::PriorRange{middle * std::exp(-side(&parts::PriorRange::low)), middle,
+                                 middle * std::exp(side(&parts::PriorRange::high))};
+    };
+    if (of.rms_gradient) take_gradient({*of.rms_gradient, *of.rms_gradient, *of.rms_gradient}, Origin::slope, face);
+    if (const Given& slope = of.profile_gradient)
+        take_gradient(times({*slope, *slope, *slope}, of_slope), Origin::slope, face);
+    if (of.profile_spacing)
+        take_gradient(times(parts::slope_of_spacing(face.parameters.rms_height.value, *of.profile_spacing), of_slope),
+                      Origin::spacing, face);
+}
+
+/// The errors of \p of in place of those of \p face.
+FSTIFF_INLINE void take_errors(const JointFace& of, Face& face) {
+    require_errors(of, face);
+    for (const auto& [which, value, error] : given_parameters)
+        if (of.errors.*error) face.parameters.find(which)->error = *(of.errors.*error);
+    Measurement<double>& height = face.parameters.rms_height;
+    if (of.errors.height) height.error = *of.errors.height * (height.value / of.mean_height.value_or(height.value));
+    if (of.errors.gradient)
+        face.gradient_error = *of.errors.gradient * (*face.rms_gradient / (of.profile_gradient  ? *of.profile_gradient
+                                                                           : of.profile_spacing ? *of.profile_spacing
+                                                                                                : *face.rms_gradient));
+}
+
+/// The shape of the heights of \p of: of a bearing curve that belongs to its height.
+FSTIFF_INLINE void take_shape(const JointFace& of, Face& face) {
+    if (of.skewness) {
+        const parts::HeightShape<double> shape{*of.skewness, *of.kurtosis};
+        return face.write([&](Face& one) { one.set_shape(shape); });
+    }
+    if (!of.bearing) return;
+    const double rms_height = face.parameters.rms_height.value;
+    const auto [mean, variance, skewness, kurtosis] = parts::normal_moments(*of.bearing);
+    const double rms = std::sqrt(variance);
+    if (!(rms > rms_height / 2 && rms < rms_height * 2))  // likely for a unit
+        throw domain_error(parts::Refusal{.parameter = "bearing",
+                                          .reason = "belongs to an rms height of " + parts::rounded_text(rms, 3) +
+                                                    " m, and rms_height is " + parts::rounded_text(rms_height, 3) +
+                                                    " m; both must agree within a factor of 2"});
+    const auto of_rms = std::make_shared<const parts::BearingSlope<double>>(of.bearing->scaled(1 / rms_height));
+    const parts::HeightShape<double> shape = parts::counted_shape(skewness, kurtosis, 1.0);
+    face.write([&](Face& one) { one.shape = shape, one.bearing = of_rms; });
+}
+
+FSTIFF_INLINE Face face_of(const JointFace& of) {
+    require_numbers(of);
+    Face face;
+    if (of.measured) face = face_of(of.measured);
+    face.process = of.process;
+    take_height_and_gradient(of, face);
+    const auto put = [&](const Given& value, Given Face::*into) {
+        if (value) face.write([&](Face& one) { one.*into = value; });
+    };
+    put(of.alpha, &Face::alpha), put(of.hurst, &Face::hurst);
+    const bool has_shape = of.skewness || of.bearing;
+    if (of.rms_height || of.mean_height || of.rms_gradient || of.profile_gradient || of.profile_spacing || of.alpha ||
+        of.hurst || of.peak_radius || of.peak_density || has_shape)
+        face.write([](Face& one) { one.spectrum_of_map = one.spectrum_of_map && !one.map; });
+    if (of.fractal_dimension) face.write([](Face& one) { one.parameters.dimension_window_error = 0; });
+    for (const auto& [which, value, error] : given_parameters)
+        if (of.*value) face.write(which, *(of.*value));
+    face.radius_follows = !of.measured && !of.peak_radius;
+    face.density_follows = !of.measured && !of.peak_density;
+    take_errors(of, face);
+    if (of.max_peak_height) face.write([&](Face& one) { one.parameters.max_peak_height = {*of.max_peak_height, 0}; });
+    if (of.fractal_roughness)
+        face.write([&](Face& one) { one.parameters.fractal_roughness = {*of.fractal_roughness, 0}; });
+    if (face.parameters.r.has_value() != face.parameters.theta.has_value())
+        throw domain_error(parts::Refusal{.parameter = face.parameters.r ? "theta" : "r",
+                                          .reason = "is missing; r and theta belong together"});
+    take_shape(of, face);
+    fill_unknown(face, has_shape);
+    for (const auto& [follows, name, value] :
+         {std::tuple(face.radius_follows, "peak_radius", face.parameters.peak_radius.value),
+          std::tuple(face.density_follows, "peak_density", face.parameters.peak_density.value)})
+        if (follows && !(value > 0 && std::isfinite(value)))  // 0 counts as not known
+            throw domain_error(parts::Refusal{.parameter = of.alpha ? "alpha" : "rms_height",
+                                              .reason = "makes, with rms_height and rms_gradient, " +
+                                                        std::string(name) + " = " + parts::rounded_text(value, 6) +
+                                                        ", which must be finite and greater than 0"});
+    return face;
+}
+
+FSTIFF_INLINE void take_peaks(Problem& problem) {
+    if (problem.face.has_peaks()) {
+        problem.peaks = {{*problem.face.value(Parameter::theta), problem.face.value(Parameter::r), true, {}, ""}};
+        return;
+    }
+    for (const double theta : {std::numbers::pi / 4, std::numbers::pi / 3}) problem.peaks.push_back({.theta = theta});
+    problem.default_peaks = true;
+}
+
+FSTIFF_INLINE void require_surroundings(const Joint& joint) {
+    const auto positive = [](std::string_view name, double value) { require_between(name, value, 0); };
+    if (joint.waves) {
+        positive("frequency", joint.waves->frequency);
+        for (const auto& media : {std::optional(joint.waves->longitudinal), joint.waves->shear})
+            if (media) positive("impedance", media->incident), positive("impedance", media->beyond);
+    }
+    require_between("thermal", joint.conduction.thermal, 0);
+    require_between("electrical", joint.conduction.electrical, 0);
+    if (const auto& gap = joint.conduction.gap)
+        for (const double one : {gap->conductivity, gap->temperature_jump})
+            require(one >= 0 && std::isfinite(one), "gap", one, "finite and not negative");
+    for (const double one :
+         {joint.conduction.radiation, joint.conduction.thermal_film, joint.conduction.electrical_film})
+        require(one >= 0 && std::isfinite(one), "conduction", one, "finite and not negative");
+    if (!joint.friction) return;
+    require_between("coefficient", joint.friction->coefficient, 0, 10);
+    require_between("amplitude", joint.friction->amplitude, 0);
+}
+
+FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options, std::uint64_t seed) {
+    for (const Body* body : {&joint.upper, &joint.lower}) {
+        require_between("yield_strength", body->yield_strength, 0);
+        require_between("hardness", body->hardness, 0);
+    }
+    require_between("nominal_area", joint.nominal_area, 0);
+    require_between("effective_modulus", joint.effective_modulus, 0);
+    require_between("gamma", options.gamma, 0, 1);
+    require(options.points >= 16 && options.points <= 4096, "grid", options.points, "from 16 to 4096");
+    require(joint.shifts >= 1 && joint.shifts <= 1000, "shifts", joint.shifts, "from 1 to 1000");
+    joint.interaction.validate();
+    require_surroundings(joint);
+    Problem problem;
+    problem.face = face_of(joint.face);
+    if (joint.other) {
+        problem.faces = {problem.face, face_of(*joint.other)};
+        problem.face = sum_of_faces(problem.faces[0], problem.faces[1], joint.shifts, seed);
+    }
+    take_bodies(joint.upper, joint.lower, joint.effective_modulus, problem);
+    problem.nominal_area = joint.nominal_area;
+    problem.law_options = options;
+    problem.reading = joint.interaction.reading;
+    problem.length = InteractionLength::given;
+    problem.given_length = joint.interaction.length;
+    problem.ultrasound = joint.waves;
+    problem.conduction = joint.conduction;
+    problem.friction = joint.friction;
+    take_peaks(problem);
+    return problem;
+}
+
+}  // namespace fstiff::inline v0_1::detail

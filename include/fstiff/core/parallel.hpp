@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Independent pieces of work, for a host that brings its own threads; the library starts none.
+///
+///     options.parallel = [&](std::size_t count, const fstiff::Piece& run) { pool.for_each(count, run); };
+
+#include <fstiff/core/config.hpp>
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <vector>
+
+namespace fstiff::inline v0_1 {
+
+/// One piece of work by its index. It does not throw.
+using Piece = std::function<void(std::size_t index)>;
+/// Calls the piece once with every index below \p count, in any order and from any threads, and returns when all have
+/// returned. Empty: one after the other.
+using ParallelHook = std::function<void(std::size_t count, const Piece& run)>;
+
+namespace parts {
+
+/// Calls \p call(i) for every i below \p count through \p hook. What a call throws reaches the caller, of several the
+/// one with the least index.
+template <class Call>
+void run_pieces(const ParallelHook& hook, std::size_t count, const Call& call) {
+    if (!hook) {
+        for (std::size_t i = 0; i < count; ++i) call(i);
+        return;
+    }
+    std::vector<std::exception_ptr> thrown(count);
+    hook(count, [&](std::size_t i) {
+        try {
+            call(i);
+        } catch (...) {
+            thrown[i] = std::current_exception();
+        }
+    });
+    for (const std::exception_ptr& one : thrown)
+        if (one) std::rethrow_exception(one);
+}
+
+}  // namespace parts
+
+}  // namespace fstiff::inline v0_1

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/**
+ * \file
+ * The answer of a joint in C: one stiffness for each pressure, with a band. A part of fstiff.h, which includes it.
+ *
+ * Units       SI: lengths [m], pressures, moduli and hardness [Pa], stiffness per nominal area [Pa/m]
+ * Accuracy    the numbers of `fstiff run`, to the last digit
+ */
+#ifndef FSTIFF_ANSWER_H
+#define FSTIFF_ANSWER_H
+
+#ifndef FSTIFF_H
+#error "include fstiff.h"
+#endif
+
+/** Heights [m], row after row; NaN marks a missing point. Where a function takes NULL in place of them, the option
+ * `file` names a file. */
+typedef struct fstiff_heights {
+    size_t size;           /**< sizeof(fstiff_heights) */
+    const double* heights; /**< rows * columns */
+    size_t rows, columns;  /**< rows 0: a profile of `columns` points */
+    double dx, dy;         /**< distance of the points of a row, and of the rows [m] */
+} fstiff_heights;
+
+struct fstiff_measure_options;
+
+/** What made a face: it decides what is assumed. */
+enum {
+    FSTIFF_PROCESS_UNKNOWN = 0,
+    FSTIFF_PROCESS_GROUND = 1,
+    FSTIFF_PROCESS_TURNED = 2,
+    FSTIFF_PROCESS_MILLED = 3,
+    FSTIFF_PROCESS_HONED = 4,
+    FSTIFF_PROCESS_LAPPED = 5,
+    FSTIFF_PROCESS_POLISHED = 6,
+    FSTIFF_PROCESS_BLASTED = 7,
+    FSTIFF_PROCESS_ERODED = 8
+};
+
+/** A rough face: heights, which the call measures as `fstiff measure` does, or numbers, or both: a number that is given
+ * takes the place of what is measured. One that is neither (0) is assumed, with a range that is in the band. */
+typedef struct fstiff_face {
+    size_t size;                                  /**< sizeof(fstiff_face) */
+    const fstiff_heights* heights;                /**< of the face; NULL: numbers alone */
+    const struct fstiff_measure_options* options; /**< of their measurement; NULL: the defaults */
+    double rms_height;                            /**< Rq, Sq [m]; 0: mean_height, or that of the heights */
+    double mean_height;                           /**< Ra, Sa [m], in place of rms_height */
+    double rms_gradient;                          /**< Sdq */
+    double profile_gradient;                      /**< Rdq across the lay, in place of rms_gradient */
+    double profile_spacing;                       /**< RSm [m], in place of rms_gradient */
+    double alpha;                                 /**< Nayak's, above 1.5 */
+    double hurst;                                 /**< above 0, at most 1 */
+    double skewness, kurtosis;                    /**< of the heights; kurtosis 0: neither is given */
+    double peak_radius, peak_density;             /**< R [m], D_p [1/m^2] */
+    double fractal_dimension;                     /**< D of a profile, 1 < D <= 1.99 */
+    int process;                                  /**< FSTIFF_PROCESS_... */
+} fstiff_face;
+
+/** A body: E [Pa] and nu; yield strength and hardness [Pa], 0 where they are not known. */
+typedef struct fstiff_solid {
+    double youngs_modulus, poisson_ratio, yield_strength, hardness;
+} fstiff_solid;
+
+/** Two bodies, and the rough faces between them. */
+typedef struct fstiff_joint {
+    size_t size;              /**< sizeof(fstiff_joint) */
+    const fstiff_face* face;  /**< of one body */
+    const fstiff_face* other; /**< of the other; NULL: it is smooth */
+    fstiff_solid upper, lower;
+    double nominal_area; /**< [m^2]; 0: not known */
+    double seating;      /**< the approach is 0 at this pressure [Pa]; 0: 1 kPa */
+    int samples;         /**< surfaces drawn for the band, from 20 to 100000; 0: 400; -1: none */
+    unsigned int seed;   /**< of them; 0: 2014 */
+} fstiff_joint;
+
+/** Causes of a band: errors of the measurement, cut-offs, shape of the heights, what is assumed, lay, the law itself,
+ * few contacts, waves longer than the measurement. */
+enum { FSTIFF_CAUSES = 8 };
+
+/** Destinations of an answer: arrays of `count` of the call, or NULL. */
+typedef struct fstiff_answer_points {
+    size_t size;           /**< sizeof(fstiff_answer_points) */
+    double* stiffness;     /**< K of the nominal area [Pa/m] */
+    double* stiffness_p05; /**< the ends of its 90 % band [Pa/m] */
+    double* stiffness_p95;
+    double* loading_stiffness;    /**< -dp/dd of the first loading where peaks yield [Pa/m]; 0 where they do not */
+    double* tangential_stiffness; /**< before slip [Pa/m] */
+    double* approach;             /**< since `seating` [m]; 0 where it is not known */
+    double* contacts;             /**< expected on the nominal area, or on that of the heights; 0: not known */
+    double* p_star;               /**< p/(E g); 0: not known */
+    double* causes;               /**< FSTIFF_CAUSES shares of the band for each pressure, one row after the other */
+    int* law;                     /**< that gave K: fstiff_law_name() */
+    int* status;                  /**< of each point */
+} fstiff_answer_points;
+
+/** The answer of `fstiff run` to a joint under pressures [Pa], > 0, to the last digit. A point without a K has its
+ * status, and 0 in every array. Returns FSTIFF_OK, or the status of the first point without a K, with its reason as the
+ * message. *doubtful, unless it is NULL, becomes 1 where the command would end with exit code 4. */
+FSTIFF_API int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t count,
+                             const fstiff_answer_points* points, int* doubtful);
+/** The name of a law of fstiff_answer(), such as "hybrid"; "unknown law" for any other number. Never NULL. */
+FSTIFF_API const char* fstiff_law_name(int law);
+
+#endif /* FSTIFF_ANSWER_H */

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The answer of a joint, or of many: one stiffness for each pressure, with a band."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Union
+
+from . import _core
+from ._contacts import numbers
+from ._results import Table, axes, frame, label_axes, shown, text_table
+from ._surfaces import Measurement, metres, warn_of_height
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+    import pandas as pd
+    from matplotlib.axes import Axes
+    from typing_extensions import TypeAlias
+
+    from ._results import Numbers
+
+    Solid: TypeAlias = Union[str, Mapping[str, float]]
+    Face: TypeAlias = Union[Mapping[str, Any], Measurement]
+
+#: The numbers of a face, and those of them that are lengths.
+FACE = (
+    "height", "mean_height", "gradient", "profile_gradient", "profile_spacing", "alpha", "hurst", "skewness", "kurtosis",
+    "peak_radius", "peak_density", "fractal_dimension",
+)  # fmt: skip
+LENGTHS = {"height", "mean_height", "profile_spacing", "peak_radius"}
+SOLID = (
+    "youngs_modulus", "poisson_ratio", "yield_strength", "hardness", "density", "velocity", "shear_velocity",
+    "thermal_conductivity", "electrical_conductivity",
+)  # fmt: skip
+
+
+class Stiffness(Table["npt.NDArray[Any]"]):
+    """K of one joint or of many: a mapping from keys of `fstiff run --format json` to arrays, of the surfaces by the pressures.
+
+    "pressure_Pa", "stiffness_Pa_per_m", the ends of its 90 % band "stiffness_p05_Pa_per_m" and "stiffness_p95_Pa_per_m", "law",
+    "p_star", "contacts", "approach_m", "loading_stiffness_Pa_per_m" and the quantities that were asked for; NaN and "" where
+    there is none. A single surface has arrays of the shape of the pressures.
+
+    causes     the share that each cause has of the band, by its name
+    reasons    why a point has no K, by its index
+    concerns   words for what does not hold, a list for each surface
+    doubtful   for each surface, whether the command would end with exit code 4
+    """
+
+    def __init__(self, found: dict[str, Any], shape: tuple[int, ...], surfaces: tuple[int, ...]) -> None:
+        import numpy as np
+
+        def shaped(column: Any) -> npt.NDArray[Any]:
+            array: npt.NDArray[Any] = np.asarray(column).reshape(shape)
+            return array
+
+        columns = {key: shaped(column) for key, column in found["numbers"].items()}
+        self.causes = {key[7:]: column for key, column in columns.items() if key.startswith("causes/")}
+        self._values = {key: column for key, column in columns.items() if not key.startswith("causes/")}
+        self._values["law"] = shaped(found["laws"])
+        self.reasons: dict[tuple[int, ...], str] = {
+            tuple(int(i) for i in np.unravel_index(place, shape)): reason for place, reason in found["reasons"].items()
+        }
+        self.concerns: list[list[str]] = found["concerns"]
+        self.doubtful: npt.NDArray[np.bool_] = np.asarray(found["doubtful"], dtype=bool).reshape(surfaces)
+
+    @property
+    def stiffness(self) -> Numbers:
+        """K per nominal area [Pa/m]."""
+        return self["stiffness_Pa_per_m"]
+
+    @property
+    def low(self) -> Numbers:
+        """The lower end of the 90 % band of K [Pa/m]."""
+        return self["stiffness_p05_Pa_per_m"]
+
+    @property
+    def high(self) -> Numbers:
+        """The upper end of the 90 % band of K [Pa/m]."""
+        return self["stiffness_p95_Pa_per_m"]
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The columns as a data frame of pandas, one row for each surface and pressure."""
+        return frame({key: column.ravel() for key, column in self.items()})
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws K over the pressure with its band; returns the axes."""
+        import numpy as np
+
+        ax = axes(ax)
+        x, y = label_axes(ax, "pressure_Pa", "stiffness_Pa_per_m")
+        count = self["pressure_Pa"].shape[-1] if self["pressure_Pa"].ndim else 1
+        keys = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
+        for p, k, low, high in zip(*(np.reshape(self[key], (-1, count)) for key in keys)):
+            (line,) = ax.plot(p * x, k * y)
+            ax.fill_between(p * x, low * y, high * y, alpha=0.2, color=line.get_color(), lw=0)
+        return ax
+
+    def __repr__(self) -> str:
+        keys = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
+        columns = [self[key].ravel() for key in keys]
+        size = columns[0].size
+        few = list(range(size)) if size <= 8 else [*range(4), *range(size - 4, size)]
+        rows = [["p [MPa]", "K [MPa/µm]", "5 %", "95 %", "law"]]
+        for i in few:
+            values = [shown(float(column[i]) * factor, 3) for column, factor in zip(columns, (1e-6, 1e-12, 1e-12, 1e-12))]
+            rows.append([*values, str(self["law"].ravel()[i]) or "-"])
+        return f"<fstiff.Stiffness: {size} points>\n{text_table(rows)}"
+
+
+def _array(value: Any, name: str) -> Numbers:
+    """A number of a face, or an array of them; None is NaN, and a text a length with its unit."""
+    import numpy as np
+
+    if isinstance(value, str):
+        if name not in LENGTHS:
+            raise ValueError(f"{name} = {value!r}: must be a number in SI units, or an array")
+        return np.asarray(metres(value, name))
+    return numbers(value, name)
+
+
+def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
+    if isinstance(given, str):
+        return given, {}
+    if not isinstance(given, Mapping):
+        raise ValueError(f"{which}: must be the name of a material or a dict, not of type {type(given).__name__}")
+    of = dict(given)
+    name = str(of.pop("name", ""))
+    unknown = set(of) - set(SOLID)
+    if unknown:
+        raise ValueError(f"{which}.{sorted(unknown)[0]}: must be one of name, {', '.join(SOLID)}")
+    made = {key: float(value) for key, value in of.items() if value is not None}
+    for key in ("youngs_modulus", "poisson_ratio"):
+        if not name and key not in made:
+            raise ValueError(f"{which}.{key}: is missing; give it, or the name of a material")
+    return name, made
+
+
+def _face(
+    given: Mapping[str, Any], measured: list[Measurement], process: str | None, shape: tuple[int, ...]
+) -> _core.Face:
+    import numpy as np
+
+    columns = {
+        name: np.ascontiguousarray(np.broadcast_to(_array(value, name), shape), dtype=np.float64).ravel()
+        for name, value in given.items()
+    }
+    return _core.Face(columns, process or "", [one._measured for one in measured])
+
+
+def answer(
+    *,
+    pressures: npt.ArrayLike,
+    upper: Solid = "steel",
+    lower: Solid | None = None,
+    surface: Measurement | Sequence[Measurement] | None = None,
+    height: Any = None,
+    mean_height: Any = None,
+    gradient: Any = None,
+    profile_gradient: Any = None,
+    profile_spacing: Any = None,
+    alpha: Any = None,
+    hurst: Any = None,
+    skewness: Any = None,
+    kurtosis: Any = None,
+    peak_radius: Any = None,
+    peak_density: Any = None,
+    fractal_dimension: Any = None,
+    process: str | None = None,
+    other: Face | None = None,
+    area: float | None = None,
+    quantities: Sequence[str] = (),
+    frequency: float | None = None,
+    friction: float | None = None,
+    amplitude: float | None = None,
+    seating: float = 1e3,
+    samples: int = 400,
+    seed: int = 2014,
+) -> Stiffness:
+    """One stiffness for each pressure, by the law that holds there, with a 90 % band and its causes: what `fstiff run` answers.
+
+    pressures           nominal [Pa], an array of any shape
+    upper, lower        a material by its name, or a dict of youngs_modulus [Pa], poisson_ratio, yield_strength, hardness [Pa],
+                        density, velocity, shear_velocity, thermal_conductivity, electrical_conductivity, and name for the rest;
+                        lower is as upper unless it is given
+    surface             what measure() returned, or a list of that, one for each joint
+    height, mean_height      rms height (Rq, Sq), or Ra or Sa in its place [m], or a text such as "0.8 um"
+    gradient            rms gradient (Sdq); in its place profile_gradient (Rdq across the lay) or profile_spacing (RSm) [m]
+    alpha, hurst, skewness, kurtosis, peak_radius, peak_density, fractal_dimension   as in a scene
+    process             what made the face, such as "ground": it decides what is assumed of the numbers that are not given
+    other               the other face where it is rough: a dict of the numbers above, or what measure() returned
+    area                nominal area [m^2]
+    quantities          of "tangential_stiffness", "reflection", "shear_reflection" (with a frequency [Hz]), "loss_factor" (with
+                        a coefficient of friction and an amplitude [m]), "thermal_conductance", "electrical_conductance"
+    seating             the approach is 0 at this pressure [Pa]
+    samples, seed       surfaces drawn for the band; 0: none
+
+    The numbers of a face may be arrays, which are broadcast: one joint for each element, in the leading axes of the result. NaN is a number that is
+    not given. One that is given takes the place of what was measured. What is wrong raises ValueError.
+    """
+    import numpy as np
+
+    own = {name: value for name, value in locals().items() if name in FACE and value is not None}
+    several = isinstance(surface, (list, tuple))
+    measured: list[Any] = list(surface) if isinstance(surface, (list, tuple)) else [] if surface is None else [surface]
+    of_other: dict[str, Any] = {} if other is None or isinstance(other, Measurement) else dict(other)
+    other_process = of_other.pop("process", None)
+    other_measured = [other] if isinstance(other, Measurement) else []
+    unknown = set(of_other) - set(FACE)
+    if unknown:
+        raise ValueError(f"other.{sorted(unknown)[0]}: must be one of process, {', '.join(FACE)}")
+    for one in measured:
+        if not isinstance(one, Measurement):
+            raise ValueError(f"surface: must be what measure() returned, not of type {type(one).__name__}")
+    shapes = [_array(value, name).shape for of in (own, of_other) for name, value in of.items()]
+    if several:
+        shapes.append((len(measured),))
+    try:
+        surfaces = np.broadcast_shapes(*shapes)
+    except ValueError:
+        raise ValueError(f"the numbers of the faces have shapes that do not go together: {shapes}") from None
+    count = int(np.prod(surfaces, dtype=int))
+    if several and surfaces != (len(measured),):
+        raise ValueError("surface: a list of them goes with numbers and arrays of its length")
+    p = numbers(pressures, "pressures")
+    given = {"area": area, "frequency": frequency, "friction": friction, "amplitude": amplitude}
+    options = {name: float(value) for name, value in given.items() if value is not None}
+    options |= {"seating": float(seating), "samples": float(samples), "seed": float(seed)}
+    first, second = _solid(upper, "upper"), _solid(upper if lower is None else lower, "lower")
+    if isinstance(quantities, str):
+        raise ValueError(f'quantities = "{quantities}": must be a list of names')
+    face = _face(own, measured, process, surfaces)
+    face2 = None if other is None else _face(of_other, other_measured, other_process, surfaces)
+    found = _core.answers(count, face, face2, *first, *second, p.ravel(), options, list(quantities))
+    if "height" in own:
+        warn_of_height(float(np.max(_array(own["height"], "height"))))
+    return Stiffness(found, surfaces + p.shape, surfaces)

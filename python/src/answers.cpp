@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The answer of many joints that differ in their numbers or in what was measured.
+#include "module.hpp"
+
+#include "document/file.hpp"
+#include "surface/measured_surface.hpp"
+
+#include <fstiff/answer.hpp>
+#include <fstiff/asperity/named_materials.hpp>
+
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace fstiff::python {
+namespace {
+
+using Numbers = std::map<std::string, double>;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+struct FaceNumber {
+    const char* name;
+    std::optional<double> JointFace::*value;
+};
+constexpr FaceNumber face_numbers[]{{"height", &JointFace::rms_height},
+                                    {"mean_height", &JointFace::mean_height},
+                                    {"gradient", &JointFace::rms_gradient},
+                                    {"profile_gradient", &JointFace::profile_gradient},
+                                    {"profile_spacing", &JointFace::profile_spacing},
+                                    {"alpha", &JointFace::alpha},
+                                    {"hurst", &JointFace::hurst},
+                                    {"skewness", &JointFace::skewness},
+                                    {"kurtosis", &JointFace::kurtosis},
+                                    {"peak_radius", &JointFace::peak_radius},
+                                    {"peak_density", &JointFace::peak_density},
+                                    {"fractal_dimension", &JointFace::fractal_dimension}};
+
+/// \p error with the package's name of the parameter.
+domain_error with_own_name(const domain_error& error) {
+    for (const auto& [name, own] :
+         {std::pair("rms_height", "height"), {"rms_gradient", "gradient"}, {"nominal_area", "area"}})
+        if (error.parameter() == name) return error.with_parameter(own);
+    return error;
+}
+
+/// A face as the package was given it: arrays of one length by their names, NaN where a number is not given, and what
+/// was measured, of every joint or of all.
+struct FaceInput {
+    std::map<std::string, In> numbers;
+    std::string process;
+    std::vector<std::shared_ptr<const scene::MeasuredSurface>> measured;
+
+    [[nodiscard]] JointFace at(std::size_t i) const {
+        JointFace face;
+        for (const auto& [name, value] : face_numbers)
+            if (const auto found = numbers.find(name); found != numbers.end())
+                if (const double one = found->second.data()[i]; !std::isnan(one)) face.*value = one;
+        if (!process.empty()) face.process = parse<parts::Process>(process, "process");
+        if (!measured.empty()) {
+            const auto& one = measured[measured.size() == 1 ? 0 : i];
+            face.measured = {one, &one->found};
+        }
+        return face;
+    }
+};
+
+/// A body by its name, and numbers in place of those of the name.
+struct Solid {
+    Body body{};
+    std::optional<double> density{}, velocity{}, shear_velocity{}, thermal{}, electrical{};
+};
+Solid solid_of(const std::string& name, const Numbers& numbers, const char* which) {
+    Solid solid;
+    if (!name.empty()) {
+        const parts::NamedMaterial* found = parts::find_material(name);
+        if (!found) {
+            std::vector<std::string_view> names;
+            for (const parts::NamedMaterial& one : parts::named_materials) names.push_back(one.name);
+            throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": must be one of " +
+                               scene::list_of(names) + ", or a dict with youngs_modulus and poisson_ratio");
+        }
+        solid = {.body = {.elastic = found->elastic},
+                 .density = found->density,
+                 .velocity = found->longitudinal_velocity,
+                 .shear_velocity = found->shear_velocity,
+                 .thermal = found->thermal_conductivity,
+                 .electrical = found->electrical_conductivity};
+    }
+    const auto take = [&](const char* key, auto& to) {
+        if (const auto given = numbers.find(key); given != numbers.end()) to = given->second;
+    };
+    take("youngs_modulus", solid.body.elastic.youngs_modulus), take("poisson_ratio", solid.body.elastic.poisson_ratio);
+    take("yield_strength", solid.body.yield_strength), take("hardness", solid.body.hardness);
+    take("density", solid.density), take("velocity", solid.velocity), take("shear_velocity", solid.shear_velocity);
+    take("thermal_conductivity", solid.thermal), take("electrical_conductivity", solid.electrical);
+    return solid;
+}
+
+/// What all joints share.
+Joint joint_of(const Solid& upper, const Solid& lower, const Numbers& numbers) {
+    const auto number = [&](const char* name) -> std::optional<double> {
+        const auto found = numbers.find(name);
+        return found == numbers.end() ? std::optional<double>() : found->second;
+    };
+    Joint joint{.upper = upper.body, .lower = lower.body, .nominal_area = number("area")};
+    const auto both = [](const std::optional<double>& a, const std::optional<double>& b) {
+        return a && b && *a > 0 && *b > 0 ? std::optional(joint_conductivity(*a, *b)) : std::nullopt;
+    };
+    joint.conduction.thermal = both(upper.thermal, lower.thermal);
+    joint.conduction.electrical = both(upper.electrical, lower.electrical);
+    if (const auto frequency = number("frequency"); frequency && upper.density && lower.density) {
+        const auto impedances = [&](const std::optional<double>& a, const std::optional<double>& b) {
+            return Impedances<double>{acoustic_impedance(*upper.density, *a), acoustic_impedance(*lower.density, *b)};
+        };
+        if (upper.velocity && lower.velocity)
+            joint.waves = Waves{*frequency, impedances(upper.velocity, lower.velocity), {}};
+        if (joint.waves && upper.shear_velocity && lower.shear_velocity)
+            joint.waves->shear = impedances(upper.shear_velocity, lower.shear_velocity);
+    }
+    if (const auto friction = number("friction")) joint.friction = Friction{*friction, number("amplitude")};
+    return joint;
+}
+
+struct Derived {
+    const char* name;
+    const char* suffix;
+    std::optional<Banded> AnswerPoint::*value;
+    const char* needs;
+};
+constexpr Derived derived[]{
+    {"tangential_stiffness", "_Pa_per_m", &AnswerPoint::tangential_stiffness, ""},
+    {"loss_factor", "", &AnswerPoint::loss_factor, "friction and amplitude"},
+    {"reflection", "", &AnswerPoint::reflection, "frequency, and density and velocity of both bodies"},
+    {"shear_reflection", "", &AnswerPoint::shear_reflection,
+     "frequency, and density and shear_velocity of both bodies"},
+    {"thermal_conductance", "_W_per_m2K", &AnswerPoint::thermal_conductance, "thermal_conductivity of both bodies"},
+    {"electrical_conductance", "_S_per_m2", &AnswerPoint::electrical_conductance,
+     "electrical_conductivity of both bodies"}};
+
+const Derived& derived_called(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const Derived& one : derived) {
+        if (one.name == name) return one;
+        names.push_back(one.name);
+    }
+    throw domain_error("quantities = \"" + name.substr(0, 40) + "\": must be among " + scene::list_of(names));
+}
+
+/// Columns of count x pressures numbers, by their keys.
+struct Columns {
+    std::size_t count, pressures;
+    std::map<std::string, std::vector<double>> numbers{};
+    std::vector<std::string> laws{};
+    std::map<std::size_t, std::string> reasons{};
+    std::vector<std::vector<std::string>> concerns{};
+    std::vector<int> doubtful{};
+
+    double& at(const std::string& key, std::size_t place) {
+        std::vector<double>& column = numbers[key];
+        if (column.empty()) column.assign(count * pressures, none);
+        return column[place];
+    }
+    void put(const std::string& name, const std::string& suffix, std::size_t place, const Banded& value) {
+        at(name + suffix, place) = value.value;
+        at(name + "_p05" + suffix, place) = value.low;
+        at(name + "_p95" + suffix, place) = value.high;
+    }
+    void put(const Answer& found, std::size_t i, const std::vector<const Derived*>& wanted) {
+        for (std::size_t k = 0; k < pressures; ++k) {
+            const AnswerPoint& point = found.points[k];
+            const std::size_t place = i * pressures + k;
+            at("pressure_Pa", place) = point.pressure;
+            laws.push_back(point.ok() ? std::string(name_of(point.law)) : "");
+            if (!point.ok()) {
+                reasons[place] = point.reason;
+                continue;
+            }
+            put("stiffness", "_Pa_per_m", place, point.stiffness);
+            at("loading_stiffness_Pa_per_m", place) = point.loading_stiffness.value_or(none);
+            at("approach_m", place) = point.approach.value_or(none);
+            at("contacts", place) = point.contacts.value_or(none);
+            at("p_star", place) = point.p_star.value_or(none);
+            const auto shares = parts::shares_of(point.causes);
+            for (std::size_t c = 0; c < shares.size(); ++c)
+                at("causes/" + std::string(name_of(static_cast<parts::Cause>(c))), place) = shares[c];
+            for (const Derived* one : wanted) {
+                if (!(point.*one->value))
+                    throw domain_error("quantities: " + std::string(one->name) + " needs " + one->needs);
+                put(one->name, one->suffix, place, *(point.*one->value));
+            }
+        }
+        std::vector<std::string>& names = concerns.emplace_back();
+        for (const auto& one : found.concerns) names.emplace_back(name_of(one.concern));
+        doubtful.push_back(found.doubtful ? 1 : 0);
+    }
+};
+
+nb::dict dict_of(Columns& columns) {
+    nb::dict numbers, reasons, all;
+    for (const auto& [key, column] : columns.numbers)
+        numbers[key.c_str()] = NewArray(column, {columns.count, columns.pressures}).take();
+    for (const auto& [place, reason] : columns.reasons) reasons[nb::int_(place)] = reason;
+    all["numbers"] = numbers, all["reasons"] = reasons;
+    all["laws"] = columns.laws, all["concerns"] = columns.concerns, all["doubtful"] = columns.doubtful;
+    return all;
+}
+
+nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<FaceInput>& other,
+                 const std::pair<Solid, Solid>& bodies, const In& pressures, const Numbers& numbers,
+                 const std::vector<std::string>& quantities) {
+    Columns columns{.count = count, .pressures = pressures.size()};
+    {
+        const nb::gil_scoped_release free;
+        std::vector<const Derived*> wanted;
+        for (const std::string& name : quantities) wanted.push_back(&derived_called(name));
+        Joint joint = joint_of(bodies.first, bodies.second, numbers);
+        AnswerOptions how;
+        how.progress = until_interrupted();
+        if (const auto found = numbers.find("samples"); found != numbers.end())
+            how.samples = static_cast<int>(found->second);
+        if (const auto found = numbers.find("seed"); found != numbers.end())
+            how.seed = static_cast<std::uint64_t>(found->second);
+        if (const auto found = numbers.find("seating"); found != numbers.end()) how.seating = found->second;
+        for (std::size_t i = 0; i < count; ++i) {
+            how.progress("joints", i, count);
+            try {
+                joint.face = face.at(i);
+                if (other) joint.other = other->at(i);
+                columns.put(answer(joint, numbers_of(pressures), how), i, wanted);
+            } catch (const domain_error& error) {
+                const domain_error own = with_own_name(error);
+                throw count == 1 ? own : own.with_place({.file = "surface " + std::to_string(i)});
+            }
+        }
+    }
+    return dict_of(columns);
+}
+
+}  // namespace
+
+void add_answers(nb::module_& m) {
+    nb::class_<FaceInput>(m, "Face", "A face, or as many as there are joints.")
+        .def(
+            "__init__",
+            [](FaceInput* self, std::map<std::string, In> numbers, std::string process,
+               std::vector<std::shared_ptr<const scene::MeasuredSurface>> measured) {
+                new (self) FaceInput{std::move(numbers), std::move(process), std::move(measured)};
+            },
+            nb::arg("numbers"), nb::arg("process"), nb::arg("measured"));
+    m.def(
+        "answers",
+        [](std::size_t count, const FaceInput& face, const std::optional<FaceInput>& other, const std::string& upper,
+           const Numbers& of_upper, const std::string& lower, const Numbers& of_lower, const In& pressures,
+           const Numbers& numbers, const std::vector<std::string>& quantities) {
+            return answers(count, face, other, {solid_of(upper, of_upper, "upper"), solid_of(lower, of_lower, "lower")},
+                           pressures, numbers, quantities);
+        },
+        nb::arg("count"), nb::arg("face"), nb::arg("other").none(), nb::arg("upper"), nb::arg("of_upper"),
+        nb::arg("lower"), nb::arg("of_lower"), nb::arg("pressures"), nb::arg("numbers"), nb::arg("quantities"));
+}
+
+}  // namespace fstiff::python

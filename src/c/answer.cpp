@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The answer of a joint.
+#include "c/measure.hpp"
+
+#include <fstiff/answer.hpp>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace fstiff::c {
+namespace {
+
+static_assert(FSTIFF_CAUSES == parts::cause_count);
+static_assert(FSTIFF_PROCESS_ERODED == static_cast<int>(parts::Process::eroded));
+
+JointFace face_of(const fstiff_face* given, const char* name) {
+    const fstiff_face from = taken(given, name);
+    if (from.process < FSTIFF_PROCESS_UNKNOWN || from.process > FSTIFF_PROCESS_ERODED)
+        refuse_argument("process", from.process, "one of FSTIFF_PROCESS_...");
+    if (from.kurtosis == 0 && from.skewness != 0) throw domain_error("skewness: needs kurtosis");
+    JointFace face{.rms_height = known(from.rms_height),
+                   .mean_height = known(from.mean_height),
+                   .rms_gradient = known(from.rms_gradient),
+                   .profile_gradient = known(from.profile_gradient),
+                   .profile_spacing = known(from.profile_spacing),
+                   .alpha = known(from.alpha),
+                   .hurst = known(from.hurst),
+                   .kurtosis = known(from.kurtosis),
+                   .peak_radius = known(from.peak_radius),
+                   .peak_density = known(from.peak_density),
+                   .fractal_dimension = known(from.fractal_dimension),
+                   .process = static_cast<parts::Process>(from.process)};
+    if (face.kurtosis) face.skewness = from.skewness;
+    if (!from.heights) return face;
+    scene::MeasureOptions how = options_of(from.options);
+    how.neighbours = true;
+    const auto input = input_of(how.input, taken(from.heights, "heights"));
+    face.measured = std::make_shared<const Surface<double>>(measure_surface(how, input).found);
+    return face;
+}
+
+Body body_of(const fstiff_solid& from) {
+    return {.elastic = {from.youngs_modulus, from.poisson_ratio},
+            .yield_strength = known(from.yield_strength),
+            .hardness = known(from.hardness)};
+}
+
+/// An array of the caller, and what goes into it.
+struct Output {
+    double* array;
+    std::optional<double> (*value)(const AnswerPoint& point);
+};
+
+std::array<Output, 8> outputs_of(const fstiff_answer_points& to) {
+    using Point = const AnswerPoint&;
+    using Number = std::optional<double>;
+    return {{{to.stiffness, [](Point at) -> Number { return at.stiffness.value; }},
+             {to.stiffness_p05, [](Point at) -> Number { return at.stiffness.low; }},
+             {to.stiffness_p95, [](Point at) -> Number { return at.stiffness.high; }},
+             {to.loading_stiffness, [](Point at) -> Number { return at.loading_stiffness; }},
+             {to.tangential_stiffness,
+              [](Point at) { return at.tangential_stiffness ? Number(at.tangential_stiffness->value) : Number(); }},
+             {to.approach, [](Point at) -> Number { return at.approach; }},
+             {to.contacts, [](Point at) -> Number { return at.contacts; }},
+             {to.p_star, [](Point at) -> Number { return at.p_star; }}}};
+}
+
+/// Gives \p points to the arrays of \p to. \return the status of the first without a K, whose reason is the message.
+int give_points(const std::vector<AnswerPoint>& points, const fstiff_answer_points& to) {
+    int first = FSTIFF_OK;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const AnswerPoint& point = points[i];
+        for (const Output& output : outputs_of(to))
+            if (output.array) output.array[i] = point.ok() ? output.value(point).value_or(0) : 0;
+        if (to.causes) {
+            const auto shares = parts::shares_of(point.causes);
+            std::copy(shares.begin(), shares.end(), to.causes + i * FSTIFF_CAUSES);
+        }
+        if (to.law) to.law[i] = point.ok() ? static_cast<int>(point.law) : -1;
+        const int status = point.ok() ? FSTIFF_OK : FSTIFF_OUT_OF_REACH;
+        if (to.status) to.status[i] = status;
+        if (status != FSTIFF_OK && first == FSTIFF_OK) first = status, set_message(point.reason);
+    }
+    return first;
+}
+
+}  // namespace
+}  // namespace fstiff::c
+
+using namespace fstiff::c;
+
+int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t count, const fstiff_answer_points* points,
+                  int* doubtful) {
+    return guarded([&] {
+        const fstiff_joint from = taken(joint, "joint");
+        const fstiff_answer_points to = taken(points, "points");
+        require_array(pressures, count, "pressures");
+        if (from.samples < -1) refuse_argument("samples", from.samples, "-1, 0, or from 20 to 100000");
+        fstiff::Joint of{.face = face_of(from.face, "face"),
+                         .upper = body_of(from.upper),
+                         .lower = body_of(from.lower),
+                         .nominal_area = known(from.nominal_area)};
+        if (from.other) of.other = face_of(from.other, "other");
+        fstiff::AnswerOptions how;
+        if (from.samples != 0) how.samples = from.samples < 0 ? 0 : from.samples;
+        if (from.seed != 0) how.seed = from.seed;
+        if (from.seating != 0) how.seating = from.seating;
+        const fstiff::Answer found = fstiff::answer(of, std::span(pressures, count), how);
+        if (doubtful) *doubtful = found.doubtful ? 1 : 0;
+        return give_points(found.points, to);
+    });
+}
+
+const char* fstiff_law_name(int law) {
+    constexpr int count = static_cast<int>(fstiff::names<fstiff::LawName>.size());
+    return law >= 0 && law < count ? name_of(static_cast<fstiff::LawName>(law)).data() : "unknown law";
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Heights of the caller, and how they are measured.
+
+#include "c/guard.hpp"
+#include "surface/measured_surface.hpp"
+
+#include <optional>
+
+namespace fstiff::c {
+
+/// A number that is not known where it is 0.
+inline std::optional<double> known(double value) { return value == 0 ? std::nullopt : std::optional(value); }
+
+/// \p given, or the defaults where it is null; without neighbours, which the band of K needs.
+[[nodiscard]] scene::MeasureOptions options_of(const fstiff_measure_options* given);
+/// The heights \p from as a surface that \p options clean.
+[[nodiscard]] scene::SurfaceInput input_of(const scene::SurfaceOptions& options, const fstiff_heights& from);
+
+}  // namespace fstiff::c

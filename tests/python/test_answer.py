@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""fstiff.answer() gives what fstiff.run() does of the same joint, to the last digit."""
+
+import numpy as np
+import pytest
+
+import fstiff
+
+PRESSURES = np.array([1e6, 1e7, 1e8])
+CONTACT = {"pressures": ["1 MPa", "10 MPa", "100 MPa"]}
+KEYS = ("stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m", "law")
+
+
+def assert_same(found, scene, **surface):
+    """Every column that both have, and the causes, are equal."""
+    answer = fstiff.run({**scene, "contact": {**CONTACT, **scene.get("contact", {})}}, **surface).answer
+    for key in KEYS:
+        np.testing.assert_array_equal(found[key], answer[key], err_msg=key)
+    for key in set(found) & set(answer) - {"pressure_Pa"}:
+        np.testing.assert_array_equal(found[key], answer[key], err_msg=key)
+    for cause, shares in found.causes.items():
+        np.testing.assert_array_equal(shares, [row.get(cause, 0) for row in answer.causes], err_msg=cause)
+
+
+def test_numbers():
+    found = fstiff.answer(height="0.8 um", gradient=0.1, upper="steel", pressures=PRESSURES)
+    assert_same(found, {"surface": {"rms_height": "0.8 um", "rms_gradient": 0.1}, "material": {"upper": "steel"}})
+    assert found.stiffness.shape == (3,) and found.doubtful.shape == () and not found.doubtful
+    assert (found.low < found.stiffness).all() and (found.stiffness < found.high).all()
+    assert "hybrid" in repr(found) and "MPa/µm" in repr(found)
+    assert list(found.to_dataframe()["law"]) == ["hybrid"] * 3 if pytest.importorskip("pandas") else True
+
+
+def test_two_faces_and_metals_that_yield():
+    found = fstiff.answer(
+        mean_height=0.8e-6,
+        process="ground",
+        other={"height": "0.2 um", "gradient": 0.05, "process": "lapped"},
+        upper={"name": "steel", "hardness": 2e9},
+        lower={"youngs_modulus": 110e9, "poisson_ratio": 0.26, "hardness": 1.5e9},
+        area=1e-4,
+        pressures=PRESSURES,
+    )
+    assert_same(
+        found,
+        {
+            "surface": {
+                "upper": {"Ra": "0.8 um", "process": "ground"},
+                "lower": {"rms_height": "0.2 um", "rms_gradient": 0.05, "process": "lapped"},
+            },
+            "material": {
+                "upper": {"name": "steel", "hardness": "2 GPa"},
+                "lower": {"youngs_modulus": "110 GPa", "poisson_ratio": 0.26, "hardness": "1.5 GPa"},
+            },
+            "contact": {"nominal_area": "1 cm^2"},
+        },
+    )
+    assert (found["loading_stiffness_Pa_per_m"] <= found.stiffness).all()
+
+
+def test_measured_surfaces(trace, rough_map):
+    traces = [fstiff.measure(trace, spacing=0.5e-6), fstiff.measure(trace[: trace.size // 2], spacing=0.5e-6)]
+    of_map = fstiff.measure(rough_map, spacing=(1e-6, 1.5e-6))
+    for measured in (*traces, of_map):
+        found = fstiff.answer(surface=measured, upper="steel", pressures=PRESSURES)
+        assert_same(found, {"material": {"upper": "steel"}}, surface=measured)
+    many = fstiff.answer(surface=traces, upper="steel", pressures=PRESSURES, samples=50)
+    assert many.stiffness.shape == (2, 3) and many.doubtful.shape == (2,)
+    for i, measured in enumerate(traces):
+        one = fstiff.answer(surface=measured, upper="steel", pressures=PRESSURES, samples=50)
+        np.testing.assert_array_equal(many.stiffness[i], one.stiffness)
+        np.testing.assert_array_equal(many.high[i], one.high)
+
+
+def test_arrays_are_many_joints():
+    heights, gradients = np.array([[0.2e-6], [0.8e-6]]), np.array([0.05, 0.1, np.nan])
+    many = fstiff.answer(height=heights, gradient=gradients, upper="steel", pressures=PRESSURES)
+    assert many.stiffness.shape == many["law"].shape == (2, 3, 3)
+    for i in range(2):
+        for k in range(3):
+            gradient = None if np.isnan(gradients[k]) else gradients[k]
+            one = fstiff.answer(height=heights[i, 0], gradient=gradient, upper="steel", pressures=PRESSURES)
+            for key in one:
+                np.testing.assert_array_equal(many[key][i, k], one[key], err_msg=key)
+    assert fstiff.answer(height=1e-6, upper="steel", pressures=1e7).stiffness.shape == ()
+
+
+def test_quantities():
+    named = ["tangential_stiffness", "reflection", "shear_reflection", "loss_factor", "thermal_conductance"]
+    found = fstiff.answer(
+        height=0.8e-6, gradient=0.1, upper="steel", lower="aluminium", pressures=PRESSURES, quantities=named,
+        frequency=5e6, friction=0.2, amplitude=1e-8,
+    )  # fmt: skip
+    curves = fstiff.run({
+        "surface": {"rms_height": "0.8 um", "rms_gradient": 0.1},
+        "material": {"upper": "steel", "lower": "aluminium"},
+        "contact": CONTACT,
+        "ultrasound": {"frequency": "5 MHz"},
+        "friction": {"coefficient": 0.2, "amplitude": "10 nm"},
+        "output": {"quantities": ["stiffness", *named]},
+    })  # fmt: skip
+    for key in found:
+        if key in curves and key not in ("law", "pressure_Pa"):
+            np.testing.assert_array_equal(found[key], curves[key], err_msg=key)
+    for name in named:
+        assert any(key.startswith(name) for key in set(found) & set(curves))
+
+
+def test_points_without_a_stiffness_and_concerns():
+    soft = {"name": "steel", "hardness": 50e6}
+    found = fstiff.answer(height=0.8e-6, gradient=0.1, upper=soft, pressures=PRESSURES)
+    assert np.isnan(found.stiffness[2]) and found["law"][2] == "" and found.doubtful
+    assert found.reasons[(2,)].startswith("at the hardness") and "no_state" in found.concerns[0]
+
+
+@pytest.mark.parametrize(
+    "given, sentence",
+    [
+        ({"height": -1e-6}, "^height = -1e-06: must be finite and greater than 0"),
+        ({"height": 1e-6, "upper": "stele"}, '^upper = "stele": must be one of "steel"'),
+        ({"height": 1e-6, "upper": {"poisson_ratio": 0.3}}, "^upper.youngs_modulus: is missing"),
+        ({"height": 1e-6, "lower": {"modulus": 1}}, "^lower.modulus: must be one of name"),
+        ({"height": [1e-6, 2e-6], "gradient": [0.1, 0.2, 0.3]}, "shapes that do not go together"),
+        ({"height": [1e-6, -2e-6]}, "^surface 1: height = -2e-06"),
+        ({"height": 1e-6, "other": {"rms": 1}}, "^other.rms: must be one of process"),
+        ({"height": 1e-6, "process": "forged"}, '^process = "forged": must be one of'),
+        ({"height": 1e-6, "quantities": ["reflection"]}, "^quantities: reflection needs frequency"),
+        ({"height": 1e-6, "quantities": ["colour"]}, '^quantities = "colour": must be among'),
+        ({"height": 1e-6, "quantities": "reflection"}, "must be a list of names"),
+        ({"surface": 3}, "^surface: must be what measure"),
+        ({}, "rms_height|height"),
+        ({"height": 1e-6, "samples": 3}, "^samples = 3"),
+        ({"height": 1e-6, "pressures": [1e6, -1]}, "^pressure = -1"),
+    ],
+)
+def test_refusals(given, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        fstiff.answer(**{"pressures": PRESSURES, **given})
