@@ -20,7 +20,6 @@ JointFace face_of(const fstiff_face* given, const char* name) {
     const fstiff_face from = taken(given, name);
     if (from.process < FSTIFF_PROCESS_UNKNOWN || from.process > FSTIFF_PROCESS_ERODED)
         refuse_argument("process", from.process, "one of FSTIFF_PROCESS_...");
-    if (from.kurtosis == 0 && from.skewness != 0) throw domain_error("skewness: needs kurtosis");
     JointFace face{.rms_height = known(from.rms_height),
                    .mean_height = known(from.mean_height),
                    .rms_gradient = known(from.rms_gradient),
@@ -28,12 +27,11 @@ JointFace face_of(const fstiff_face* given, const char* name) {
                    .profile_spacing = known(from.profile_spacing),
                    .alpha = known(from.alpha),
                    .hurst = known(from.hurst),
-                   .kurtosis = known(from.kurtosis),
                    .peak_radius = known(from.peak_radius),
                    .peak_density = known(from.peak_density),
                    .fractal_dimension = known(from.fractal_dimension),
                    .process = static_cast<parts::Process>(from.process)};
-    if (face.kurtosis) face.skewness = from.skewness;
+    take_shape(from.skewness, from.kurtosis, face);
     if (!from.heights) return face;
     scene::MeasureOptions how = options_of(from.options);
     how.neighbours = true;

@@ -18,10 +18,8 @@ namespace {
 Joint joint_of(const fstiff_roughness& surface, const fstiff_body& body) {
     if (body.interaction < FSTIFF_NO_INTERACTION || body.interaction > FSTIFF_INTERACTION_AS_PRINTED)
         refuse_argument("interaction", body.interaction, "FSTIFF_NO_INTERACTION or one of the two readings");
-    if (surface.kurtosis == 0 && surface.skewness != 0) throw domain_error("skewness: needs kurtosis");
     Joint joint{.face = {.rms_height = surface.rms_height,
                          .rms_gradient = known(surface.rms_gradient),
-                         .kurtosis = known(surface.kurtosis),
                          .peak_radius = known(surface.peak_radius),
                          .peak_density = known(surface.peak_density),
                          .max_peak_height = known(surface.max_peak_height),
@@ -32,7 +30,7 @@ Joint joint_of(const fstiff_roughness& surface, const fstiff_body& body) {
                           .hardness = known(body.hardness)},
                 .effective_modulus = body.effective_modulus,
                 .interaction = {static_cast<InteractionReading>(body.interaction), body.interaction_length}};
-    if (joint.face.kurtosis) joint.face.skewness = surface.skewness;
+    take_shape(surface.skewness, surface.kurtosis, joint.face);
     if (joint.face.theta) joint.face.r = surface.r;
     return joint;
 }

@@ -3,8 +3,6 @@
 
 #include "document/file.hpp"
 
-#include <fstiff/answer/answer.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,7 +85,7 @@ OneContact contact_of(const std::string& law, Joint joint, const ProgressHook& p
         throw domain_error(name + "peak_radius and peak_density" + (found->needs_radius() ? "" : ", or rms_gradient"));
     if (JointFace& face = joint.face; face.peak_radius && face.peak_density && !face.skewness && !face.bearing)
         face.skewness = 0, face.kurtosis = 3;
-    auto problem = std::make_shared<Problem>(problem_of(joint, {}, AnswerOptions().seed));
+    auto problem = std::make_shared<Problem>(problem_of(joint, {}));
     if (found->has_peaks && problem->default_peaks)
         throw domain_error(name + "r and theta" +
                            (joint.face.measured ? " of the surface: " + joint.face.measured->why_no_peaks : ""));

@@ -155,21 +155,6 @@ void read_spectrum(Source& source, const Section& surface, JointFace& of) {
     of.hurst = read("hurst", 0, 1, "must be greater than 0 and at most 1");
 }
 
-/// A parameter of a surface in a JointFace, and its error.
-struct WrittenParameter {
-    Parameter which;
-    std::optional<double> JointFace::*value;
-    std::optional<double> JointFace::Errors::*error;
-};
-/// In the order of Parameter.
-constexpr WrittenParameter written_parameters[]{
-    {Parameter::rms_height, &JointFace::rms_height, &JointFace::Errors::height},
-    {Parameter::peak_radius, &JointFace::peak_radius, &JointFace::Errors::peak_radius},
-    {Parameter::peak_density, &JointFace::peak_density, &JointFace::Errors::peak_density},
-    {Parameter::fractal_dimension, &JointFace::fractal_dimension, &JointFace::Errors::fractal_dimension},
-    {Parameter::r, &JointFace::r, &JointFace::Errors::r},
-    {Parameter::theta, &JointFace::theta, &JointFace::Errors::theta}};
-
 /// surface.errors: standard errors of parameters that are known.
 void read_errors(Source& source, const Section& surface, JointFace& of) {
     const toml::node* errors = surface.find("errors");
@@ -188,11 +173,8 @@ void read_errors(Source& source, const Section& surface, JointFace& of) {
             source.refuse(node, section.key(key), "must be finite and not negative");
         return error;
     };
-    const auto measured = [&](Parameter which) {
-        const auto* known = of.measured ? of.measured->find(which) : nullptr;
-        return known != nullptr;
-    };
-    for (const auto& [which, value, error] : written_parameters) {
+    const auto measured = [&](Parameter which) { return of.measured && of.measured->find(which); };
+    for (const auto& [which, value, error] : face_parameters) {
         const parts::ParameterRow& row = parts::row_of(which);
         const toml::node* node = section.find(row.key);
         if (!node) continue;
@@ -259,7 +241,7 @@ void record_following(Source& source, const Section& surface, const Face& face,
 
 /// The parameters that \p surface writes.
 void read_parameters(Source& source, const Section& surface, JointFace& of) {
-    for (const auto& [which, into, error] : written_parameters) {
+    for (const auto& [which, into, error] : face_parameters) {
         const parts::ParameterRow& row = parts::row_of(which);
         if (!of.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
         const toml::node* node = surface.find(row.key);

@@ -159,6 +159,15 @@ TEST_CASE("The answer of a joint of a trace, of a map and of two faces is that o
         scene_of("[surface.upper]\nfrom = \"map.txt\"\n[surface.lower]\nrms_height = \"0.1 um\"\nrms_gradient = "
                  "0.05\n",
                  "nominal_area = \"1 cm^2\"\n"));
+    // the seed of the draws shifts no map over the other
+    const auto other = measured("other.txt", test::map_text(64, 0.5e-6, rough));
+    joint = {.face = {.measured = map},
+             .other = JointFace{.measured = other},
+             .upper = body("steel"),
+             .lower = body("cast_iron")};
+    require_same(answer(joint, pressures, {.samples = 50, .seed = 7}),
+                 scene_of("[surface.upper]\nfrom = \"map.txt\"\n[surface.lower]\nfrom = \"other.txt\"\n",
+                          "[uncertainty]\nsamples = 50\nseed = 7\n"));
 }
 
 TEST_CASE("Laws by name have the curves and bands of a scene that names them") {

@@ -52,9 +52,7 @@ FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const Problem& problem, cons
 }
 
 FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
-    LawOptions of;
-    of.gamma = options.gamma, of.points = options.grid, of.edges = options.edges;
-    return of;
+    return {.gamma = options.gamma, .points = options.grid, .edges = options.edges};
 }
 
 /// What follows from K of the state \p i of \p curve, into \p point.
@@ -111,7 +109,7 @@ FSTIFF_INLINE void require_options(std::span<const double> pressures, const Answ
 
 FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options) {
     detail::require_options(pressures, options);
-    const detail::Problem problem = detail::problem_of(joint, detail::law_options(options), options.seed);
+    const detail::Problem problem = detail::problem_of(joint, detail::law_options(options));
     detail::Request request{.points = {pressures.begin(), pressures.end()},
                             .approach = true,
                             .growth = can_derive(detail::Derived::loss_factor, problem),
@@ -179,8 +177,7 @@ FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, L
         detail::Problem problem;
         std::unique_ptr<AnyContact> contact;
     };
-    const auto kept =
-        std::make_shared<Kept>(Kept{detail::problem_of(joint, detail::law_options(options), options.seed), nullptr});
+    const auto kept = std::make_shared<Kept>(Kept{detail::problem_of(joint, detail::law_options(options)), nullptr});
     const detail::Law& one = detail::possible_law(law, kept->problem);
     for_each_contact(kept->problem, {&one}, options.progress, [&](const detail::ContactOfLaw& of) {
         if (!kept->contact) kept->contact = of.make();

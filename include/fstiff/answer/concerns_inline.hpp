@@ -58,9 +58,8 @@ FSTIFF_INLINE std::vector<parts::Check<double>> concerns_of(const Problem& probl
     };
     for (const Face* face : rough_faces(problem))
         if (const auto wrong = implausible_gradient(problem, *face)) {
-            const bool steep = wrong->value > 1;
             add(Concern::implausible_gradient, wrong->value,
-                steep ? parts::max_plausible_gradient<double> : parts::min_plausible_gradient<double>);
+                wrong->value > 1 ? parts::max_plausible_gradient<double> : parts::min_plausible_gradient<double>);
             break;
         }
     const Measurement<double>& height = problem.face.parameters.rms_height;
@@ -127,9 +126,8 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
                                                               const LawCurve& answer, const AnswerFacts& facts,
                                                               std::size_t at) {
     const bool map = problem.face.map && problem.face.spectrum_of_map, measured = !measured_faces(problem).empty();
-    const double wide = std::log(answer.band[at].high / answer.band[at].low);
     std::optional<NextMeasurement> most;
-    double least = 0.95 * std::exp(wide);  // nothing that narrows the factor by less
+    double least = 0.95 * (answer.band[at].high / answer.band[at].low);  // nothing that narrows the factor by less
     const auto consider = [&](std::optional<parts::Unknown> which, double factor) {
         if (factor < least) most = NextMeasurement{which, least = factor};
     };

@@ -47,12 +47,12 @@ enum class SpectrumSource { map, moments };
 
 /// Options of the sections contact.<law> of a scene; those of persson and boundary_elements count for other laws too.
 struct LawOptions {
-    bool mutual = true;                      ///< summits push each other down
-    double gamma = 0.45;                     ///< of persson
-    std::optional<SpectrumSource> spectrum;  ///< none: as in [surface]
-    int points = 256;                        ///< of boundary_elements, a side
-    Edges edges = Edges::mirrored;           ///< of summits and spectra too
-    double hardness = 0;                     ///< [Pa]; 0: elastic
+    bool mutual = true;                        ///< summits push each other down
+    double gamma = 0.45;                       ///< of persson
+    std::optional<SpectrumSource> spectrum{};  ///< none: as in [surface]
+    int points = 256;                          ///< of boundary_elements, a side
+    Edges edges = Edges::mirrored;             ///< of summits and spectra too
+    double hardness = 0;                       ///< [Pa]; 0: elastic
 };
 
 /// Inputs of laws from a measured map in addition to its numbers.

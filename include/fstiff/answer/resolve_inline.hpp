@@ -9,10 +9,11 @@
 
 #include <fstiff/surface/bearing_family.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <tuple>
 #include <utility>
 
 namespace fstiff::inline v0_1::detail {
@@ -30,18 +31,8 @@ FSTIFF_INLINE void require_between(std::string_view name, const Given& value, do
                 : "greater than " + parts::rounded_text(low, 6) + " and at most " + parts::rounded_text(high, 6));
 }
 
-/// A number of a face that is a parameter of a surface, and its error.
-struct GivenParameter {
-    Parameter which;
-    Given JointFace::*value;
-    Given JointFace::Errors::*error;
-};
-inline constexpr GivenParameter given_parameters[]{
-    {Parameter::peak_radius, &JointFace::peak_radius, &JointFace::Errors::peak_radius},
-    {Parameter::peak_density, &JointFace::peak_density, &JointFace::Errors::peak_density},
-    {Parameter::fractal_dimension, &JointFace::fractal_dimension, &JointFace::Errors::fractal_dimension},
-    {Parameter::r, &JointFace::r, &JointFace::Errors::r},
-    {Parameter::theta, &JointFace::theta, &JointFace::Errors::theta}};
+/// Those that no other number can be in place of: all but the rms height.
+inline constexpr auto given_parameters = std::span(face_parameters).subspan<1>();
 
 /// \throws domain_error where more than one of the numbers called \p names is given.
 FSTIFF_INLINE void require_one(const JointFace& of, std::span<const std::pair<const char*, Given JointFace::*>> names) {
@@ -210,11 +201,11 @@ FSTIFF_INLINE void take_peaks(Problem& problem) {
 }
 
 FSTIFF_INLINE void require_surroundings(const Joint& joint) {
-    const auto positive = [](std::string_view name, double value) { require_between(name, value, 0); };
     if (joint.waves) {
-        positive("frequency", joint.waves->frequency);
+        require_between("frequency", joint.waves->frequency, 0);
         for (const auto& media : {std::optional(joint.waves->longitudinal), joint.waves->shear})
-            if (media) positive("impedance", media->incident), positive("impedance", media->beyond);
+            if (media)
+                for (const double one : {media->incident, media->beyond}) require_between("impedance", one, 0);
     }
     require_between("thermal", joint.conduction.thermal, 0);
     require_between("electrical", joint.conduction.electrical, 0);
@@ -229,7 +220,7 @@ FSTIFF_INLINE void require_surroundings(const Joint& joint) {
     require_between("amplitude", joint.friction->amplitude, 0);
 }
 
-FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options, std::uint64_t seed) {
+FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) {
     for (const Body* body : {&joint.upper, &joint.lower}) {
         require_between("yield_strength", body->yield_strength, 0);
         require_between("hardness", body->hardness, 0);
@@ -245,7 +236,7 @@ FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options, 
     problem.face = face_of(joint.face);
     if (joint.other) {
         problem.faces = {problem.face, face_of(*joint.other)};
-        problem.face = sum_of_faces(problem.faces[0], problem.faces[1], joint.shifts, seed);
+        problem.face = sum_of_faces(problem.faces[0], problem.faces[1], joint.shifts, Request().seed);
     }
     take_bodies(joint.upper, joint.lower, joint.effective_modulus, problem);
     problem.nominal_area = joint.nominal_area;
