@@ -97,7 +97,7 @@ module fstiff
         enumerator :: FSTIFF_PROCESS_UNKNOWN = 0, FSTIFF_PROCESS_GROUND, FSTIFF_PROCESS_TURNED, FSTIFF_PROCESS_MILLED, &
             FSTIFF_PROCESS_HONED, FSTIFF_PROCESS_LAPPED, FSTIFF_PROCESS_POLISHED, FSTIFF_PROCESS_BLASTED, FSTIFF_PROCESS_ERODED
     end enum
-    integer, parameter :: FSTIFF_CAUSES = 8
+    integer, parameter :: FSTIFF_CAUSES = 10
     ! heights and options are c_loc of a target, or c_null_ptr; so are face and other of a joint.
     type, bind(c) :: fstiff_face
         integer(c_size_t) :: size = 128

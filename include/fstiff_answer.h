@@ -74,8 +74,9 @@ typedef struct fstiff_joint {
 } fstiff_joint;
 
 /** Causes of a band: errors of the measurement, cut-offs, shape of the heights, what is assumed, lay, the law itself,
- * few contacts, waves longer than the measurement. */
-enum { FSTIFF_CAUSES = 8 };
+ * few contacts, waves longer than the measurement, the hardness,
+ * noise of the instrument. */
+enum { FSTIFF_CAUSES = 10 };
 
 /** Destinations of an answer: arrays of `count` of the call, or NULL. */
 typedef struct fstiff_answer_points {

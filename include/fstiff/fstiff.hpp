@@ -94,6 +94,7 @@
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
+#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/mindlin.hpp>

@@ -85,12 +85,13 @@ Solid solid_of(const std::string& name, const Numbers& numbers, const char* whic
             throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": must be one of " +
                                scene::list_of(names) + ", or a dict with youngs_modulus and poisson_ratio");
         }
-        solid = {.body = {.elastic = found->elastic},
+        const auto known = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
+        solid = {.body = parts::body_of(*found),
                  .density = found->density,
-                 .velocity = found->longitudinal_velocity,
-                 .shear_velocity = found->shear_velocity,
-                 .thermal = found->thermal_conductivity,
-                 .electrical = found->electrical_conductivity};
+                 .velocity = known(found->longitudinal_velocity),
+                 .shear_velocity = known(found->shear_velocity),
+                 .thermal = known(found->thermal_conductivity),
+                 .electrical = known(found->electrical_conductivity)};
     }
     const auto take = [&](const char* key, auto& to) {
         if (const auto given = numbers.find(key); given != numbers.end()) to = given->second;

@@ -104,6 +104,7 @@ inline constexpr std::array units{
     Unit{Dimension::pressure, "N/m^2", 0, 1, false},
     Unit{Dimension::pressure, "N/mm^2", 6, 1, true},
     Unit{Dimension::pressure, "kN/mm^2", 9, 1, false},
+    Unit{Dimension::pressure, "kgf/mm^2", 1, 980665, false},
     Unit{Dimension::pressure, "psi", 0, 6894.757293168361, true},
     Unit{Dimension::angle, "rad", 0, 1, true},
     Unit{Dimension::angle, "deg", 0, std::numbers::pi / 180, true},

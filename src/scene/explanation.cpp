@@ -25,12 +25,11 @@ std::string_view words_of(parts::Cause cause) {
         case parts::Cause::law: return "law";
         case parts::Cause::contacts: return "few contacts";
         case parts::Cause::long_waves: return "longer waves";
+        case parts::Cause::hardness: return "hardness";
+        case parts::Cause::noise: return "noise";
     }
     return "";
 }
-
-/// " of copper", where one body alone has a hardness and the other is copper; else empty.
-std::string of_open_body(const Scene& scene) { return scene.open_body.empty() ? "" : " of " + scene.open_body; }
 
 /// The kind of stiffness that K is, and where it applies.
 std::vector<std::string> nature(const Scene& scene, const Results& results) {
@@ -52,15 +51,10 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
     if (ratio)
         return {"The contact is elastic " + number + " is above " + limit +
                 "): K is the same for loading, vibration and waves."};
-    if (scene.open_body.empty() && (scene.hardness || scene.yield_strength))
+    if (std::isfinite(hardness_of(scene)))
         return {
             "The gradient of the surface is not known, so K is elastic; where peaks yield K for vibration is higher."};
-    if (const auto& g = answer.curve.rms_gradient)
-        return {"No hardness" + of_open_body(scene) + " is given, so K is elastic; if H < " +
-                with_unit(parts::flowing_hardness * scene.effective_modulus * *g, "Pa", 2) +
-                ", peaks yield and K for vibration is higher."};
-    return {"No hardness" + of_open_body(scene) +
-            " is given, so K is elastic; where peaks yield K for vibration is higher."};
+    return {"The bodies never yield, so K is elastic: the same for loading, vibration and waves."};
 }
 
 /// Source of K beyond the names of the laws; may be empty.
@@ -105,6 +99,7 @@ std::string words_of(const NextMeasurement& next, const Scene& scene) {
             default: return "skewness and kurtosis";
         }
     };
+    if (next.which == parts::Unknown::hardness) return "the hardness of the softer body";
     return what() + (scene.faces.empty() ? "" : " of both faces");
 }
 
@@ -179,8 +174,8 @@ Explanation explanation(const Scene& scene, const Results& results) {
     Explanation all{nature(scene, results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
     const std::optional<double>& hardness = answer.relative_hardness;
-    all.shorter = {answer.flows ? std::string("The peaks yield: K is that of unloading.")
-                   : !hardness  ? "Taken as elastic: no hardness" + of_open_body(scene) + " is given."
+    all.shorter = {answer.flows                          ? std::string("The peaks yield: K is that of unloading.")
+                   : !hardness                           ? "Taken as elastic."
                    : *hardness < parts::flowing_hardness ? "The peaks yield, but K is that of an elastic contact."
                                                          : "The contact is elastic."};
     if (has_lay(scene)) all.shorter = {"A profile across a lay does not determine K."};

@@ -275,7 +275,9 @@ void require_known(const Scene& scene, const FitRequest& request) {
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
 std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
     const double hardness = hardness_of(problem);
-    if (flows(problem, *fit.law) || !(hardness > 0) || fit.found.status == math::FitStatus::singular) return "";
+    if (flows(problem, *fit.law) || problem.hardness_range || !(hardness > 0) ||
+        fit.found.status == math::FitStatus::singular)
+        return "";
     const ContactParameters<double>& x = fit.found.all;
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);

@@ -24,10 +24,60 @@ struct ReadBody {
 const parts::NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
     const std::string name = source.text(node, key);
     if (const auto* found = parts::find_material(name)) return *found;
-    std::vector<std::string_view> names;
-    for (const parts::NamedMaterial& one : parts::named_materials) names.push_back(one.name);
+    std::vector<std::string_view> names = parts::near_materials(name);
+    const bool near = !names.empty();
+    if (!near)
+        for (const parts::NamedMaterial& one : parts::named_materials) names.push_back(one.name);
     source.refuse(node, key,
-                  "must be one of " + list_of(names) + ", or a section with youngs_modulus and poisson_ratio");
+                  (near ? "is no material that is known; did you mean " : "must be one of ") + list_of(names) +
+                      (near ? "? Or give" : ", or") + " a section with youngs_modulus and poisson_ratio");
+}
+
+/// "240 HV", "180 HBW", "60 HRC", "HV 240", of a body with the modulus \p modulus [Pa], as a pressure [Pa]; none: \p text
+/// is a pressure.
+std::optional<double> indentation_pressure(std::string_view text, double modulus, const std::string& key) {
+    const auto trim = [](std::string_view one) {
+        const std::size_t first = one.find_first_not_of(" \t"), last = one.find_last_not_of(" \t");
+        return first == std::string_view::npos ? std::string_view() : one.substr(first, last - first + 1);
+    };
+    text = trim(text);
+    const std::size_t at = text.find('H');
+    if (at == std::string_view::npos) return std::nullopt;
+    std::size_t end = at;
+    while (end < text.size() && text[end] >= 'A' && text[end] <= 'Z') ++end;
+    const std::string_view scale = text.substr(at, end - at), before = trim(text.substr(0, at)),
+                           after = trim(text.substr(end));  // the load, or the number of "HV 240"
+    const bool load = !before.empty() && after.find_first_not_of("0123456789./ ") == std::string_view::npos;
+    if (!load && !before.empty()) return std::nullopt;
+    const double number = io::parse_number(before.empty() ? after : before, key);
+    if (scale == "HV" || scale == "HK") return number * parts::vickers_pressure;
+    if (scale == "HB" || scale == "HBW" || scale == "HBS")
+        return number * parts::vickers_over_brinell(modulus) * parts::vickers_pressure;
+    if (scale == "HRC") return parts::vickers_of_rockwell(number) * parts::vickers_pressure;
+    return std::nullopt;
+}
+
+/// The hardness of \p body, whose modulus is \p modulus [Pa], as a pressure [Pa].
+std::optional<double> read_hardness(Source& source, const Section& body, double modulus) {
+    const toml::node* node = body.find("hardness");
+    if (!node) return std::nullopt;
+    const std::string text = node->value_or(std::string()), key = body.key("hardness");
+    if (text == "infinite") {
+        source.record(key, text, std::numeric_limits<double>::infinity(), "Pa");
+        return std::numeric_limits<double>::infinity();
+    }
+    try {
+        const std::optional<double> pressure = indentation_pressure(text, modulus, key);
+        if (!pressure) return body.positive("hardness", Dimension::pressure);
+        if (!(*pressure > 0)) source.refuse(*node, key, "must be greater than 0");
+        source.record(key, text, *pressure, "Pa");
+        return pressure;
+    } catch (const domain_error& error) {
+        if (!error.parameter().empty() && error.parameter() != "HRC") throw;
+        source.refuse(*node, key,
+                      "must be a pressure such as \"2 GPa\", \"200 HV\", \"190 HBW\", HRC from 20 to 68, or "
+                      "\"infinite\" for a body that never yields");
+    }
 }
 
 void record_of_name(Source& source, const std::string& key, const parts::NamedMaterial& name, double value,
@@ -46,7 +96,7 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     ReadBody read;
     if (const toml::node* name = node.is_string() ? &node : body.find("name"))
         read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
-    if (read.name) read.body.elastic = read.name->elastic;
+    if (read.name) read.body = parts::body_of(*read.name);
     if (!read.name && !body.find("youngs_modulus"))
         static_cast<void>(
             body.at("youngs_modulus", "is missing; add name = \"steel\" or another material, or give it"));
@@ -66,24 +116,32 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
         }
     }
     read.body.yield_strength = body.optional_positive("yield_strength", Dimension::pressure);
-    read.body.hardness = body.optional_positive("hardness", Dimension::pressure);
+    read.body.hardness = read_hardness(source, body, read.body.elastic.youngs_modulus);
     read.thermal = body.optional_positive("thermal_conductivity", Dimension::thermal_conductivity);
     read.electrical = body.optional_positive("electrical_conductivity", Dimension::electrical_conductivity);
-    if (read.name && !read.thermal) read.thermal = read.name->thermal_conductivity;
-    if (read.name && !read.electrical) read.electrical = read.name->electrical_conductivity;
+    const auto usual = [](std::optional<double>& value, double of_name) {
+        if (!value && of_name > 0) value = of_name;
+    };
+    if (read.name) {
+        usual(read.thermal, read.name->thermal_conductivity);
+        const bool known = read.name->thermal_conductivity > 0;  // an insulator conducts no current, and is known to
+        if (!read.electrical && known) read.electrical = read.name->electrical_conductivity;
+    }
     return read;
 }
 
 /// Warns of a hardness or a yield strength that no material has, likely for a unit.
 void warn_of_strength(const ReadBody& body, const char* name, Scene& scene) {
-    const auto& [elastic, yield, hardness] = body.body;
+    const auto& [elastic, yield, hardness, range] = body.body;
     const std::string place = std::string("material.") + name;
     const auto warn = [&](const char* key, double value, const char* limit, double most, const char* why) {
         scene.warnings.push_back(place + key + " = " + with_unit(value, "Pa", 3) + limit + with_unit(most, "Pa", 3) +
                                  why);
     };
     const double E = elastic.youngs_modulus;
-    if (hardness && *hardness > E / 5)
+    if (hardness && std::isfinite(*hardness) && *hardness > E / 10 && E > 15e9)
+        warn(".hardness", *hardness, " is above a tenth of the modulus, ", E / 10, ": a unit is likely wrong");
+    else if (hardness && std::isfinite(*hardness) && *hardness > E / 5)
         warn(".hardness", *hardness, " is above a fifth of the modulus, ", E / 5, ": a unit is likely wrong");
     if (yield && *yield > E / 10)
         warn(".yield_strength", *yield, " is above a tenth of the modulus, ", E / 10, ": a unit is likely wrong");
@@ -113,12 +171,6 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     if (upper.thermal && lower.thermal) scene.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
     if (upper.electrical && lower.electrical)
         scene.conduction.electrical = joint_conductivity(*upper.electrical, *lower.electrical);
-    const auto is_open = [](const ReadBody& read) { return !read.body.hardness && !read.body.yield_strength; };
-    if (scene.one_hardness) {
-        const ReadBody& open = is_open(upper) ? upper : lower;
-        const bool named = open.name && upper.name != lower.name;
-        scene.open_body = named ? std::string(open.name->name) : is_open(upper) ? "the upper body" : "the lower body";
-    }
     warn_of_strength(upper, "upper", scene);
     if (second) warn_of_strength(lower, "lower", scene);
     if (!assumed) return;

@@ -154,6 +154,7 @@ std::pair<std::string_view, double> key_and_value(const Face& face, parts::Unkno
         case Unknown::gradient: return {"rms_gradient", *face.rms_gradient};
         case Unknown::alpha: return {"alpha", *face.alpha};
         case Unknown::hurst: return {"hurst", hurst_exponent(face)};
+        case Unknown::hardness: break;  // of no face
         case Unknown::skewness: return {"skewness", face.shape.skewness};
         case Unknown::kurtosis: return {"kurtosis", face.shape.kurtosis};
     }
@@ -162,6 +163,10 @@ std::pair<std::string_view, double> key_and_value(const Face& face, parts::Unkno
 
 /// Puts on record the numbers that \p scene does not give, and that a law of it depends on.
 void take_assumed_numbers(Source& source, Scene& scene) {
+    if (scene.hardness_range && feels_hardness(scene, scene.laws)) {
+        source.record("material.hardness", "assumed (default)", scene.hardness_range->middle, "Pa");
+        scene.assumptions.push_back(phrase_of_hardness(scene));
+    }
     if (scene.face.map && scene.face.spectrum_of_map) return;
     const bool one_face = scene.faces.empty();
     for (const auto& [name, face, file] : named_faces(scene))
@@ -213,10 +218,6 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
     if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
-    const bool flows = relative_hardness(scene) || std::any_of(scene.laws.begin(), scene.laws.end(),
-                                                               [](const Law* law) { return law->needs_hardness; });
-    if (!scene.open_body.empty() && flows)
-        scene.assumptions.push_back(scene.open_body + " at least as hard as the other (K is higher if it is softer)");
     for (const Assumed& one : assumed(scene))
         source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
     take_assumed_numbers(source, scene);

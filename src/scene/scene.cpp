@@ -48,6 +48,7 @@ std::string phrase_of(const Prior& prior, const Face& face) {
             case parts::Unknown::gradient: return "rms gradient";
             case parts::Unknown::alpha: return "alpha";
             case parts::Unknown::hurst: return "H";
+            case parts::Unknown::hardness: break;  // of no face
             case parts::Unknown::skewness: return "skewness";
             case parts::Unknown::kurtosis: return "kurtosis";
         }
@@ -69,6 +70,17 @@ std::string phrase_of(const Prior& prior, const Face& face) {
     if (prior.origin == Origin::measurement) return "";
     return std::string(name()) + " " + rounded(middle, 2) + " (" + rounded(low, 2) + " to " + rounded(high, 2) + "), " +
            from();
+}
+
+std::string phrase_of_hardness(const Scene& scene) {
+    const auto& [low, middle, high] = *scene.hardness_range;
+    const auto name = [](const parts::NamedMaterial* one) { return std::string(one ? one->name : ""); };
+    const std::string upper = name(scene.upper_name), lower = name(scene.lower_name);
+    return "hardness " + with_unit(middle, "Pa", 2) + " (" + with_unit(low, "Pa", 2) + " to " +
+           with_unit(high, "Pa", 2) + "), of " +
+           (upper.empty() || lower.empty() ? "the softer body"
+            : upper == lower               ? upper
+                                           : "the softer of " + upper + " and " + lower);
 }
 
 std::string missing_phrase(const Face& face) {

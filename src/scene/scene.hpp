@@ -58,7 +58,6 @@ struct Scene : Problem {
     std::vector<std::string> assumptions;
 
     const parts::NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
-    std::string open_body;  ///< where one body alone has a hardness, the other one: "copper", "the lower body"
 
     bool at_separations = false;  ///< points are separations [m], not pressures [Pa]
     std::vector<double> points;
@@ -112,6 +111,8 @@ struct Assumed {
 /// Assumptions of the laws of \p scene; empty where no law takes a band, or both numbers were given or measured.
 [[nodiscard]] std::vector<Assumed> assumed(const Scene& scene);
 
+/// "hardness 2.6 GPa (1.2 to 9.5) of steel", where it was assumed.
+[[nodiscard]] std::string phrase_of_hardness(const Scene& scene);
 /// "alpha 8 (2 to 50), of any process": what was assumed of \p face; empty of what was measured.
 [[nodiscard]] std::string phrase_of(const Prior& prior, const Face& face);
 /// "3 points are missing; fill = true ... fills them": of the map of a face, empty where none is.

@@ -7,6 +7,7 @@
 #include "scene/result_rows.hpp"
 
 #include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/elements.hpp>
 
 #include <algorithm>
 #include <string_view>
@@ -174,8 +175,13 @@ void add_warnings(const Scene& scene, Results& results) {
     const std::size_t before = results.warnings.size();
     for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
         warn_if_any(results, concern);
+    const double noise =
+        scene.best ? noise_of(scene.face, scene.law_options.edges) / scene.face.parameters.rms_height.value : 0;
     if (results.warnings.size() > before || scene.implausible || has_lay(scene) || !unknown.empty())
         results.doubtful = true;
+    if (noise > most_noise)
+        results.warnings.push_back("the shortest waves of the map are noise, some " + rounded(100 * noise, 1) +
+                                   " % of sigma: K without it is higher (surface.lambda_s filters it)");
 }
 
 }  // namespace fstiff::scene

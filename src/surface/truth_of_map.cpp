@@ -34,7 +34,10 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     if (input.surface.is_profile())
         throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
     for (const double pressure : options.pressures) require_positive("pressure", pressure);
-    const parts::PreparedMap<double> map = level_map(options.surface, input);
+    SurfaceOptions surface = options.surface;
+    if (const std::string text = surface.lambda_s.text(); text.empty() || text == "auto")
+        surface.lambda_s = "none";  // K is of all short waves
+    const parts::PreparedMap<double> map = level_map(surface, input);
     TruthOfMap solved;
     solved.file = display_name(options.surface.file);
     solved.form = form_name(map) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");

@@ -42,6 +42,8 @@ FSTIFF_INLINE std::string reason_of(const MissedPoint& missed) {
 
 FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const Problem& problem, const Law& law) {
     std::vector<AssumedNumber> all;
+    if (const auto& range = problem.hardness_range; range && feels_hardness(problem, {&law}))
+        all.push_back({parts::Unknown::hardness, {range->low, range->middle, range->high}});
     if (problem.face.map && problem.face.spectrum_of_map) return all;
     const std::vector<const Face*> faces = rough_faces(problem);
     for (std::size_t i = 0; i < faces.size(); ++i)
@@ -137,7 +139,7 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
     found.assumed = detail::assumed_of(problem, *curve.law);
     found.concerns = concerns_of(problem, curve);
     found.doubtful = std::any_of(found.concerns.begin(), found.concerns.end(), [](const parts::Check<double>& one) {
-        return one.concern != parts::Concern::missing_points;
+        return one.concern != parts::Concern::missing_points && one.concern != parts::Concern::noise;
     });
     if (const auto at = curve.state_at(pressures.size() / 2); options.next && at)
         if (const auto next = next_measurement(problem, request, curve, curves.facts, *at))
@@ -179,6 +181,8 @@ FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, L
     };
     const auto kept = std::make_shared<Kept>(Kept{detail::problem_of(joint, detail::law_options(options)), nullptr});
     const detail::Law& one = detail::possible_law(law, kept->problem);
+    if (kept->problem.hardness_range && feels_hardness(kept->problem, {&one}))
+        throw domain_error("law " + std::string(one.name) + ": needs hardness or yield_strength of both bodies");
     for_each_contact(kept->problem, {&one}, options.progress, [&](const detail::ContactOfLaw& of) {
         if (!kept->contact) kept->contact = of.make();
     });

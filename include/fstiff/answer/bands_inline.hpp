@@ -155,16 +155,21 @@ FSTIFF_INLINE std::vector<parts::UnknownCurves<double>> behind_unknowns(const Pr
                                                                         Problem lean, const Request& request) {
     std::vector<parts::UnknownCurves<double>> all;
     const std::vector<Alternative> others = alternatives(problem, laws);
-    if (others.empty()) return all;
+    const bool of_hardness = problem.hardness_range && feels_hardness(problem, laws);
+    if (others.empty() && !of_hardness) return all;
     lean.similar = hybrids_of_numbers(lean.law_options.gamma);
     const std::vector<double> own = stiffnesses(lean, request);
-    const auto over_own = [&](const Face& face) {
-        std::vector<double> other = stiffnesses(with_face(lean, face), request);
+    const auto over_own = [&](const Problem& of) {
+        std::vector<double> other = stiffnesses(of, request);
         other.resize(own.size(), std::numeric_limits<double>::quiet_NaN());
         std::transform(other.begin(), other.end(), own.begin(), other.begin(), std::divides<>());
         return other;
     };
-    for (const Alternative& one : others) all.push_back({one.which, over_own(one.low), over_own(one.high)});
+    for (const Alternative& one : others)
+        all.push_back({one.which, over_own(with_face(lean, one.low)), over_own(with_face(lean, one.high))});
+    if (of_hardness)
+        all.push_back({parts::Unknown::hardness, over_own(with_hardness(lean, problem.hardness_range->low)),
+                       over_own(with_hardness(lean, problem.hardness_range->high))});
     return all;
 }
 

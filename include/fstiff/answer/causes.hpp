@@ -73,9 +73,11 @@ enum class Cause {
     lay,          ///< a profile does not show the length of ridges
     law,          ///< the law by itself
     contacts,     ///< few contacts on the nominal area
-    long_waves    ///< waves longer than the measured piece
+    long_waves,   ///< waves longer than the measured piece
+    hardness,     ///< of the softer body, which is not known
+    noise         ///< of the instrument that measured a map
 };
-inline constexpr std::size_t cause_count = 8;
+inline constexpr std::size_t cause_count = 10;
 
 /// Ends of a band, or the part of one cause, as ln of K over the value: low at most 0, high at least 0.
 template <Real T = double>
@@ -86,8 +88,8 @@ using Causes = std::array<CauseSpread<T>, cause_count>;
 
 /// The word of \p cause, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(Cause cause) {
-    constexpr std::array<std::string_view, cause_count> names{"measurement", "cut_offs", "shape",    "prior",
-                                                              "lay",         "law",      "contacts", "long_waves"};
+    constexpr std::array<std::string_view, cause_count> names{
+        "measurement", "cut_offs", "shape", "prior", "lay", "law", "contacts", "long_waves", "hardness", "noise"};
     return names[static_cast<std::size_t>(cause)];
 }
 

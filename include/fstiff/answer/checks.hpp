@@ -91,19 +91,30 @@ enum class Concern {
     lay,                     ///< a profile across a lay does not determine K, which may be so many times higher
     missing_points,          ///< of a map, whose numbers answer in its place
     beyond_comparison,       ///< law plastic nearer to the hardness than any comparison of it
-    no_state                 ///< the law does not reach a point
+    no_state,                ///< the law does not reach a point
+    noise                    ///< of the instrument in a map, above 5 % of its rms height
 };
 
 }  // namespace parts
 
 /// The word of \p concern, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(parts::Concern concern) {
-    constexpr std::array<std::string_view, 15> names{
-        "plasticity",           "gaussian_surface",   "interacting_asperities",
-        "mean_planes_crossed",  "above_highest_peak", "few_contacts",
-        "area_above_nominal",   "above_hardness",     "not_converged",
-        "implausible_gradient", "unknown_height",     "lay",
-        "missing_points",       "beyond_comparison",  "no_state"};
+    constexpr std::array<std::string_view, 16> names{"plasticity",
+                                                     "gaussian_surface",
+                                                     "interacting_asperities",
+                                                     "mean_planes_crossed",
+                                                     "above_highest_peak",
+                                                     "few_contacts",
+                                                     "area_above_nominal",
+                                                     "above_hardness",
+                                                     "not_converged",
+                                                     "implausible_gradient",
+                                                     "unknown_height",
+                                                     "lay",
+                                                     "missing_points",
+                                                     "beyond_comparison",
+                                                     "no_state",
+                                                     "noise"};
     return names[static_cast<std::size_t>(concern)];
 }
 

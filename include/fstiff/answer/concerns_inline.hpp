@@ -4,6 +4,7 @@
 /// The functions of answer/concerns.hpp: inline, or compiled in fstiff::double.
 
 #include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/elements.hpp>
 #include <fstiff/answer/unknowns.hpp>
 
 #include <fstiff/measured/unmeasured_waves.hpp>
@@ -67,6 +68,8 @@ FSTIFF_INLINE std::vector<parts::Check<double>> concerns_of(const Problem& probl
     if (has_lay(problem)) add(Concern::lay, parts::lay_factor, 1);
     if (problem.face.map && missing_points(*problem.face.map) > 0)
         add(Concern::missing_points, static_cast<double>(missing_points(*problem.face.map)), 0);
+    if (const double noise = noise_of(problem.face, problem.law_options.edges) / height.value; noise > most_noise)
+        add(Concern::noise, noise, most_noise);
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged})
         if (const parts::Check<double>* check = parts::find_check(curve.checks, concern); check && !check->holds()) {
             all.push_back(*check);
@@ -86,6 +89,7 @@ FSTIFF_INLINE std::vector<parts::Check<double>> concerns_of(const Problem& probl
 
 /// High over low of the band at the point \p place once \p which of the faces is known; infinite without a band.
 FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, parts::Unknown which) {
+    if (which == parts::Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
     for (Face& face : problem.faces) face = with_measured(std::move(face), which);
     problem.face = with_measured(std::move(problem.face), which);
     request.points = {request.points[place]};
@@ -135,6 +139,8 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
     for (const Unknown which : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
         if (!map && problem.face.is_open(which) && !(measured && parts::is_of_shape(which)))
             consider(which, factor_of_known(problem, request, answer.places[at], which));
+    if (problem.hardness_range && feels_hardness(problem, {answer.law}))
+        consider(Unknown::hardness, factor_of_known(problem, request, answer.places[at], Unknown::hardness));
     if (measured && !facts.of_map_itself) consider(std::nullopt, factor_of_larger(problem, facts.reasons[at]));
     return most;
 }

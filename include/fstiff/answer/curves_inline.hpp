@@ -150,8 +150,8 @@ FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Qu
             curves.push_back(
                 curve_of(problem, request, {of.law, of.theta, of.r, slope}, *of.make(), quantities, of_all));
         });
-    if (parts::has(quantities, Quantity::stiffness) && request.samples > 0 && problem.face.has_errors() &&
-        has_states(curves))
+    if (parts::has(quantities, Quantity::stiffness) && request.samples > 0 &&
+        (problem.face.has_errors() || problem.hardness_range) && has_states(curves))
         failed = (std::max)(failed, add_bands(problem, request, curves, progress));
 }
 

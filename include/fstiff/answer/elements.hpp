@@ -10,6 +10,11 @@ namespace fstiff::inline v0_1::detail {
 /// In which form the laws have the surface.
 [[nodiscard]] parts::KnownAs known_as(const Problem& problem);
 
+/// Noise over the rms height, above which it is a concern.
+inline constexpr double most_noise = 0.05;
+/// Rms height [m] of the noise in the map of \p face; 0 of none, and where lambda_s was given.
+[[nodiscard]] double noise_of(const Face& face, Edges edges);
+
 /// Where the approach of \p curve, which has its states, begins, or why \p contact has no separation there.
 void seat(const Request& request, const AnyContact& contact, LawCurve& curve);
 

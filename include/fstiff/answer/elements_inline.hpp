@@ -8,6 +8,8 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/measured/band_parts.hpp>
+#include <fstiff/topography/map_noise.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +58,8 @@ FSTIFF_INLINE void take_band(parts::Causes<double>& causes, double value, const 
         put(parts::Cause::cut_offs, parts->scale_low, parts->scale_high);
         put(parts::Cause::shape, parts->shape_low, parts->shape_high);
         put(parts::Cause::prior, parts->prior_low, parts->prior_high);
+        const parts::BandPart<double>& hardness = parts->part_of(parts::Unknown::hardness);
+        put(parts::Cause::hardness, hardness.low, hardness.high);
     } else if (sampled && band.low > 0) {
         put(parts::Cause::measurement, (std::min)(0.0, std::log(band.low / value)),
             (std::max)(0.0, std::log(band.high / value)));
@@ -135,9 +139,25 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
     return all;
 }
 
-/// Changes of K of \p solved that the filter of lambda_s and the removed plane may have caused: the filter by the
-/// neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be the surface's
-/// own.
+FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
+    if (!is_map(face) || !face.filtered || !face.map->spectra) return 0;
+    const HeightMap<double>& map = *face.map->maps.front();
+    return parts::white_noise(face.map->spectra->of(edges), map.dx, map.dy);
+}
+
+/// The part that \p noise [m] has of the gradient squared of \p face that the lambda_s of the tables takes away.
+FSTIFF_INLINE double share_of_noise(const Face& face, Edges edges, double noise) {
+    if (!(noise > 0)) return 0;
+    const HeightMap<double>& map = *face.map->maps.front();
+    const double all = face.map->spectra->of(edges).rms_gradient(),
+                 kept = map_spectrum(*face.filtered, edges).rms_gradient(),
+                 of_noise = parts::gradient_of_noise(noise, map.dx, map.dy);
+    return (std::min)(1.0, of_noise * of_noise / ((all - kept) * (all + kept)));
+}
+
+/// Changes of K of \p solved that the filter of a lambda_s that was given, and the removed plane may have caused: the
+/// filter by the neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be
+/// the surface's own.
 FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
                                                                   double hardness, const ParallelHook& parallel,
                                                                   const ProgressHook& progress) {
@@ -152,14 +172,15 @@ FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem&
     };
     if (all.empty() || !problem.face.measured || !problem.face.measured->map) return all;
     for (const Face& other : problem.face.neighbours)
-        if (const double ratio = other.lambda_s.value_or(0) / problem.face.lambda_s.value_or(0); ratio < 1 && other.map)
+        if (const double ratio = other.lambda_s.value_or(0) / problem.face.lambda_s.value_or(0);
+            ratio < 1 && !problem.face.filtered && other.map)
             widen(*other.map->maps.front(), 1 / (1 - ratio * ratio), false);
     const parts::PreparedMap<double>& flat = *problem.face.measured->map;
     const auto [x, y] = flat.tilt;
     const double tilted = std::hypot(x, y) / std::sqrt(12.0) / problem.face.parameters.rms_height.value;
     if (flat.removed != MapForm::plane || !(tilted > 0)) return all;
     const double share = (std::min)(1.0, problem.face.parameters.long_end.form_share / tilted);
-    HeightMap<double> map = flat.map;
+    HeightMap<double> map = *problem.face.map->maps.front();
     map.heights.rowwise() += share * Eigen::ArrayXd::LinSpaced(map.columns(), -x / 2, x / 2).transpose();
     map.heights.colwise() += share * Eigen::ArrayXd::LinSpaced(map.rows(), -y / 2, y / 2);
     widen(map, 1, share < 0.99);
@@ -221,8 +242,13 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         if (facts.flows && state.loading_stiffness.value > 0) reason.loading_stiffness = state.loading_stiffness.value;
     }
     const LawCurve elements = solved(problem, request, curve, facts, progress);
-    const auto cut_offs =
-        of_cut_offs(problem, elements, facts.flows ? hardness_of(problem) : 0, request.parallel, progress);
+    const Edges edges = problem.law_options.edges;
+    const double noise = share_of_noise(problem.face, edges, noise_of(problem.face, edges));
+    const double hardness = facts.flows ? hardness_of(problem) : 0;
+    const auto cut_offs = of_cut_offs(problem, elements, hardness, request.parallel, progress);
+    std::vector<double> smoother(elements.states.size());  // change of ln K without the short waves
+    if (noise > 0.01 && !elements.states.empty())
+        smoother = changes(problem, *problem.face.filtered, elements, hardness, request.parallel, progress);
     std::vector<parts::SampledBand<double>> bands;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerReason& reason = facts.reasons[i];
@@ -241,6 +267,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         if (const auto at = elements.state_at(curve.places[i])) {
             law = elements.law;
             put(parts::Cause::cut_offs, {cut_offs[*at].low, std::hypot(reason.causes[1].high, cut_offs[*at].high)});
+            put(parts::Cause::noise, {0, noise * (std::max)(0.0, smoother[*at])});
             curve.states[i].stiffness = elements.states[*at].stiffness;
             curve.states[i].real_area_fraction = elements.states[*at].real_area_fraction;
             curve.states[i].separation = elements.states[*at].separation;

@@ -67,6 +67,8 @@ struct Face {
         bearing;                                      ///< of heights over the rms height; none of Gaussian heights
     std::shared_ptr<const Surface<double>> measured;  ///< none for a sum
     std::optional<double> lambda_s;                   ///< that it was measured with [m]
+    /// The map with the lambda_s of the tables, which `map` has not: none where lambda_s was given, or there is none.
+    std::shared_ptr<const HeightMap<double>> filtered;
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured
 
     [[nodiscard]] Roughness<double> roughness() const;

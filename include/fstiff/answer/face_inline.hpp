@@ -8,6 +8,7 @@
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
 
@@ -193,8 +194,18 @@ FSTIFF_INLINE std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     return "";
 }
 
-/// \p found as the contact sees it.
-FSTIFF_INLINE Face face_as_found(const Surface<double>& found) {
+/// The map that \p found has in a contact: with all of its short waves, unless a lambda_s was given.
+FSTIFF_INLINE std::shared_ptr<const HeightMap<double>> map_of_contact(const Surface<double>& found) {
+    const auto& [cut_offs, map] = std::tie(found.cut_offs, found.map);
+    if (cut_offs.why_s != parts::LambdaSReason::by_table || !map->unfiltered) return {map, &map->map};
+    if (!cut_offs.lambda_c) return map->unfiltered;
+    if (cut_offs.filter == CutOffFilter::robust) return {map, &map->map};
+    return std::make_shared<const HeightMap<double>>(parts::gaussian_high_pass(*map->unfiltered, *cut_offs.lambda_c));
+}
+
+/// \p found as the contact sees it, with the maps of \p shared, where there are any, in place of its own.
+FSTIFF_INLINE Face face_as_found(const Surface<double>& found,
+                                 const std::shared_ptr<const MapOfSurface>& shared = nullptr) {
     Face face;
     face.parameters = found;
     face.parameters.profile_fit.reset(), face.parameters.map_fit.reset(), face.parameters.islands.reset();
@@ -208,12 +219,17 @@ FSTIFF_INLINE Face face_as_found(const Surface<double>& found) {
         face.set_shape(parts::counted_shape(*found.heights, found.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
-    if (found.map) maps.emplace_back(found.map, &found.map->map);
+    if (found.map) maps.push_back(map_of_contact(found));
     for (const Surface<double>& part : found.parts)
-        if (part.map) maps.emplace_back(part.map, &part.map->map);
-    if (!maps.empty()) face.map = map_of_surface(std::move(maps));
+        if (part.map) maps.push_back(map_of_contact(part));
+    if (found.map && maps.front().get() != &found.map->map) face.filtered = {found.map, &found.map->map};
+    if (shared)
+        face.map = shared;
+    else if (!maps.empty())
+        face.map = map_of_surface(std::move(maps));
+    const bool has_all_waves = found.cut_offs.why_s == parts::LambdaSReason::by_table;  // K does not depend on lambda_s
     for (const Surface<double>& neighbour : found.neighbours) {
-        face.neighbours.push_back(face_as_found(neighbour));
+        face.neighbours.push_back(face_as_found(neighbour, has_all_waves ? face.map : nullptr));
         parts::SurfaceParameters<double>& other = face.neighbours.back().parameters;
         if (!other.r) other.r = face.parameters.r, other.theta = face.parameters.theta;
     }

@@ -15,6 +15,7 @@
 
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/measured/measure.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
@@ -58,12 +59,23 @@ struct JointFace {
     } errors{};
 };
 
-/// A body.
+/// A body. body_of() has that of a material by name.
 struct Body {
     Material<double> elastic{};              ///< E [Pa] and nu
     std::optional<double> yield_strength{};  ///< [Pa], above 0
-    std::optional<double> hardness{};        ///< of an indentation [Pa], above 0; none: 2.8 times the yield strength
+    /// Mean pressure of an indentation [Pa], above 0, infinite of a body that never yields; none: 2.8 times the yield
+    /// strength, or where that is not given either, `hardness_range`, whose width is in the band.
+    std::optional<double> hardness{};
+    std::optional<parts::PriorRange> hardness_range{};  ///< of a material by name; none: parts::hardness_of_elastic()
 };
+
+namespace parts {
+
+[[nodiscard]] inline Body body_of(const NamedMaterial& material) {
+    return {.elastic = material.elastic, .hardness_range = material.hardness()};
+}
+
+}  // namespace parts
 
 /// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
 struct Waves {

@@ -41,8 +41,8 @@ struct Problem {
     std::vector<Face> faces;            ///< that the sum is of, the upper one first; empty where one face is smooth
     double effective_modulus = 0;       ///< [Pa]
     Material<double> upper{}, lower{};  ///< of which it is; 0: it was given by itself
-    std::optional<double> yield_strength, hardness;  ///< the smaller of those that are known [Pa]
-    bool one_hardness = false;                       ///< of one body alone: the other may be softer
+    std::optional<double> yield_strength, hardness;   ///< the smaller of those that are known [Pa]
+    std::optional<parts::PriorRange> hardness_range;  ///< of that body, where it is not known
     double softer_poisson = 0;           ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
     std::optional<double> nominal_area;  ///< [m^2]
     std::vector<Peaks> peaks;
@@ -90,7 +90,7 @@ enum class Lack {
     moments,      ///< R and D_p, or gradient and alpha, are not known
     range,        ///< the moments are beyond the range of double precision
     alpha,        ///< that the moments make is 1.5 or less
-    hardness,     ///< nor a yield strength is known
+    hardness,     ///< is infinite
     yield_strength
 };
 
@@ -132,10 +132,10 @@ void take_bodies(const Body& upper, const Body& lower, const std::optional<doubl
 [[nodiscard]] std::optional<double> gradient(const Problem& problem);
 /// The interaction with its length [m].
 [[nodiscard]] Interaction<double> interaction(const Problem& problem);
-/// The indentation hardness of the softer body [Pa], of its yield strength where that alone is known; 0: neither is.
+/// The indentation hardness of the softer body [Pa], of its yield strength where that alone is known, or assumed;
+/// infinite: it never yields.
 [[nodiscard]] double hardness_of(const Problem& problem);
-/// H/(E g), of the softer body and the surface; none where one of them is not known. Where one body alone has a
-/// hardness, that of the softer one is no greater: known as far as it makes the peaks flow.
+/// H/(E g), of the softer body and the surface; none where the gradient is not known, and of a body that never yields.
 [[nodiscard]] std::optional<double> relative_hardness(const Problem& problem);
 /// Whether K of \p law is that of yielded spots.
 [[nodiscard]] bool flows(const Problem& problem, const Law& law);

@@ -43,6 +43,8 @@ FSTIFF_INLINE bool has_lay(const Problem& problem) {
 
 FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
     const Face& face = problem.face;
+    if (face.map && face.spectrum_of_map && face.map->spectra)
+        return face.map->taller * face.map->spectra->of(problem.law_options.edges).rms_gradient();
     if (face.has_own_gradient()) return face.rms_gradient;
     if (face.has_peaks())
         if (const auto of_own = parts::rms_gradient(
@@ -68,29 +70,47 @@ FSTIFF_INLINE Interaction<double> interaction(const Problem& problem) {
     return result;
 }
 
-/// The hardness of \p body [Pa], given or by Tabor's factor 2.8 (1951); infinite where it is not known.
-FSTIFF_INLINE double resistance(const Body& body) {
-    return body.hardness         ? *body.hardness
-           : body.yield_strength ? parts::hardness_over_yield_strength<double> * *body.yield_strength
-                                 : std::numeric_limits<double>::infinity();
+/// The hardness of \p body [Pa]: given, by Tabor's factor 2.8 (1951), or its range.
+FSTIFF_INLINE parts::PriorRange hardness_of(const Body& body) {
+    const auto known = [](double value) { return parts::PriorRange{value, value, value}; };
+    if (body.hardness) return known(*body.hardness);
+    if (body.yield_strength) return known(parts::hardness_over_yield_strength<double> * *body.yield_strength);
+    return body.hardness_range.value_or(parts::hardness_of_elastic(body.elastic));
+}
+/// Of the bodies of one material it is one number.
+FSTIFF_INLINE parts::PriorRange softer_hardness(const Body& upper, const Body& lower) {
+    const auto a = hardness_of(upper), b = hardness_of(lower);
+    const bool same = a.low == b.low && a.middle == b.middle && a.high == b.high;
+    return same ? a : parts::softer(a, b);
+}
+
+/// The hardness of the joint, \p range, whose softer body is \p softer.
+FSTIFF_INLINE void take_hardness(const Body& softer, const parts::PriorRange& range, Problem& problem) {
+    problem.hardness = softer.hardness, problem.hardness_range.reset();
+    if (range.low < range.high)
+        problem.hardness.reset(), problem.hardness_range = range;
+    else if (!std::isfinite(range.middle))
+        problem.hardness = range.middle;
 }
 
 FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::optional<double>& modulus,
                                Problem& problem) {
     if (modulus) {
+        Body of_contact = upper;  // two bodies of one metal
+        of_contact.elastic = {2 * (1 - 0.3 * 0.3) * *modulus, 0.3};
         problem.effective_modulus = *modulus;
         problem.softer_poisson = upper.elastic.poisson_ratio;
-        problem.hardness = upper.hardness, problem.yield_strength = upper.yield_strength;
+        problem.yield_strength = upper.yield_strength;
+        take_hardness(upper, hardness_of(of_contact), problem);
         require(!(problem.softer_poisson <= -1 || problem.softer_poisson > 0.5), "poisson_ratio",
                 problem.softer_poisson, "greater than -1 and at most 0.5");
         return;
     }
     problem.effective_modulus = effective_modulus(upper.elastic, lower.elastic);
     problem.upper = upper.elastic, problem.lower = lower.elastic;
-    const Body& softer = resistance(lower) < resistance(upper) ? lower : upper;
+    const Body& softer = hardness_of(lower).middle < hardness_of(upper).middle ? lower : upper;
     problem.softer_poisson = softer.elastic.poisson_ratio;
-    problem.hardness = softer.hardness;
-    problem.one_hardness = std::isinf(resistance(upper)) != std::isinf(resistance(lower));
+    take_hardness(softer, softer_hardness(upper, lower), problem);
     for (const Body* one : {&upper, &lower})
         if (one->yield_strength)
             problem.yield_strength =
@@ -98,15 +118,21 @@ FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::
 }
 
 FSTIFF_INLINE double hardness_of(const Problem& problem) {
+    if (problem.hardness_range) return problem.hardness_range->middle;
     return problem.hardness.value_or(parts::hardness_over_yield_strength<double> * problem.yield_strength.value_or(0));
+}
+
+/// As the laws take it: 0 where it follows from the yield strength, infinite nowhere.
+FSTIFF_INLINE double hardness_of_material(const Problem& problem) {
+    const double hardness = problem.hardness_range ? problem.hardness_range->middle : problem.hardness.value_or(0);
+    return std::isfinite(hardness) ? hardness : 0;
 }
 
 FSTIFF_INLINE std::optional<double> relative_hardness(const Problem& problem) {
     const std::optional<double> g = gradient(problem);
-    if (!g || (!problem.hardness && !problem.yield_strength)) return std::nullopt;
+    if (!g) return std::nullopt;
     const double relative = hardness_of(problem) / (problem.effective_modulus * *g);
-    const bool known = !problem.one_hardness || relative < parts::flowing_hardness;  // the other one may be softer
-    return known && std::isfinite(relative) ? std::optional(relative) : std::nullopt;
+    return relative > 0 && std::isfinite(relative) ? std::optional(relative) : std::nullopt;
 }
 
 FSTIFF_INLINE bool flows(const Problem& problem, const Law& law) {
@@ -141,7 +167,7 @@ FSTIFF_INLINE Lack lack_of(const Law& law, const Problem& problem, bool at_separ
     }
     if (law.needs_spectrum)
         if (const Lack lack = lack_of_spectrum(face); lack != Lack::nothing) return lack;
-    if (law.needs_hardness && !problem.hardness && !problem.yield_strength) return Lack::hardness;
+    if (law.needs_hardness && !(hardness_of(problem) > 0 && std::isfinite(hardness_of(problem)))) return Lack::hardness;
     return law.needs_yield && !problem.yield_strength ? Lack::yield_strength : Lack::nothing;
 }
 
@@ -159,7 +185,7 @@ FSTIFF_INLINE std::string reason_of(Lack lack) {
         case Lack::moments: return "needs a spectrum: rms_gradient and alpha, or peak_radius and peak_density";
         case Lack::range: return "needs moments in the range of double precision";
         case Lack::alpha: return "needs an alpha above 1.5, which rms_height, peak_radius and peak_density must make";
-        case Lack::hardness: return "needs hardness or yield_strength of a body";
+        case Lack::hardness: return "needs a body with a finite hardness";
         case Lack::yield_strength: return "needs yield_strength of a body";
     }
     return "";
@@ -198,7 +224,7 @@ FSTIFF_INLINE void for_each_contact(const Problem& problem, const std::vector<co
                          .material = {.effective_modulus = problem.effective_modulus,
                                       .yield_strength = problem.yield_strength.value_or(0),
                                       .poisson_ratio = problem.softer_poisson,
-                                      .hardness = problem.hardness.value_or(0)},
+                                      .hardness = hardness_of_material(problem)},
                          .progress = progress};
     for (const Law* law : laws) {
         const auto make = [&] { return law->contact(inputs); };

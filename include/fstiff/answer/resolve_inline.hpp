@@ -223,7 +223,10 @@ FSTIFF_INLINE void require_surroundings(const Joint& joint) {
 FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) {
     for (const Body* body : {&joint.upper, &joint.lower}) {
         require_between("yield_strength", body->yield_strength, 0);
-        require_between("hardness", body->hardness, 0);
+        if (!body->hardness || !std::isinf(*body->hardness)) require_between("hardness", body->hardness, 0);
+        if (const auto& range = body->hardness_range)
+            require(range->low > 0 && range->low <= range->middle && range->middle <= range->high, "hardness_range",
+                    range->middle, "between its ends, which are above 0");
     }
     require_between("nominal_area", joint.nominal_area, 0);
     require_between("effective_modulus", joint.effective_modulus, 0);

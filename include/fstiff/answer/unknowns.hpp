@@ -23,6 +23,11 @@ void fill_unknown(Face& face, bool shape_known);
 [[nodiscard]] bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
                            parts::Unknown which);
 
+/// Whether one of \p laws depends on the hardness.
+[[nodiscard]] bool feels_hardness(const Problem& problem, const std::vector<const Law*>& laws);
+/// \p problem whose hardness is known to be \p value.
+[[nodiscard]] Problem with_hardness(Problem problem, double value);
+
 /// The surface of a joint with one unknown at its 5 and at its 95 %.
 struct Alternative {
     parts::Unknown which{};

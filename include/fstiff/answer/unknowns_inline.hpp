@@ -89,6 +89,7 @@ FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
         case Unknown::gradient: face.rms_gradient = value; break;
         case Unknown::alpha: face.alpha = value; break;
         case Unknown::hurst: face.hurst = value; break;
+        case Unknown::hardness: break;  // of a body
         case Unknown::skewness:  // the kurtosis goes along, as of heights with the density of a gamma distribution
             set_shape(value, kurtosis + 1.5 * (value * value - skewness * skewness));
             break;
@@ -116,6 +117,14 @@ FSTIFF_INLINE bool is_felt(const Problem& problem, const std::vector<const Law*>
     if (std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
     return !parts::is_of_shape(which) && which != Unknown::hurst &&
            (face.radius_follows || face.density_follows || (problem.default_peaks && has_isotropic_peaks(face)));
+}
+
+FSTIFF_INLINE bool feels_hardness(const Problem& problem, const std::vector<const Law*>& laws) {
+    return std::any_of(laws.begin(), laws.end(), [&](const Law* law) { return flows(problem, *law); });
+}
+FSTIFF_INLINE Problem with_hardness(Problem problem, double value) {
+    problem.hardness = value, problem.hardness_range.reset();
+    return problem;
 }
 
 FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {

@@ -48,7 +48,11 @@ struct BandParts {
     T window_low{}, window_high{};                        ///< of the choice of the window of D: a share of the errors
     T prior_low{}, prior_high{};                          ///< of the unknowns, except the shape
     T shape_low{}, shape_high{};                          ///< of the shape of the heights: skewness and kurtosis
-    std::array<BandPart<T>, unknown_count> of_unknown{};  ///< parts of these two, in the order of Unknown
+    std::array<BandPart<T>, unknown_count> of_unknown{};  ///< parts of these two and of the hardness, as Unknown
+
+    [[nodiscard]] const BandPart<T>& part_of(Unknown which) const {
+        return of_unknown[static_cast<std::size_t>(which)];
+    }
 };
 
 /// K of the surfaces that have one unknown at its 5 % and at its 95 % quantile, over K, at every point.
@@ -95,14 +99,17 @@ void widen(SampledBand<T>& band, BandParts<T>& parts, std::span<const UnknownCur
         all = {-std::hypot(all.low, part.low), std::hypot(all.high, part.high)};
     }
     for (std::size_t i = 0; i < unknown_count; ++i) {
+        if (static_cast<Unknown>(i) == Unknown::hardness) continue;
         const bool shape = is_of_shape(static_cast<Unknown>(i));
         T &low = shape ? parts.shape_low : parts.prior_low, &high = shape ? parts.shape_high : parts.prior_high;
         low = -std::hypot(low, parts.of_unknown[i].low), high = std::hypot(high, parts.of_unknown[i].high);
     }
+    const auto& [soft, hard] = parts.part_of(Unknown::hardness);
     const T known_low = std::hypot(parts.errors_low, parts.scale_low),
-            known_high = std::hypot(parts.errors_high, parts.scale_high);
-    band.low *= std::exp(known_low - std::hypot(known_low, parts.prior_low, parts.shape_low));
-    band.high *= std::exp(std::hypot(known_high, parts.prior_high, parts.shape_high) - known_high);
+            known_high = std::hypot(parts.errors_high, parts.scale_high),
+            low = std::hypot(std::hypot(known_low, soft), parts.prior_low, parts.shape_low),
+            high = std::hypot(std::hypot(known_high, hard), parts.prior_high, parts.shape_high);
+    band.low *= std::exp(known_low - low), band.high *= std::exp(high - known_high);
     band.high = (std::min)(band.high, (std::numeric_limits<T>::max)() / 2);
 }
 

@@ -201,7 +201,7 @@ template <Real T>
     const int degree = int(options.map_form), terms = degree * (degree + 3) / 2;
     SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
                                                        parameter_options(options, *prepared, terms));
-    prepared->unfiltered.reset();  // D is found
+    if (prepared->cut_offs.why_s != LambdaSReason::by_table) prepared->unfiltered.reset();  // D is found; K is of it
     const HeightMap<T>& flat = prepared->map;
     if (options.texture && degree > 0) found.plain_form = detail::plain_form(flat, degree);
     Surface<T> surface =

@@ -103,9 +103,9 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
     return {middle / apart, middle, middle * apart};
 }
 
-/// Properties of a surface that may be open.
-enum class Unknown { height, gradient, alpha, hurst, skewness, kurtosis };
-inline constexpr std::size_t unknown_count = 6;
+/// Properties of a surface, and of the softer body, that may be open.
+enum class Unknown { height, gradient, alpha, hurst, hardness, skewness, kurtosis };
+inline constexpr std::size_t unknown_count = 7;
 
 /// Whether \p which describes the shape of the heights.
 [[nodiscard]] constexpr bool is_of_shape(Unknown which) { return which >= Unknown::skewness; }

@@ -110,10 +110,10 @@ std::string material_sentence(const Scene& scene) {
     };
     if (std::any_of(scene.inputs.begin(), scene.inputs.end(), same))
         text += " (the lower is assumed to be as the upper)";
-    if (scene.hardness) text += ", hardness " + with_unit(*scene.hardness, "Pa", 4);
+    if (scene.hardness)
+        text += std::isfinite(*scene.hardness) ? ", hardness " + with_unit(*scene.hardness, "Pa", 4) : ", never yields";
+    if (scene.hardness_range) text += ", " + phrase_of_hardness(scene) + " (assumed)";
     if (scene.yield_strength) text += ", yield strength " + with_unit(*scene.yield_strength, "Pa", 4);
-    if (!scene.hardness && !scene.yield_strength) text += "; no hardness is given, so yielding is not checked";
-    if (!scene.open_body.empty()) text += "; no hardness of " + scene.open_body + " is given";
     return text + (assumed ? ". Give your own in a scene, section [material]." : ".");
 }
 

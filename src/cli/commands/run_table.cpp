@@ -113,10 +113,8 @@ std::string bodies_text(const Scene& scene, const Results& results) {
     const bool alike = scene.best && upper == lower;
     std::vector<std::string> parts{alike ? "both bodies " + upper : "upper " + upper + "; lower " + lower};
     if (!scene.best) parts.push_back("effective modulus " + with_unit(scene.effective_modulus, "Pa"));
-    const bool upper_open =
-        scene.open_body == "the upper body" || (scene.upper_name && scene.open_body == scene.upper_name->name);
-    const std::string of = scene.open_body.empty() ? "" : upper_open ? " of the lower body" : " of the upper body";
-    if (scene.hardness) parts.push_back("hardness" + of + " " + pressure(*scene.hardness));
+    if (scene.hardness)
+        parts.push_back(std::isfinite(*scene.hardness) ? "hardness " + pressure(*scene.hardness) : "never yields");
     if (scene.yield_strength) parts.push_back("yield strength " + pressure(*scene.yield_strength));
     const std::string area = scene.nominal_area ? "nominal area " + rounded(*scene.nominal_area * 1e6) + " mm²" : "";
     if (scene.best && !area.empty()) parts.push_back(area);

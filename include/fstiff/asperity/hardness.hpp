@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Indentation hardness as a contact has it, the mean pressure of a spot that has flowed, and its range where no one
+/// measured it.
+///
+///     vickers_pressure * 200                     2.12e9, of 200 HV
+///     hardness_of_elastic({210e9, 0.3})          {0.95e9, 2.5e9, 9.5e9}, of any metal with these constants
+///     softer(of_steel, of_copper)                the hardness of the body that flows
+///
+///     HV is force over the faces of the pyramid; the pressure under it is 1/sin 68 degrees = 1.079 times that
+///
+/// Reference   ISO 6507-1:2018 (HV); ASTM A370-03a as quoted by two suppliers (HRC); HB to HV from pairs in data sheets.
+///             Shares of the modulus: smallest and greatest of the materials of asperity/named_materials.hpp
+/// Units       [Pa]
+/// Valid       HRC 20 to 68
+/// Accuracy    HRC 3 % (tests/asperity/hardness_test.cpp); HB to HV 1.00 to 1.06 was read of steel
+
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/core/error.hpp>
+#include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/math/statistics.hpp>
+#include <fstiff/surface/process_prior.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fstiff::inline v0_1::parts {
+
+/// Mean pressure [Pa] of a contact with the hardness 1 HV.
+inline constexpr double vickers_pressure = 9.80665e6 / 0.9271838545667874;
+
+/// HV over HB of a body with the modulus \p youngs_modulus [Pa]: that of aluminium and magnesium differs.
+[[nodiscard]] constexpr double vickers_over_brinell(double youngs_modulus) {
+    return youngs_modulus > 40e9 && youngs_modulus < 80e9 ? 1.14 : 1.05;
+}
+
+/// HV of the Rockwell hardness \p rockwell. \throws domain_error unless it is from 20 to 68.
+[[nodiscard]] inline double vickers_of_rockwell(double rockwell) {
+    constexpr std::array<std::array<double, 2>, 16> table{{{20, 238},
+                                                           {25, 266},
+                                                           {30, 302},
+                                                           {35, 345},
+                                                           {40, 392},
+                                                           {45, 446},
+                                                           {50, 513},
+                                                           {52, 544},
+                                                           {55, 595},
+                                                           {58, 653},
+                                                           {60, 697},
+                                                           {62, 746},
+                                                           {64, 800},
+                                                           {65, 832},
+                                                           {66, 865},
+                                                           {68, 940}}};
+    require(rockwell >= table.front()[0] && rockwell <= table.back()[0], "HRC", rockwell, "from 20 to 68");
+    std::size_t i = 1;
+    while (i + 1 < table.size() && rockwell > table[i][0]) ++i;
+    const auto &a = table[i - 1], &b = table[i];
+    return a[1] * std::pow(b[1] / a[1], (rockwell - a[0]) / (b[0] - a[0]));
+}
+
+/// Range of the hardness [Pa] of a body of which nothing but \p elastic is known: of metals, of glass and ceramics (nu
+/// below 0.25), of polymers (E below 15 GPa). Rubber, E below 0.1 GPa, does not flow: infinite.
+[[nodiscard]] inline PriorRange hardness_of_elastic(const Material<double>& elastic) {
+    const double E = elastic.youngs_modulus;
+    if (!(E >= 0.1e9)) {
+        constexpr double none = std::numeric_limits<double>::infinity();
+        return {none, none, none};
+    }
+    const PriorRange share = E < 15e9                       ? PriorRange{0.02, 0.05, 0.09}
+                             : elastic.poisson_ratio < 0.25 ? PriorRange{0.03, 0.07, 0.12}
+                                                            : PriorRange{0.0045, 0.012, 0.045};
+    return {share.low * E, share.middle * E, share.high * E};
+}
+
+/// Range of the lesser of two independent numbers with the ranges \p a and \p b; the logarithm of each is normal below
+/// and above its middle. A range whose three numbers are equal is a number.
+[[nodiscard]] inline PriorRange softer(const PriorRange& a, const PriorRange& b) {
+    const auto below = [](const PriorRange& one, double x) {  // share of the numbers below x
+        const double end = x < one.middle ? one.low : one.high;
+        return end == one.middle ? (x < one.middle ? 0.0 : 1.0)
+                                 : math::normal_share(math::normal_95<double>.value * std::log(x / one.middle) /
+                                                      std::abs(std::log(end / one.middle)));
+    };
+    const auto quantile = [&](double share) {
+        double low = std::log((std::min)(a.low, b.low)) - 2, high = std::log((std::min)(a.high, b.high)) + 1e-9;
+        while (high - low > 1e-12 * std::abs(high)) {
+            const double middle = (low + high) / 2, x = std::exp(middle);
+            (1 - (1 - below(a, x)) * (1 - below(b, x)) < share ? low : high) = middle;
+        }
+        return std::exp(high);
+    };
+    const auto is_number = [](const PriorRange& one) { return one.low == one.high; };
+    const auto least = [](const PriorRange& one, double x) {
+        return PriorRange{(std::min)(one.low, x), (std::min)(one.middle, x), (std::min)(one.high, x)};
+    };
+    if (is_number(a)) return least(b, a.low);
+    if (is_number(b)) return least(a, b.low);
+    return {quantile(0.05), quantile(0.5), quantile(0.95)};
+}
+
+}  // namespace fstiff::inline v0_1::parts
