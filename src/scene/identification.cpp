@@ -257,9 +257,9 @@ void require_known(const Scene& scene, const FitRequest& request) {
     const std::string option = option_name(request.prefix, "fit");
     if (has(request.wanted, Parameter::fractal_dimension) && !scene.face.dimension())
         throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " + option + " D starts from it");
-    if (has(request.wanted, Parameter::hardness) && !(hardness_of(scene) > 0))
-        throw domain_error(scene.file + ": material.upper.hardness: is missing; " + option +
-                           " hardness starts from it, or from 2.8 yield_strength");
+    if (has(request.wanted, Parameter::hardness) && !std::isfinite(hardness_of(scene)))
+        throw domain_error(scene.file + ": material.upper.hardness: is infinite; " + option +
+                           " hardness starts from it, or from its range");
     for (const Parameter each : {Parameter::peak_radius, Parameter::peak_density})
         if (of_spectrum(request.wanted) && has(request.wanted, each))
             throw option_error(option + " " + std::string(parts::row_of(each).short_name) +

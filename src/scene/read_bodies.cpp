@@ -167,6 +167,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     const ReadBody lower = second ? read_material(source, *second, material.key("lower")) : upper;
     if (!second) source.record("material.lower", "as material.upper (default)");
     scene.upper_name = upper.name, scene.lower_name = lower.name;
+    scene.upper_body = upper.body, scene.lower_body = lower.body;
     take_bodies(upper.body, lower.body, {}, scene);
     if (upper.thermal && lower.thermal) scene.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
     if (upper.electrical && lower.electrical)

@@ -86,8 +86,12 @@ struct Scene : Problem {
         return stiffness || joint_stiffness || tangential_stiffness || loss_factor || reflection || shear_reflection ||
                thermal_conductance || electrical_conductance;
     }
-    /// Takes `upper` and `lower` into the joint.
-    void take_bodies() { effective_modulus = fstiff::effective_modulus(upper, lower); }
+    Body upper_body, lower_body;
+    /// Takes `upper` and `lower` into the joint, in place of the elastic constants of the bodies.
+    void take_bodies() {
+        upper_body.elastic = upper, lower_body.elastic = lower;
+        detail::take_bodies(upper_body, lower_body, {}, *this);
+    }
 
     std::vector<std::string> files;  ///< that the scene names: surfaces and masks
     std::vector<Input> inputs;       ///< every key that was written or filled in by a default

@@ -85,7 +85,7 @@ constexpr SurfaceOptionRow rows[] = {
      "for X3P files with floating-point heights: apply the increment of z (default) or ignore it"},
     {"lambda_s", filter, &Of::lambda_s, if_not_default,
      "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
-     "them once the form is removed; auto (default) takes the standards' index of five steps; none keeps all"},
+     "them once the form is removed; auto (default) takes the standards' index of five steps, for the parameters of a map and not for its K; none keeps all"},
     {"lambda_c", filter, &Of::lambda_c, if_not_default,
      "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) keeps all, but for Ra, Rq "
      "and the like of a profile takes the value of the standards' table; none keeps all for these too"},

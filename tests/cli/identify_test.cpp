@@ -259,7 +259,6 @@ TEST_CASE("identify refuses what it cannot fit, in one sentence") {
     refused(start + "--fit sigma --law gauss", 2, {"--law"}, data);
     refused(start + "--fit sigma --law jackson_green", 3, {"\"jackson_green\", which --law asks for", "yield_strength"},
             data);
-    refused(start + "--fit hardness", 3, {"material.upper.hardness", "missing", "--fit hardness"}, data);
     refused(start + "--fit g,R --law hybrid", 2, {"--fit R", "follows from sigma, g and alpha"}, data);
     refused(start + "--fit sigma --wave shear", 2, {"--wave shear", "stiffnesses"}, data);
     refused(start + "--fit sigma --plot fit.png", 2, {".svg"}, data);
@@ -274,6 +273,9 @@ TEST_CASE("identify refuses what it cannot fit, in one sentence") {
     refused(start + "--fit sigma", 3, {"contact.interaction", "none"}, data);
     folder.write("scene.toml", scene().substr(0, scene().find("[ultrasound]")));
     refused(start + "--fit sigma", 3, {"ultrasound", "missing"}, "p [MPa],R\n1,0.99\n2,0.9\n");
+    folder.write("scene.toml",
+                 test::replaced(scene(), "poisson_ratio = 0.3\n", "poisson_ratio = 0.3\nhardness = \"infinite\"\n"));
+    refused(start + "--fit hardness", 3, {"material.upper.hardness", "infinite", "--fit hardness"}, data);
     folder.write("scene.toml", test::replaced(scene(), "fractal_dimension = 1.62\n", ""));
     refused(start + "--fit D", 3, {"surface.fractal_dimension", "missing"}, data);
     refused(start + "--fit sigma --law fractal", 3, {"\"fractal\"", "needs surface.fractal_dimension"}, data);

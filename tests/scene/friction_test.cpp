@@ -59,7 +59,8 @@ TEST_CASE("The loss factor of a law is that of its tangential law") {
 
 TEST_CASE("The band of the loss factor is that of K, and for yielded peaks it holds both limits") {
     const std::string numbers = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n";
-    const auto elastic = results_of("material = { upper = \"steel\" }\n" + numbers + contact + friction);
+    const auto elastic =
+        results_of("material.upper = { name = \"steel\", hardness = \"infinite\" }\n" + numbers + contact + friction);
     const auto flowed =
         results_of("material.upper = { name = \"steel\", hardness = \"2 GPa\" }\n" + numbers + contact + friction);
     for (std::size_t i = 0; i < 3; ++i) {

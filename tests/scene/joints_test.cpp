@@ -130,7 +130,8 @@ TEST_CASE("Where boundary elements of the map answer, the approach begins at the
             64, 1e-6,
             {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 16e-6, .shortest_wavelength = 4e-6, .seed = 2}));
     const std::string text =
-        "material.upper = \"steel\"\n[surface]\nfrom = \"map.txt\"\n[contact]\nforce = \"0.8 N\"\n"
+        "material.upper = { name = \"steel\", hardness = \"infinite\" }\n[surface]\nfrom = "
+        "\"map.txt\"\n[contact]\nforce = \"0.8 N\"\n"
         "nominal_area = \"4000 um^2\"\n";
     const std::string file = folder.write("joint.toml", text);
     const auto best = test::results_of(text, file),
@@ -265,11 +266,16 @@ TEST_CASE("data/bolted_joint.toml is the joint that docs/scene.md describes") {
 TEST_CASE("The table of materials of docs/scene.md is that of the library") {
     const std::string docs = test::read(FSTIFF_SCENES "/../docs/scene.md");
     for (const auto& one : fstiff::parts::named_materials) {
-        const auto cell = [](double value) { return " | " + scene::rounded(value); };
-        const std::string row = "| `" + std::string(one.name) + "`" + cell(one.elastic.youngs_modulus / 1e9) +
-                                cell(one.elastic.poisson_ratio) + cell(one.density) + cell(one.longitudinal_velocity) +
-                                cell(one.shear_velocity) + cell(one.thermal_conductivity) +
-                                cell(one.electrical_conductivity / 1e6) + " | " + std::string(one.source) + " |\n";
+        const auto cell = [](double value, int digits = 6) { return " | " + scene::rounded(value, digits); };
+        const auto [low, middle, high] = one.hardness();
+        const std::string name = "| `" + std::string(one.name) + "`";
+        const std::string row = cell(one.elastic.youngs_modulus / 1e9) + cell(one.elastic.poisson_ratio) +
+                                cell(one.density) + cell(low / 1e9, 2) + ", " + scene::rounded(middle / 1e9, 2) + ", " +
+                                scene::rounded(high / 1e9, 2) + " | " + std::string(one.source) + " |\n";
+        const std::string waves = name + cell(one.longitudinal_velocity) + cell(one.shear_velocity) +
+                                  cell(one.thermal_conductivity) + cell(one.electrical_conductivity / 1e6) + " |\n";
+        CHECK(test::contains(docs, name + " | "));
+        CHECK(test::contains(docs, waves) == (one.longitudinal_velocity > 0));
         INFO(row);
         CHECK(test::contains(docs, row));
     }

@@ -48,6 +48,7 @@ std::map<std::string, std::string> followed(const Case& one) {
     if (face.is_open(Unknown::hurst)) all["D or H"] = one.text(line("hurst", hurst_exponent(face)));
     if (face.is_open(Unknown::skewness))
         all["skewness"] = one.text(line("skewness", face.shape.skewness) + line("kurtosis", face.shape.kurtosis));
+    if (read.hardness_range) all["the hardness"] = one.text(line("hardness", read.hardness_range->middle, " Pa"));
     if (face.is_open(Unknown::height)) {
         Case by = one;
         by.surface.erase(0, by.surface.find('\n') + 1);
@@ -102,12 +103,12 @@ TEST_CASE("The measurement advised next narrows the band most of all, by the pri
 
 TEST_CASE("No measurement is advised where none narrows the band by a twentieth") {
     const Case all{"Rq = \"1 um\"\nSdq = 0.1\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n",
-                   "[contact]\npressures = [\"10 MPa\"]\n"};
+                   "hardness = \"infinite\"\n[contact]\npressures = [\"10 MPa\"]\n"};
     const scene::Scene read = test::scene_of(all.text());
     CHECK(measure_next(read, compute(read)).empty());
     // alpha and H alone are open: K of hybrid hardly depends on them
     const Case little{"Rq = \"1 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = 3\n",
-                      "[contact]\npressures = [\"10 MPa\"]\n"};
+                      "hardness = \"infinite\"\n[contact]\npressures = [\"10 MPa\"]\n"};
     const scene::Scene known = test::scene_of(little.text());
     CHECK(measure_next(known, compute(known)).empty());
 }

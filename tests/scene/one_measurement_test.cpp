@@ -280,7 +280,7 @@ TEST_CASE("The command and the headers find the same K of a map by hybrid") {
         folder / "scene.toml");
     REQUIRE(results.curves.size() == 1);
     const auto read = scene::read_surface_input(test::surface_options("", file)).surface.data;
-    const auto map = parts::prepare(std::get<HeightMap<double>>(read)).map;
+    const auto map = parts::prepare(std::get<HeightMap<double>>(read), {.lambda_s = no_cut_off}).map;
     const auto contact = hybrid_of_map(map, effective_modulus<double>({205e9, 0.3}, {205e9, 0.3}));
     REQUIRE(results.curves[0].states.size() == 3);
     for (const ContactState<double>& state : results.curves[0].states)

@@ -5,7 +5,7 @@
 /// measured it.
 ///
 ///     vickers_pressure * 200                     2.12e9, of 200 HV
-///     hardness_of_elastic({210e9, 0.3})          {0.95e9, 2.5e9, 9.5e9}, of any metal with these constants
+///     hardness_of_elastic({210e9, 0.3})          {0.95e9, 2.7e9, 11.6e9}, of any metal with these constants
 ///     softer(of_steel, of_copper)                the hardness of the body that flows
 ///
 ///     HV is force over the faces of the pyramid; the pressure under it is 1/sin 68 degrees = 1.079 times that
@@ -71,8 +71,8 @@ inline constexpr double vickers_pressure = 9.80665e6 / 0.9271838545667874;
         return {none, none, none};
     }
     const PriorRange share = E < 15e9                       ? PriorRange{0.02, 0.05, 0.09}
-                             : elastic.poisson_ratio < 0.25 ? PriorRange{0.03, 0.07, 0.12}
-                                                            : PriorRange{0.0045, 0.012, 0.045};
+                             : elastic.poisson_ratio < 0.25 ? PriorRange{0.02, 0.07, 0.14}
+                                                            : PriorRange{0.0045, 0.013, 0.055};
     return {share.low * E, share.middle * E, share.high * E};
 }
 

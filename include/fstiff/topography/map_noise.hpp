@@ -10,7 +10,8 @@
 /// Reference   n: Aitken's extrapolation, exact for a power law
 /// Units       lengths [m]
 /// Valid       spectra of map_spectrum(); 0 where C falls as a power or faster
-/// Accuracy    rms of noise that is 3 % of a self-affine surface of H 0.8 and more, 256 x 256: 10 %
+/// Accuracy    256 x 256 points, self-affine: 15 % where the noise is 3 % of sigma and H 0.8, 1.5 % of sigma where there
+///             is none
 ///             (tests/topography/map_noise_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
