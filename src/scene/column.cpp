@@ -28,14 +28,14 @@ std::optional<Derived> derived_of(CurveQuantity quantity) {
 }
 
 /// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
-Estimate<double> estimate_of(const Column& column, const Scene& scene, const Curve& curve, std::size_t i,
+Estimate<double> estimate_of(const Column& column, const Problem& problem, const Curve& curve, std::size_t i,
                              const ContactState<double>& s) {
     if (const auto which = derived_of(column.quantity))
-        return derived(*which, scene, curve, i, s,
+        return derived(*which, problem, curve, i, s,
                        column.statistic == Statistic::p05   ? BandEnd::low
                        : column.statistic == Statistic::p95 ? BandEnd::high
                                                             : BandEnd::value);
-    const double area = scene.nominal_area.value_or(0);
+    const double area = problem.nominal_area.value_or(0);
     using enum CurveQuantity;
     switch (column.quantity) {
         case force: return {s.pressure.value * area, s.pressure.error * area};
@@ -46,7 +46,7 @@ Estimate<double> estimate_of(const Column& column, const Scene& scene, const Cur
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
-        case thermal_conductance_gap: return {conductance_of_gap(scene.conduction, s.separation.value), 0};
+        case thermal_conductance_gap: return {conductance_of_gap(problem.conduction, s.separation.value), 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
         default: return {};

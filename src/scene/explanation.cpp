@@ -86,10 +86,10 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
 }
 
 /// What to measure, for people.
-std::string words_of(const NextMeasurement& next, const Scene& scene) {
+std::string words_of(const NextMeasurement& next, const Problem& problem) {
     if (!next.which)
-        return measured_faces(scene).front()->measured->is_profile ? "four times the length" : "four times the area";
-    const bool lay = parts::prior_of(rough_faces(scene).front()->process).has_lay;
+        return measured_faces(problem).front()->measured->is_profile ? "four times the length" : "four times the area";
+    const bool lay = parts::prior_of(rough_faces(problem).front()->process).has_lay;
     const auto what = [&]() -> std::string {
         switch (*next.which) {
             case parts::Unknown::height: return "Rq or Sq";
@@ -100,7 +100,7 @@ std::string words_of(const NextMeasurement& next, const Scene& scene) {
         }
     };
     if (next.which == parts::Unknown::hardness) return "the hardness of the softer body";
-    return what() + (scene.faces.empty() ? "" : " of both faces");
+    return what() + (problem.faces.empty() ? "" : " of both faces");
 }
 
 }  // namespace
@@ -118,14 +118,14 @@ std::string shown_causes(const AnswerReason& reason, std::size_t most) {
     return text;
 }
 
-std::string outside_band(const Scene& scene, const Results& results) {
+std::string outside_band(const Problem& problem, const Results& results) {
     std::string text = "Not in the band: wear, dirt, films, misaligned faces";
-    if (!scene.nominal_area)
+    if (!problem.nominal_area)
         text += std::string(results.answer && results.answer->of_map_itself ? ", other parts of the face"
-                            : measured_faces(scene).empty()                 ? ", few contacts"
+                            : measured_faces(problem).empty()               ? ", few contacts"
                                                                             : ", long waves") +
                 " (give contact.nominal_area)";
-    for (const Face* face : rough_faces(scene))
+    for (const Face* face : rough_faces(problem))
         if (!face->measured && face->process == parts::Process::unknown && face->is_open(parts::Unknown::skewness))
             return text +
                    "; for a worn or honed face K may be several times higher (give process, or skewness and "

@@ -97,10 +97,10 @@ std::string body_of(const LawInModel& law, Solver to) {
 }
 
 /// The pressure of the one stiffness that a card of friction holds [Pa].
-double pressure_of_friction(const Scene& scene, const PressureTable& table, const ExportRequest& request) {
+double pressure_of_friction(const Problem& problem, const PressureTable& table, const ExportRequest& request) {
     if (request.at.empty()) return std::sqrt(table.from * table.to);
     const std::string name = option_name(request.prefix, "at");
-    if (!scene.friction) throw domain_error(name + " is for a scene with [friction]; this scene has none");
+    if (!problem.friction) throw domain_error(name + " is for a scene with [friction]; this scene has none");
     const double at = request.at.positive(io::Dimension::pressure, name);
     constexpr double rounding = 1e-9;
     require(at >= table.from * (1 - rounding) && at <= table.to * (1 + rounding), name, at,

@@ -103,8 +103,8 @@ void read_law_options(Source& source, const Section& root, LawName law, Scene& s
         if (const toml::node* node = section.find(row.key))
             std::visit(Reader{source, row, *node, section.key(row.key), scene}, row.field);
         else if (const auto* flag = std::get_if<bool LawOptions::*>(&row.field); flag && !is_shared(law))
-            source.record(section.key(row.key), scene.law_options.**flag ? "1 (default)" : "0 (default)",
-                          scene.law_options.**flag ? 1 : 0);
+            source.record_default(section.key(row.key), scene.law_options.**flag ? "1" : "0",
+                                  scene.law_options.**flag ? 1 : 0);
     }
 }
 

@@ -82,7 +82,7 @@ std::optional<double> read_hardness(Source& source, const Section& body, double 
 
 void record_of_name(Source& source, const std::string& key, const parts::NamedMaterial& name, double value,
                     std::string_view unit) {
-    source.record(key, "of " + std::string(name.name) + " (default)", value, unit);
+    source.record_default(key, "of " + std::string(name.name), value, unit);
 }
 
 /// A name, or a section that may begin from one: what else it holds replaces the values of the name.
@@ -165,7 +165,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
         read_material(source, material.at("upper", "is missing; the scene needs it"), material.key("upper"));
     const toml::node* second = material.find("lower");
     const ReadBody lower = second ? read_material(source, *second, material.key("lower")) : upper;
-    if (!second) source.record("material.lower", "as material.upper (default)");
+    if (!second) source.record_default("material.lower", "as material.upper");
     scene.upper_name = upper.name, scene.lower_name = lower.name;
     scene.upper_body = upper.body, scene.lower_body = lower.body;
     take_bodies(upper.body, lower.body, {}, scene);
@@ -176,7 +176,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     if (second) warn_of_strength(lower, "lower", scene);
     if (!assumed) return;
     for (Input& input : source.inputs)
-        if (input.key == "material.upper") input.written += " (default)";
+        if (input.key == "material.upper") input.written += " (default)", input.given = false;
     scene.assumptions.push_back("both bodies steel, " + shown(scene.upper));
 }
 
@@ -263,7 +263,7 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
             throw domain_error(source.at(table) + ": ultrasound." + (upper.shear_impedance ? "lower" : "upper") +
                                ".shear_impedance: is missing; shear waves need that of both sides");
     } else {
-        source.record("ultrasound.lower", "as ultrasound.upper (default)");
+        source.record_default("ultrasound.lower", "as ultrasound.upper");
     }
     waves.longitudinal = {upper.impedance, lower.impedance};
     if (upper.shear_impedance) waves.shear = {*upper.shear_impedance, *lower.shear_impedance};

@@ -42,7 +42,7 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
     if (!(from < to)) source.refuse(range.at("to"), range.key("to"), "must be greater than " + range.key("from"));
     const bool log =
         range.find("spacing") ? source.choice(*range.find("spacing"), range.key("spacing"), spacings) == 0 : loads;
-    if (!range.find("spacing")) source.record(range.key("spacing"), std::string(spacings[log ? 0 : 1]) + " (default)");
+    if (!range.find("spacing")) source.record_default(range.key("spacing"), std::string(spacings[log ? 0 : 1]));
     if (log && !(from > 0))
         source.refuse(range.at("from"), range.key("from"), "must be greater than 0 for spacing = \"log\"");
 
@@ -120,19 +120,18 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
 }
 
 /// The peak density of [surface].
-Peaks peaks_of_surface(const Scene& scene, const parts::Place& where) {
-    return {*scene.face.value(Parameter::theta), scene.face.value(Parameter::r), true, where, "surface."};
+Peaks peaks_of_surface(const Face& face, const parts::Place& where) {
+    return {*face.value(Parameter::theta), face.value(Parameter::r), true, where, "surface."};
 }
 
-Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path, const Scene& scene) {
+Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path, const Face& face) {
     if (node.is_string() && written(node) == "surface") {
-        if (!scene.face.has_peaks())
-            source.refuse(
-                node, path,
-                "needs surface.r and surface.theta" +
-                    (scene.face.measured ? ", which were not found: " + scene.face.measured->why_no_peaks : ""));
+        if (!face.has_peaks())
+            source.refuse(node, path,
+                          "needs surface.r and surface.theta" +
+                              (face.measured ? ", which were not found: " + face.measured->why_no_peaks : ""));
         source.record(path, "surface");
-        return peaks_of_surface(scene, source.place(node));
+        return peaks_of_surface(face, source.place(node));
     }
     if (!node.is_table())
         source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }, or \"surface\"");
@@ -157,7 +156,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
     const std::string key = contact.key("interaction");
     const std::string allowed =
         "must be \"none\" or a table such as { reading = \"effective_separation\", length = \"nominal\" }";
-    if (!node) return source.record(key, "none (default)");
+    if (!node) return source.record_default(key, "none");
     if (node->is_string()) {
         if (written(*node) != "none") source.refuse(*node, key, allowed);
         return source.record(key, "none");
@@ -170,7 +169,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
     if (const auto by = parts::find_named<InteractionLength>(text)) {
         scene.length = *by;
-        source.record(table.key("length"), length ? text : "nominal (default)");
+        length ? source.record(table.key("length"), text) : source.record_default(table.key("length"), "nominal");
     } else {
         scene.length = InteractionLength::given;
         scene.given_length = source.positive(*length, table.key("length"), Dimension::length);
@@ -185,7 +184,7 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
     if (!node || (node->is_string() && written(*node) == "best")) {
         scene.best = true;
         scene.laws = {&law_of_answer(scene, scene.at_separations)};
-        source.record(contact.key("laws"), node ? "best" : "best (default)");
+        node ? source.record(contact.key("laws"), "best") : source.record_default(contact.key("laws"), "best");
         return read_law_options(source, root, scene.laws.front()->which, scene);
     }
     std::vector<const Law*> chosen;
@@ -222,25 +221,25 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
     if (scene.face.has_peaks() && (replaced || !peaks)) {
         take_peaks(scene);
         scene.peaks.front().where.file = source.file, scene.peaks.front().key = "surface.";
-        source.record(contact.key("peaks"), replaced ? "surface (--surface)" : "surface (default)");
+        replaced ? source.record(contact.key("peaks"), "surface (--surface)")
+                 : source.record_default(contact.key("peaks"), "surface");
     } else if (peaks) {
         if (peaks->is_string())
-            scene.peaks.push_back(read_one_peaks(source, *peaks, contact.key("peaks"), scene));
+            scene.peaks.push_back(read_one_peaks(source, *peaks, contact.key("peaks"), scene.face));
         else if (!peaks->is_array() || peaks->as_array()->empty())
             source.refuse(*peaks, contact.key("peaks"),
                           "must be \"surface\" or a list of tables such as { theta = \"pi/4\", r = \"exponential\" }");
         else
             for (std::size_t i = 0; i < peaks->as_array()->size(); ++i)
                 scene.peaks.push_back(read_one_peaks(source, (*peaks->as_array())[i],
-                                                     contact.key("peaks") + "[" + std::to_string(i) + "]", scene));
+                                                     contact.key("peaks") + "[" + std::to_string(i) + "]", scene.face));
     } else {
         take_peaks(scene);
         for (Peaks& one : scene.peaks) one.where.file = source.file, one.key = "contact.peaks.";
         const bool isotropic = has_isotropic_peaks(scene.face);
-        source.record(contact.key("peaks"), isotropic
-                                                ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws theta = pi/4 "
-                                                  "and pi/3, r = exponential (default)"
-                                                : "theta = pi/4 and pi/3, r = exponential (default)");
+        source.record_default(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws "
+                                                                "theta = pi/4 and pi/3, r = exponential"
+                                                              : "theta = pi/4 and pi/3, r = exponential");
     }
 }
 

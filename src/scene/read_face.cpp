@@ -230,13 +230,13 @@ void record_following(Source& source, const Section& surface, const Face& face,
             one->which == Parameter::rms_height ? face.parameters.rms_height.value : *face.rms_gradient;
         source.inputs.insert(
             source.inputs.begin() + static_cast<std::ptrdiff_t>(one->place),
-            {surface.key(row.key), "of " + std::string(one->of) + " (default)", value, std::string(row.unit)});
+            {surface.key(row.key), "of " + std::string(one->of) + " (default)", value, std::string(row.unit), false});
     }
     for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
                                          std::pair(face.density_follows, Parameter::peak_density)})
         if (follows)
-            source.record(surface.key(parts::row_of(which).key), "of rms_height, rms_gradient and alpha (default)",
-                          *face.value(which), parts::row_of(which).unit);
+            source.record_default(surface.key(parts::row_of(which).key), "of rms_height, rms_gradient and alpha",
+                                  *face.value(which), parts::row_of(which).unit);
 }
 
 /// The parameters that \p surface writes.
@@ -341,7 +341,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
     if (!surface.find("upper") || !surface.find("lower")) {
         const char* there = surface.find("upper") ? "upper" : "lower";
         scene.face = read_face(source, surface.subtable(there), surface.key(there), scene, progress);
-        source.record(surface.key(surface.find("upper") ? "lower" : "upper"), "smooth (default)");
+        source.record_default(surface.key(surface.find("upper") ? "lower" : "upper"), "smooth");
         return;
     }
     for (const char* name : {"upper", "lower"})
@@ -357,7 +357,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
         scene.shifts = static_cast<int>(count->get());
         source.record(surface.key("shifts"), written(*node), static_cast<double>(count->get()));
     } else if (no_sum.empty()) {
-        source.record(surface.key("shifts"), "4 (default)", 4);
+        source.record_default(surface.key("shifts"), "4", 4);
     }
     scene.face = source.located(table, [&] { return sum_of_faces(upper, lower, scene.shifts, scene.seed); });
     for (const parts::ParameterRow& row : parts::surface_parameter_table)

@@ -34,8 +34,7 @@ std::string missing_for_quantities(const Scene& scene) {
 void read_output(Source& source, const toml::table* table, Scene& scene) {
     const auto is_written = [&](std::string_view end) {
         return std::any_of(source.inputs.begin(), source.inputs.end(), [&](const Input& input) {
-            return input.key.starts_with("material.") && input.key.ends_with(end) &&
-                   !input.written.ends_with("(default)");
+            return input.given && input.key.starts_with("material.") && input.key.ends_with(end);
         });
     };
     const bool waves = scene.ultrasound.has_value(), slides = scene.friction && scene.friction->amplitude,
@@ -73,12 +72,12 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
         std::string text;
         for (const Choice& one : choices)
             if (one.by_default) one.chosen = true, text += (text.empty() ? "" : ", ") + std::string(one.name);
-        source.record(key, text + " (default)");
+        source.record_default(key, text);
     }
     scene.thermal_conductance_gap = scene.thermal_conductance && scene.conduction.gap;
     if (scene.approach && std::none_of(source.inputs.begin(), source.inputs.end(),
                                        [](const Input& input) { return input.key == "contact.seating"; }))
-        source.record("contact.seating", "1 kPa (default)", scene.seating, si_unit(Dimension::pressure));
+        source.record_default("contact.seating", "1 kPa", scene.seating, si_unit(Dimension::pressure));
 }
 
 void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
@@ -164,21 +163,20 @@ std::pair<std::string_view, double> key_and_value(const Face& face, parts::Unkno
 /// Puts on record the numbers that \p scene does not give, and that a law of it depends on.
 void take_assumed_numbers(Source& source, Scene& scene) {
     if (scene.hardness_range && feels_hardness(scene, scene.laws)) {
-        source.record("material.hardness", "assumed (default)", scene.hardness_range->middle, "Pa");
+        source.record_default("material.hardness", "assumed", scene.hardness_range->middle, "Pa");
         scene.assumptions.push_back(phrase_of_hardness(scene));
     }
-    if (scene.face.map && scene.face.spectrum_of_map) return;
     const bool one_face = scene.faces.empty();
-    for (const auto& [name, face, file] : named_faces(scene))
-        for (const Prior& one : face->priors) {
-            if (one.origin == Origin::measurement || !is_felt(scene, scene.laws, *face, one.which)) continue;
-            const auto [end, value] = key_and_value(*face, one.which);
-            const std::string key = "surface." + (one_face ? "" : std::string(name) + ".") + std::string(end);
-            if (std::none_of(source.inputs.begin(), source.inputs.end(),
-                             [&](const Input& input) { return input.key == key; }))
-                source.record(key, "assumed (default)", value);
-            scene.assumptions.push_back((one_face ? "" : std::string(name) + ": ") + phrase_of(one, *face));
-        }
+    for (const auto& [place, prior] : felt_priors(scene, scene.laws)) {
+        if (prior->origin == Origin::measurement) continue;
+        const NamedFace of = named_faces(scene)[place];
+        const auto [end, value] = key_and_value(*of.face, prior->which);
+        const std::string key = "surface." + (one_face ? "" : std::string(of.name) + ".") + std::string(end);
+        if (std::none_of(source.inputs.begin(), source.inputs.end(),
+                         [&](const Input& input) { return input.key == key; }))
+            source.record_default(key, "assumed", value);
+        scene.assumptions.push_back((one_face ? "" : std::string(of.name) + ": ") + phrase_of(*prior, *of.face));
+    }
 }
 
 }  // namespace
@@ -219,7 +217,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
     for (const Assumed& one : assumed(scene))
-        source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
+        source.record_default("surface." + std::string(one.key), one.how, one.value);
     take_assumed_numbers(source, scene);
     for (const auto& [name, face, file] : measured_files(scene))
         for (const std::string& warning : scene.best ? file->of_file : file->warnings)

@@ -27,7 +27,7 @@ std::vector<Cell> mean_pressures(const Curve& curve) {
 
 Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
 
-Units units_of(const Scene& scene, const Results& results) {
+Units units_of(const Problem& problem, const Results& results) {
     double least = 0, most = 0;
     std::vector<double> joint;
     for (const Curve& curve : results.curves)
@@ -35,13 +35,13 @@ Units units_of(const Scene& scene, const Results& results) {
             const double p = state.pressure.value;
             most = std::max(most, p);
             if (p > 0) least = least > 0 ? std::min(least, p) : p;
-            joint.push_back(state.stiffness.value * scene.nominal_area.value_or(0));
+            joint.push_back(state.stiffness.value * problem.nominal_area.value_or(0));
         }
     const double middle = std::sqrt(least * most);
     return {.pressure = unit_of_pressure(middle),
-            .height = unit_of_length(scene.face.parameters.rms_height.value),
-            .density = unit_of_density(scene.face.parameters.peak_density.value),
-            .force = shown_unit(middle * scene.nominal_area.value_or(0), "N"),
+            .height = unit_of_length(problem.face.parameters.rms_height.value),
+            .density = unit_of_density(problem.face.parameters.peak_density.value),
+            .force = shown_unit(middle * problem.nominal_area.value_or(0), "N"),
             .joint_stiffness = shown_unit(joint, "N/m")};
 }
 

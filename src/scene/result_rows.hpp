@@ -20,7 +20,7 @@ struct Units {
 /// The name, the file and the SHA-256 of \p scene, for a JSON document.
 [[nodiscard]] Json scene_json(const Scene& scene);
 
-[[nodiscard]] Units units_of(const Scene& scene, const Results& results);
+[[nodiscard]] Units units_of(const Problem& problem, const Results& results);
 /// The same with a unit of K that fits the answer at points_of_answer(): one for all tables of a summary.
 [[nodiscard]] Units summary_units(const Scene& scene, const Results& results);
 /// How people read \p column; one that is not for them is in CSV and JSON alone.

@@ -67,17 +67,10 @@ void take_answer(const Scene& scene, Curves& found, Results& results) {
 }  // namespace
 
 std::string reason_of(const Scene& scene, const MissedPoint& missed) {
-    switch (missed.why) {
-        case Miss::law: return missed.reason;
-        case Miss::range:
-            return "a result for " + shortest(scene.points[missed.place]) +
-                   " is beyond the range of double precision; the values of the scene must be less extreme";
-        case Miss::hardness:
-            return "at the hardness, " + with_unit(missed.limit, "Pa", 3) + ", and above it everything has flowed";
-        case Miss::closed:
-            return "above " + with_unit(missed.limit, "Pa", 3) + " the contact is closed and the bulk carries the load";
-    }
-    return "";
+    if (missed.why == Miss::range)
+        return "a result for " + shortest(scene.points[missed.place]) +
+               " is beyond the range of double precision; the values of the scene must be less extreme";
+    return detail::reason_of(missed, with_unit(missed.limit, "Pa", 3));
 }
 
 std::string laws_of(const Curve& curve) {

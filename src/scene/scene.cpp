@@ -92,9 +92,8 @@ std::string missing_phrase(const Face& face) {
 
 namespace {
 
-/// Why the face of \p scene has no spectrum, by \p lack.
-std::string no_spectrum(const Scene& scene, Lack lack) {
-    const Face& face = scene.face;
+/// Why \p face has no spectrum, by \p lack.
+std::string no_spectrum(const Face& face, Lack lack) {
     switch (lack) {
         case Lack::points: return missing_phrase(face);
         case Lack::small_map: return "the map has fewer than 4 points a side";
@@ -117,7 +116,7 @@ std::string refusal_of(const Law& law, const Scene& scene) {
     const std::string section = name.empty() ? "" : "; name = \"" + name + "\" in that section keeps the rest";
     switch (const Lack lack = lack_of(law, scene, scene.at_separations)) {
         case Lack::nothing: return "";
-        case Lack::separation: return "gives no separation; give contact.pressures";
+        case Lack::separation: return detail::reason_of(lack) + "; give contact.pressures";
         case Lack::peaks:
             return "needs surface.peak_radius and surface.peak_density, which are not known: " +
                    scene.face.parameters.why_no_density;
@@ -127,7 +126,7 @@ std::string refusal_of(const Law& law, const Scene& scene) {
         case Lack::sum_of_maps:
             return "needs two maps of one grid, whose heights can be added: " +
                    no_sum_of_maps(scene.faces.front(), scene.faces.back());
-        case Lack::side: return "needs a map of at least 16 points a side";
+        case Lack::side: return detail::reason_of(lack);
         case Lack::hardness:
             return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)" + section;
         case Lack::yield_strength: return "needs material.upper.yield_strength" + section;
@@ -135,7 +134,7 @@ std::string refusal_of(const Law& law, const Scene& scene) {
             return (law.needs_whole_map ? "needs a map without missing points: "
                     : law.needs_summits ? "needs summits: "
                                         : "needs a spectrum: ") +
-                   no_spectrum(scene, lack);
+                   no_spectrum(scene.face, lack);
     }
 }
 

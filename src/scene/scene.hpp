@@ -24,7 +24,8 @@ struct Input {
     std::string key;      ///< path, such as "surface.rms_height"
     std::string written;  ///< the text of the scene
     std::optional<double> value;
-    std::string unit;  ///< SI unit of value; empty when it has none
+    std::string unit;   ///< SI unit of value; empty when it has none
+    bool given = true;  ///< in the text of the scene
 };
 
 /// Values between two ends, by { from, to, count, spacing } of a scene.

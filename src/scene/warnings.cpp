@@ -54,9 +54,9 @@ void warn_of_lost(const Scene& scene, Results& results) {
 }
 
 /// A warning where law plastic is nearer to the hardness than any comparison of it.
-void warn_of_hardness(const Scene& scene, Results& results) {
+void warn_of_hardness(const Problem& problem, Results& results) {
     for (const Curve* curve : shown_curves(results))
-        if (const auto check = beyond_comparison(scene, *curve)) {
+        if (const auto check = beyond_comparison(problem, *curve)) {
             results.doubtful = results.doubtful || !curve->by.empty();
             return results.warnings.push_back("law plastic was compared up to " + with_unit(check->limit, "Pa", 3) +
                                               ", a quarter of the hardness: K at " +
@@ -113,8 +113,8 @@ std::string outside_range(const Law& law, const parts::LoadMeans<double>& means)
 }
 
 /// A warning for each plastic law with a point where its peaks, each weighted by its load, are outside of its range.
-void warn_of_plastic_ranges(const Scene& scene, Results& results) {
-    for (const Law* law : scene.laws) {
+void warn_of_plastic_ranges(const std::vector<const Law*>& laws, Results& results) {
+    for (const Law* law : laws) {
         std::size_t count = 0, points = 0;
         std::string first;
         for (const Curve& curve : results.curves) {
@@ -149,7 +149,7 @@ void warn_of_named_laws(const Scene& scene, Results& results) {
     for (const parts::Concern concern : {parts::Concern::interacting_asperities, parts::Concern::mean_planes_crossed,
                                          parts::Concern::above_highest_peak, parts::Concern::few_contacts})
         warn_if_any(results, concern);
-    warn_of_plastic_ranges(scene, results);
+    warn_of_plastic_ranges(scene.laws, results);
     if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
         results.warnings.push_back(
             "K with interaction includes the elasticity of the bulk over the interaction length: its reflection is not "

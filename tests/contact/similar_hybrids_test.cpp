@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 #include <vector>
 
 namespace similar_hybrids_test {
@@ -59,6 +60,25 @@ TEST_CASE("The table of similar surfaces takes a bearing curve") {
             CHECK(off < (kurtosis > 10 ? 1.2e-3 : 4e-4));
         }
     }
+}
+
+TEST_CASE("Several threads that ask the table of similar surfaces find what one finds") {
+    constexpr std::size_t count = 60;
+    const auto K = [](const parts::SimilarHybrids<double>& similar, std::size_t i) {
+        const double alpha = 3 + 0.5 * static_cast<double>(i % 7), x = 1e-4 * std::pow(1.1, static_cast<double>(i));
+        return similar
+            .stiffness(parts::moments_of_gradient(sigma, gradient, alpha), 0.8, modulus, x * modulus * gradient)
+            .value();
+    };
+    const parts::SimilarHybrids<double> alone(nullptr), shared(nullptr);
+    std::vector<double> found(count);
+    const auto ask = [&](std::size_t from, std::size_t by) {
+        for (std::size_t i = from; i < count; i += by) found[count - 1 - i] = K(shared, count - 1 - i);
+    };
+    std::thread other(ask, 0, 2);
+    ask(1, 2);
+    other.join();
+    for (std::size_t i = 0; i < count; ++i) CHECK(found[i] == K(alone, i));
 }
 
 TEST_CASE("The table of similar surfaces has no K where no surface or no contact is, and none beyond its reach") {

@@ -20,7 +20,7 @@ parts::SurfaceParameters<double> surface() {
     return s;
 }
 
-const auto both = [](const auto& x) { return std::vector<double>{x[0], x[3]}; };
+const auto both = [](const auto& x, std::size_t) { return std::vector<double>{x[0], x[3]}; };
 
 }  // namespace
 
@@ -49,12 +49,12 @@ TEST_CASE("The same seed gives the same band and values that are no numbers are 
         done.push_back(i);
     };
     int calls = 0;
-    const auto some = [&](const auto& x) {
+    const auto some = [&](const auto& x, std::size_t) {
         ++calls;
         const double missing = calls % 3 == 0   ? std::numeric_limits<double>::quiet_NaN()
                                : calls % 3 == 1 ? std::numeric_limits<double>::infinity()
                                                 : x[0];
-        return std::array<double, 3>{x[0], missing, std::numeric_limits<double>::quiet_NaN()};
+        return std::vector<double>{x[0], missing, std::numeric_limits<double>::quiet_NaN()};
     };
     const auto first = parts::sampled_band(surface(), some, {.samples = 30, .seed = 5, .progress = hook});
     const auto second = parts::sampled_band(surface(), some, {.samples = 30, .seed = 5});
@@ -65,6 +65,26 @@ TEST_CASE("The same seed gives the same band and values that are no numbers are 
     CHECK((first[2].failed == 30 && first[2].low == 0 && first[2].high == 0));
 }
 
+TEST_CASE("Surfaces in pieces, whichever comes first, give the same band without progress") {
+    std::vector<std::size_t> order;
+    const auto numbered = [&](const auto& x, std::size_t i) {
+        order.push_back(i);
+        return std::vector<double>{x[0], x[3] * static_cast<double>(i)};
+    };
+    const auto backwards = [](std::size_t count, const Piece& run) {
+        for (std::size_t i = count; i-- > 0;) run(i);
+    };
+    const auto never = [](std::string_view, std::size_t, std::size_t) { FAIL(); };
+    const auto first = parts::sampled_band(surface(), numbered, {.samples = 50, .seed = 7});
+    CHECK((order.front() == 0 && order.back() == 49));
+    const auto second =
+        parts::sampled_band(surface(), numbered, {.samples = 50, .seed = 7, .progress = never, .parallel = backwards});
+    CHECK((order[50] == 49 && order.back() == 0));
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(
+            (first[k].low == second[k].low && first[k].median == second[k].median && first[k].high == second[k].high));
+}
+
 TEST_CASE("No surfaces, surfaces out of range and values that change their number are refused") {
     CHECK(test::refusal([] { (void)parts::sampled_band(surface(), both, {.samples = 0}); }) ==
           "samples = 0: must be at least 1");
@@ -73,8 +93,8 @@ TEST_CASE("No surfaces, surfaces out of range and values that change their numbe
     CHECK(test::refusal([&] { (void)parts::sampled_band(bad, both); }).starts_with("rms_height = -1: must be"));
     std::size_t size = 0;
     CHECK(test::refusal([&] {
-              (void)parts::sampled_band(surface(), [&](const auto&) { return std::vector<double>(++size); },
-                                        {.samples = 3});
+              (void)parts::sampled_band(
+                  surface(), [&](const auto&, std::size_t) { return std::vector<double>(++size); }, {.samples = 3});
           }) == "values of a drawn surface = 2: must be 1, as of the first");
 }
 

@@ -159,7 +159,7 @@ bool is_measured(const std::filesystem::path& path) {
 template <class LawOf>
 void require_same_band(const scene::Curve& curve, const Surface<double>& surface, double modulus, const LawOf& law_of) {
     const std::vector<double> pressures{1e6, 1e7};
-    const auto at = [&](const std::array<double, parts::surface_parameter_count>& drawn) {
+    const auto at = [&](const std::array<double, parts::surface_parameter_count>& drawn, std::size_t = 0) {
         const auto value = [&](Parameter which) { return drawn[parts::index_of(which)]; };
         std::vector<double> all;
         for (const auto& point : curve_at_pressures(

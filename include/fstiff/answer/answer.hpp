@@ -45,7 +45,8 @@ struct AnswerOptions {
     double gamma = 0.45;   ///< of Persson's theory, above 0 and at most 1
     double seating = 1e3;  ///< the approach is 0 at this pressure [Pa]
     ProgressHook progress{};
-    ParallelHook parallel{};  ///< runs the solutions by boundary elements, which then report no progress
+    ParallelHook parallel{};  ///< runs what takes long: contacts of a map, surfaces of the band, boundary elements;
+                              ///< the latter two report no progress then
 };
 
 /// A value between the 5 % and the 95 % end of its band.

@@ -28,14 +28,12 @@ namespace fstiff::inline v0_1 {
 
 namespace detail {
 
-FSTIFF_INLINE std::string reason_of(const MissedPoint& missed) {
+FSTIFF_INLINE std::string reason_of(const MissedPoint& missed, const std::string& limit) {
     switch (missed.why) {
         case Miss::law: return missed.reason;
         case Miss::range: return "a result is beyond the range of double precision";
-        case Miss::hardness:
-            return "at the hardness, " + parts::rounded_text(missed.limit, 3) +
-                   " Pa, and above it everything has flowed";
-        case Miss::closed: return "above " + parts::rounded_text(missed.limit, 3) + " Pa the contact is closed";
+        case Miss::hardness: return "at the hardness, " + limit + ", and above it everything has flowed";
+        case Miss::closed: return "above " + limit + " the contact is closed and the bulk carries the load";
     }
     return "";
 }
@@ -44,12 +42,9 @@ FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const Problem& problem, cons
     std::vector<AssumedNumber> all;
     if (const auto& range = problem.hardness_range; range && feels_hardness(problem, {&law}))
         all.push_back({parts::Unknown::hardness, {range->low, range->middle, range->high}});
-    if (problem.face.map && problem.face.spectrum_of_map) return all;
-    const std::vector<const Face*> faces = rough_faces(problem);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        for (const Prior& one : faces[i]->priors)
-            if (one.origin != Origin::measurement && is_felt(problem, {&law}, *faces[i], one.which))
-                all.push_back({one.which, {one.range.low, one.range.middle, one.range.high}, i > 0});
+    for (const auto& [face, prior] : felt_priors(problem, {&law}))
+        if (const auto& [low, middle, high] = prior->range; prior->origin != Origin::measurement)
+            all.push_back({prior->which, {low, middle, high}, face > 0});
     return all;
 }
 
@@ -86,7 +81,8 @@ FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const L
                                                  std::span<const double> pressures) {
     std::vector<AnswerPoint> points(pressures.size());
     for (const MissedPoint& missed : curve.missed)
-        points[missed.place] = {.pressure = pressures[missed.place], .reason = reason_of(missed)};
+        points[missed.place] = {.pressure = pressures[missed.place],
+                                .reason = reason_of(missed, parts::rounded_text(missed.limit, 3) + " Pa")};
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerPoint& point = points[curve.places[i]];
         const double K = curve.states[i].stiffness.value;

@@ -19,10 +19,13 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// The states of random numbers that a band draws in addition to those of the parameters.
-struct RandomStates {
-    std::uint64_t tiles, gradients;
+/// What a band draws of a surface in addition to its parameters.
+struct FurtherDraw {
+    double steeper = 1;                ///< gradient by its own error, over what it was
+    std::size_t shift = 0;             ///< of the map
+    std::vector<std::size_t> tiles{};  ///< how often each of the map is there
 };
+inline constexpr std::size_t tiles_a_side = 4;
 
 /// The rms gradient of \p face drawn by its own error, over what it was; lognormal as rms height.
 FSTIFF_INLINE double drawn_gradient(const Face& face, std::uint64_t& state) {
@@ -31,29 +34,41 @@ FSTIFF_INLINE double drawn_gradient(const Face& face, std::uint64_t& state) {
     return std::exp(std::sqrt(std::log1p(relative * relative)) * math::normal_pair<double>(state).real());
 }
 
+/// Those of \p count surfaces about \p face.
+FSTIFF_INLINE std::vector<FurtherDraw> further_draws(const Face& face, std::size_t count, std::uint64_t seed) {
+    std::uint64_t of_tiles = seed, of_gradients = ~seed;
+    std::vector<FurtherDraw> all(count);
+    for (FurtherDraw& one : all) {
+        if (face.rms_gradient) one.steeper = drawn_gradient(face, of_gradients);
+        if (!face.map) continue;
+        if (const std::size_t shifts = face.map->summits.size(); shifts > 1)
+            one.shift = math::splitmix64(of_tiles) % shifts;
+        one.tiles = parts::drawn_tiles(tiles_a_side * tiles_a_side, of_tiles);
+    }
+    return all;
+}
+
 /// \p problem with the surface \p drawn about its own. Of a map the tiles are drawn anew.
 FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, parts::surface_parameter_count>& drawn,
-                                   RandomStates& random) {
+                                   const FurtherDraw& further) {
     Face& face = problem.face;
     const double rms_height = face.parameters.rms_height.value;
     const auto value = [&](Parameter which) { return drawn[parts::index_of(which)]; };
     face.draw(drawn);
     const double taller = face.parameters.rms_height.value / rms_height;
     if (face.rms_gradient) {
-        const double steeper = drawn_gradient(face, random.gradients);
+        const double steeper = further.steeper;
         *face.rms_gradient *= taller * steeper;
         if (face.radius_follows) face.parameters.peak_radius.value /= steeper * steeper;
         if (face.density_follows) face.parameters.peak_density.value *= steeper * steeper;
     }
     if (face.map) {
-        const auto& of_shifts = face.map->summits;
-        const std::size_t shift = of_shifts.size() == 1 ? 0 : math::splitmix64(random.tiles) % of_shifts.size();
         MapOfSurface map{{},
-                         {parts::resampled(of_shifts[shift], 4, random.tiles)},
+                         {parts::resampled(face.map->summits[further.shift], tiles_a_side, further.tiles)},
                          face.map->spectra,
                          face.map->bearings,
                          face.map->mean_square_height,
-                         face.map->first_bearing + shift,
+                         face.map->first_bearing + further.shift,
                          face.map->taller * taller};
         face.map = std::make_shared<const MapOfSurface>(std::move(map));
     }
@@ -177,11 +192,25 @@ FSTIFF_INLINE std::vector<parts::UnknownCurves<double>> behind_unknowns(const Pr
 FSTIFF_INLINE std::vector<parts::SampledBand<double>> drawn_bands(Problem lean, const Request& request,
                                                                   const ProgressHook& progress) {
     lean.similar = hybrids_of_draws(lean.face.bearing.get(), lean.law_options.gamma);
-    RandomStates random{request.seed, ~request.seed};
+    const auto samples = static_cast<std::size_t>(request.samples);
+    const std::vector<FurtherDraw> further = further_draws(lean.face, samples, request.seed);
     return parts::sampled_band(
         lean.face.parameters,
-        [&](const auto& drawn) { return stiffnesses(with_surface(lean, drawn, random), request); },
-        {static_cast<std::size_t>(request.samples), request.seed, progress});
+        [&](const auto& drawn, std::size_t i) { return stiffnesses(with_surface(lean, drawn, further[i]), request); },
+        {samples, request.seed, progress, request.parallel});
+}
+
+FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
+    const std::vector<Face>& neighbours = problem.face.neighbours;
+    parts::run_pieces(request.parallel, neighbours.size() + 1, [&](std::size_t i) {
+        const Problem one = with_face(problem, i == 0 ? problem.face : neighbours[i - 1]);
+        try {
+            for_each_contact(one, request.laws, {}, [](const ContactOfLaw& of) {
+                if (of.law->varies) (void)of.make();
+            });
+        } catch (const domain_error&) {  // whoever needs it finds it again
+        }
+    });
 }
 
 FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std::vector<LawCurve>& curves,

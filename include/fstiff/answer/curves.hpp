@@ -33,6 +33,8 @@ struct MissedPoint {
     std::string reason{};  ///< of the law
     double limit = 0;      ///< the pressure of Miss::hardness and Miss::closed [Pa]
 };
+/// Why \p missed has no state; \p limit is its limit as a text with a unit.
+[[nodiscard]] std::string reason_of(const MissedPoint& missed, const std::string& limit);
 
 /// One law on one joint distribution of peaks, at every point that the law reaches.
 struct LawCurve {

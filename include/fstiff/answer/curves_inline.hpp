@@ -142,6 +142,7 @@ FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Qu
             progress(what, curves.size() * all + done, count * all);
         };
     const std::optional<double> slope = gradient(problem);
+    if (request.parallel && request.samples > 0 && problem.face.map) make_contacts(problem, request);
     if (made)
         for (const auto& [curve, contact] : *made)
             curves.push_back(curve_of(problem, request, curve, *contact, quantities, of_all));

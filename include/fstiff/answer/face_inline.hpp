@@ -266,15 +266,15 @@ FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const Spectral
     return face;
 }
 
-FSTIFF_INLINE Face sum_of_numbers(const Face& upper, const Face& lower) {
-    const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
-    const auto sum = sum_of_faces(parts::rough_face(upper.parameters, a), parts::rough_face(lower.parameters, b));
-    return sum_with(upper, lower, a, b, parts::stated(sum));
-}
-
 FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
     const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
-    Face face = sum_with(upper, lower, a, b, parts::uncertain_sum(upper.parameters, a, lower.parameters, b));
+    const auto of_values = [&] {
+        return parts::stated(
+            sum_of_faces(parts::rough_face(upper.parameters, a), parts::rough_face(lower.parameters, b)));
+    };
+    Face face = sum_with(upper, lower, a, b,
+                         shifts == 0 ? of_values() : parts::uncertain_sum(upper.parameters, a, lower.parameters, b));
+    if (shifts == 0) return face;
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
     for (std::size_t k = 0; k < (std::max)(upper.neighbours.size(), lower.neighbours.size()); ++k) {

@@ -168,8 +168,9 @@ public:
     std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                      Quantity wanted) const override {
         std::vector<ContactPoint<double>> points;
+        if (!pressure_) pressure_ = inputs_.similar->pressure(inputs_);
         for (const double& d : separations) {
-            const auto hybrid = inputs_.similar->pressure(inputs_, d);
+            const auto hybrid = pressure_(d);
             const double p = hybrid ? of_hybrid_.pressure(*hybrid, d) : 0;
             points.push_back(p > 0 ? at_pressures(std::span(&p, 1), wanted).front()
                                    : itself().at_separations(std::span(&d, 1), wanted).front());
@@ -186,6 +187,7 @@ private:
     Make make_;
     OfHybrid of_hybrid_;
     mutable std::unique_ptr<AnyContact> itself_;
+    mutable QuickHybrid::PressureOver pressure_;
 };
 
 template <class Contact>

@@ -25,6 +25,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -80,8 +81,10 @@ public:
     virtual ~QuickHybrid() = default;
     /// K [Pa/m] of the surface of \p inputs; none where it takes the contact itself.
     [[nodiscard]] virtual std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const = 0;
-    /// The pressure [Pa] at the separation \p separation [m]; none where it takes the contact itself.
-    [[nodiscard]] virtual std::optional<double> pressure(const ContactInputs& inputs, double separation) const = 0;
+    /// The pressure [Pa] over the separation [m] of the surface of \p inputs, which must outlive it; none where it
+    /// takes the contact itself.
+    using PressureOver = std::function<std::optional<double>(double separation)>;
+    [[nodiscard]] virtual PressureOver pressure(const ContactInputs& inputs) const = 0;
 };
 
 /// What a contact is made of.

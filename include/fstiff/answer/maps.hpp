@@ -64,6 +64,17 @@ public:
     [[nodiscard]] parts::MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;
 
 private:
+    /// What \p all has of \p key, else what \p make makes: without the lock, as that takes long.
+    template <class All, class Make>
+    [[nodiscard]] auto kept(All& all, const typename All::key_type& key, const Make& make) const {
+        std::unique_lock lock(guard_);
+        if (const auto found = all.find(key); found != all.end()) return found->second;
+        lock.unlock();
+        auto made = make();
+        lock.lock();
+        return all.emplace(key, std::move(made)).first->second;
+    }
+
     std::vector<std::shared_ptr<const HeightMap<double>>> maps_;
     std::vector<Summits<double>> summits_;  ///< of each map
     mutable std::mutex guard_;

@@ -20,29 +20,21 @@ FSTIFF_INLINE std::shared_ptr<const parts::BearingSlope<double>> bearing_of_shap
 
 FSTIFF_INLINE parts::BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, double modulus,
                                                                     double gamma) const {
-    const std::lock_guard lock(guard_);
-    const auto key = std::tuple(index, edges, modulus, gamma);
-    if (const auto found = made_.find(key); found != made_.end()) return found->second;
-    parts::GaussianOrder<double> order = parts::gaussian_order(*maps_[index]);
-    const PerssonContact<double> gaussian(map_spectrum(order.map, edges), modulus, gamma);
-    return made_.emplace(key, parts::BearingContact<double>(gaussian, std::move(order.curve), order.rms_height))
-        .first->second;
+    return kept(made_, {index, edges, modulus, gamma}, [&] {
+        parts::GaussianOrder<double> order = parts::gaussian_order(*maps_[index]);
+        const PerssonContact<double> gaussian(map_spectrum(order.map, edges), modulus, gamma);
+        return parts::BearingContact<double>(gaussian, std::move(order.curve), order.rms_height);
+    });
 }
 
 FSTIFF_INLINE parts::HandOver<double> BearingsOfMaps::hand_over(std::size_t index, Edges edges, double modulus,
                                                                 double gamma) const {
-    const parts::BearingContact<double> crowded = contact(index, edges, modulus, gamma);
-    const std::lock_guard lock(guard_);
-    const auto key = std::tuple(index, edges, modulus, gamma);
-    if (const auto found = hand_overs_.find(key); found != hand_overs_.end()) return found->second;
-    return hand_overs_.emplace(key, parts::hand_over_of(summits_[index], crowded, edges)).first->second;
+    return kept(hand_overs_, {index, edges, modulus, gamma},
+                [&] { return parts::hand_over_of(summits_[index], contact(index, edges, modulus, gamma), edges); });
 }
 
 FSTIFF_INLINE parts::MapCut<double> BearingsOfMaps::cut(std::size_t index, Edges edges, double modulus) const {
-    const std::lock_guard lock(guard_);
-    const auto key = std::tuple(index, edges, modulus);
-    if (const auto found = cuts_.find(key); found != cuts_.end()) return found->second;
-    return cuts_.emplace(key, parts::MapCut<double>(*maps_[index], modulus, edges)).first->second;
+    return kept(cuts_, {index, edges, modulus}, [&] { return parts::MapCut<double>(*maps_[index], modulus, edges); });
 }
 
 }  // namespace fstiff::inline v0_1::detail

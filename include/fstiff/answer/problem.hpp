@@ -73,7 +73,7 @@ struct Request {
     bool solves_map = true;   ///< the answer takes boundary elements of a map
     bool answers = true;      ///< the answer too, next to laws that are named
     bool checked = true;      ///< checks and means over the load too
-    ParallelHook parallel{};  ///< of solutions by boundary elements, each of which takes a second or so
+    ParallelHook parallel{};  ///< of solutions by boundary elements, contacts of a map and surfaces for a band
 };
 
 /// Why a law cannot be computed of a joint.

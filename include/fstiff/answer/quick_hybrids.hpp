@@ -10,7 +10,7 @@
 namespace fstiff::inline v0_1::detail {
 
 /// Contacts of random surfaces with the bearing curve \p bearing, which must outlive it (none: Gaussian heights):
-/// from a table over p/(E g), alpha and H, to 1.2e-3. For one thread.
+/// from a table over p/(E g), alpha and H, to 1.2e-3. For any threads.
 [[nodiscard]] std::shared_ptr<const QuickHybrid> hybrids_of_draws(const parts::BearingSlope<double>* bearing,
                                                                   double gamma);
 /// Contacts of surfaces with few different alpha and H: one contact of each, with any bearing curves, which must

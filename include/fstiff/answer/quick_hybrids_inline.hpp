@@ -8,7 +8,6 @@
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -23,7 +22,7 @@ namespace fstiff::inline v0_1::detail {
 /// through three of its values, and cubics between half e-folds.
 class FallOfSeparation {
 public:
-    explicit FallOfSeparation(const ContactInputs& of) : numbers_(numbers_of(of)) {
+    explicit FallOfSeparation(const ContactInputs& of) {
         const BandSpectrum<double> band = band_of_moments(of.moments, of.hurst);
         const auto keep = [&](auto contact) {
             const auto held = std::make_shared<decltype(contact)>(std::move(contact));
@@ -35,7 +34,6 @@ public:
                    : keep(hybrid_of_band(band, of.effective_modulus, of.options.gamma));
         knots_.front().rise = rise_(log_top_);
     }
-    bool is_of(const ContactInputs& other) const { return numbers_of(other) == numbers_; }
     /// The pressure at \p separation; none above 0.7 E g, and more than 24 e-folds below it.
     std::optional<double> pressure(double separation) {
         if (!(separation > knots_.front().d)) return std::nullopt;
@@ -64,10 +62,6 @@ private:
     struct Knot {
         double d, rise;  ///< rise: over an e-fold down
     };
-    static std::array<double, 5> numbers_of(const ContactInputs& of) {
-        return {of.moments.m0, of.moments.m2, of.moments.m4, of.hurst, of.effective_modulus};
-    }
-    std::array<double, 5> numbers_;
     double log_top_ = 0;
     std::function<double(double)> rise_;
     std::vector<Knot> knots_;
@@ -79,19 +73,20 @@ public:
     std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const override {
         return table_.stiffness(inputs.moments, inputs.hurst, inputs.effective_modulus, pressure);
     }
-    std::optional<double> pressure(const ContactInputs& inputs, double separation) const override {
-        try {
-            if (!last_ || !last_->is_of(inputs)) last_.emplace(inputs);
-            return last_->pressure(separation);
-        } catch (const domain_error&) {  // the contact itself gives the reason
-            last_.reset();
-            return std::nullopt;
-        }
+    PressureOver pressure(const ContactInputs& inputs) const override {
+        return [&inputs, fall = std::optional<FallOfSeparation>()](double separation) mutable -> std::optional<double> {
+            try {
+                if (!fall) fall.emplace(inputs);
+                return fall->pressure(separation);
+            } catch (const domain_error&) {  // the contact itself gives the reason
+                fall.reset();
+                return std::nullopt;
+            }
+        };
     }
 
 private:
     parts::SimilarHybrids<double> table_;
-    mutable std::optional<FallOfSeparation> last_;  ///< of the surface that was drawn last
 };
 
 /// K sigma/(E g) is a function of p/(E g), alpha, H and the bearing curve.
@@ -105,10 +100,12 @@ public:
                    std::sqrt(inputs.moments.m0);
         });
     }
-    std::optional<double> pressure(const ContactInputs& inputs, double separation) const override {
-        return of_unit(inputs, [&](const auto& unit) {
-            return std::exp(unit.log_pressure(separation / std::sqrt(inputs.moments.m0)).log) * closing_of(inputs);
-        });
+    PressureOver pressure(const ContactInputs& inputs) const override {
+        return [this, &inputs](double separation) {
+            return of_unit(inputs, [&](const auto& unit) {
+                return std::exp(unit.log_pressure(separation / std::sqrt(inputs.moments.m0)).log) * closing_of(inputs);
+            });
+        };
     }
 
 private:

@@ -5,6 +5,7 @@
 
 #include <fstiff/answer/problem.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace fstiff::inline v0_1::detail {
@@ -19,9 +20,13 @@ void fill_unknown(Face& face, bool shape_known);
 /// \p face as it is with \p which measured, and found at its middle; skewness and kurtosis come from one measurement.
 [[nodiscard]] Face with_measured(Face face, parts::Unknown which);
 
-/// Whether one of \p laws depends on \p which of \p face, which is not known.
-[[nodiscard]] bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
-                           parts::Unknown which);
+/// A number of a face that is not known.
+struct FeltPrior {
+    std::size_t face;  ///< its place among rough_faces()
+    const Prior* prior;
+};
+/// Those that one of \p laws depends on; none where the laws take the spectrum of a map.
+[[nodiscard]] std::vector<FeltPrior> felt_priors(const Problem& problem, const std::vector<const Law*>& laws);
 
 /// Whether one of \p laws depends on the hardness.
 [[nodiscard]] bool feels_hardness(const Problem& problem, const std::vector<const Law*>& laws);
@@ -33,7 +38,7 @@ struct Alternative {
     parts::Unknown which{};
     Face low, high;
 };
-/// Unknowns that one of \p laws depends on; none where the laws take the spectrum of a map.
+/// One of each of felt_priors().
 [[nodiscard]] std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws);
 
 }  // namespace fstiff::inline v0_1::detail

@@ -111,6 +111,7 @@ FSTIFF_INLINE Face with_measured(Face face, Unknown which) {
     return face;
 }
 
+/// Whether one of \p laws depends on \p which of \p face, which is not known.
 FSTIFF_INLINE bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
                            Unknown which) {
     if (which == Unknown::height) return true;
@@ -127,20 +128,26 @@ FSTIFF_INLINE Problem with_hardness(Problem problem, double value) {
     return problem;
 }
 
+FSTIFF_INLINE std::vector<FeltPrior> felt_priors(const Problem& problem, const std::vector<const Law*>& laws) {
+    std::vector<FeltPrior> all;
+    if (problem.face.map && problem.face.spectrum_of_map) return all;
+    const std::vector<const Face*> faces = rough_faces(problem);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (const Prior& one : faces[i]->priors)
+            if (is_felt(problem, laws, *faces[i], one.which)) all.push_back({i, &one});
+    return all;
+}
+
 FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
     std::vector<Alternative> all;
-    if (problem.face.map && problem.face.spectrum_of_map) return all;
-    const auto add = [&](const Face& face, const auto& as_whole) {
-        for (const Prior& one : face.priors)
-            if (is_felt(problem, laws, face, one.which))
-                all.push_back({one.which, as_whole(with_value(face, one.which, one.low)),
-                               as_whole(with_value(face, one.which, one.high))});
-    };
-    if (problem.faces.empty()) {
-        add(problem.face, [](Face face) { return face; });
-    } else {
-        add(problem.faces[0], [&](const Face& face) { return sum_of_numbers(face, problem.faces[1]); });
-        add(problem.faces[1], [&](const Face& face) { return sum_of_numbers(problem.faces[0], face); });
+    for (const auto& [place, prior] : felt_priors(problem, laws)) {
+        const auto with = [&, i = place, which = prior->which](double value) {
+            if (problem.faces.empty()) return with_value(problem.face, which, value);
+            std::vector<Face> faces = problem.faces;
+            faces[i] = with_value(std::move(faces[i]), which, value);
+            return sum_of_faces(faces[0], faces[1]);
+        };
+        all.push_back({prior->which, with(prior->low), with(prior->high)});
     }
     return all;
 }

@@ -7,7 +7,7 @@
 ///
 /// Surfaces of one bearing curve and gamma are similar where alpha and H are equal. F is tabulated where it is asked
 /// for, at 8 pressures and 4 alphas an e-fold and every tenth of H; ln F is interpolated by cubics, none of them across
-/// alpha = 6. A table grows as it is asked: it is for one thread.
+/// alpha = 6. A table grows as it is asked, by any threads: its numbers are the same whoever asks first.
 ///
 /// Reference   contact/hybrid_of_band.hpp
 /// Units       SI
@@ -17,8 +17,10 @@
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 
+#include <atomic>
 #include <functional>
 #include <map>
+#include <mutex>
 
 namespace fstiff::inline v0_1::parts {
 
@@ -81,15 +83,17 @@ private:
     static constexpr int highest_pressure = 400;                  ///< p = E g; the lowest is 2e-22 E g
 
     struct Node {
-        std::function<T(T)> stiffness;  ///< over p/(E g); none where there is no such surface
-        std::vector<T> log_value;       ///< ln F; infinite where it was not asked for yet, NaN where F has none
+        std::function<T(T)> stiffness;          ///< over p/(E g); none where there is no such surface
+        std::vector<std::atomic<T>> log_value;  ///< ln F; infinite: was not asked for yet, NaN: F has none
     };
 
     [[nodiscard]] Node& node_at(int bend, int tenths) const {
+        const std::lock_guard lock(guard_);
         const auto [found, is_new] = nodes_.try_emplace(std::pair(bend, tenths));
         Node& node = found->second;
         if (!is_new) return node;
-        node.log_value.assign(highest_pressure + 1, std::numeric_limits<T>::infinity());
+        node.log_value = std::vector<std::atomic<T>>(highest_pressure + 1);
+        for (auto& value : node.log_value) value = std::numeric_limits<T>::infinity();
         const T alpha = detail::alpha_of_hills<T> * std::exp(T(bend) / alphas);
         try {
             const BandSpectrum<T> unit = band_of_moments<T>({T(1), T(0.5), alpha / 4}, T(tenths) / hursts);
@@ -108,19 +112,19 @@ private:
     }
 
     [[nodiscard]] static T value_at(Node& node, std::size_t place) {
-        T& value = node.log_value[place];
+        T value = node.log_value[place];
         if (!std::isinf(value)) return value;
         value = std::numeric_limits<T>::quiet_NaN();
-        if (!node.stiffness) return value;
         try {
-            value = std::log(node.stiffness(std::exp((T(place) - highest_pressure) / pressures)));
+            if (node.stiffness) value = std::log(node.stiffness(std::exp((T(place) - highest_pressure) / pressures)));
         } catch (const domain_error&) {
         }
-        return value;
+        return node.log_value[place] = value;
     }
 
     const BearingSlope<T>* curve_;
     T gamma_;
+    mutable std::mutex guard_;                           ///< of nodes_
     mutable std::map<std::pair<int, int>, Node> nodes_;  ///< by alpha and H
 };
 

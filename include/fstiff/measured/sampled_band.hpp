@@ -15,6 +15,7 @@
 /// Accuracy    5 and 95 % quantiles: 0.11 standard deviations for n = 400 normal values, sqrt(0.05 0.95/n)/0.103
 ///             (tests/measured/sampled_band_test.cpp); the same seed gives the same band
 
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
@@ -40,29 +41,34 @@ struct SampledBand {
 struct BandOptions {
     std::size_t samples = 400;
     std::uint64_t seed = 2014;
-    ProgressHook progress{};  ///< called once a surface
+    ProgressHook progress{};  ///< called once a surface, without threads
+    ParallelHook parallel{};  ///< of which each surface is a piece
 };
 
 /// Computes the bands of the values of \p compute, one for each. \p compute takes a surface as drawn by SurfaceSampler,
-/// an array in the order of Parameter, and returns a container of values of constant size.
+/// an array in the order of Parameter, and its number, and returns a vector of values of constant size.
 /// \throws domain_error as SurfaceSampler, for 0 samples, and any exception of \p compute.
 template <Real T, class Compute>
 [[nodiscard]] std::vector<SampledBand<T>> sampled_band(const SurfaceParameters<T>& surface, const Compute& compute,
                                                        const BandOptions& options = {}) {
     require(options.samples >= 1, "samples", options.samples, "at least 1");
     SurfaceSampler<T> draw(surface, options.seed);
-    std::vector<std::vector<T>> found;  // by value, surface
-    for (std::size_t i = 0; i < options.samples; ++i) {
-        if (options.progress) options.progress("surfaces", i, options.samples);
-        const auto values = compute(draw());
-        if (i == 0) found.resize(values.size());
-        if (values.size() != found.size())
-            refuse("values of a drawn surface", values.size(), std::to_string(found.size()) + ", as of the first");
-        for (std::size_t k = 0; k < found.size(); ++k)
-            if (std::isfinite(values[k])) found[k].push_back(values[k]);
-    }
+    std::vector<std::array<T, surface_parameter_count>> drawn;
+    for (std::size_t i = 0; i < options.samples; ++i) drawn.push_back(draw());
+    std::vector<std::vector<T>> found(options.samples);  // by surface, value
+    run_pieces(options.parallel, options.samples, [&](std::size_t i) {
+        if (options.progress && !options.parallel) options.progress("surfaces", i, options.samples);
+        found[i] = compute(drawn[i], i);
+    });
+    const std::size_t count = found.front().size();
+    for (const std::vector<T>& values : found)
+        if (values.size() != count)
+            refuse("values of a drawn surface", values.size(), std::to_string(count) + ", as of the first");
     std::vector<SampledBand<T>> bands;
-    for (std::vector<T>& values : found) {
+    for (std::size_t k = 0; k < count; ++k) {
+        std::vector<T> values;
+        for (const std::vector<T>& of_surface : found)
+            if (std::isfinite(of_surface[k])) values.push_back(of_surface[k]);
         SampledBand<T> band;
         band.failed = options.samples - values.size();
         if (!values.empty()) {

@@ -137,12 +137,17 @@ template <Real T>
 
 namespace parts {
 
-/// Random summits of another map of the same surface: \p tiles by \p tiles of this map, drawn with replacement.
-/// \p state is that of splitmix64 and advances.
+/// How often each of \p count tiles is among as many that are drawn with replacement. \p state is that of splitmix64
+/// and advances.
+[[nodiscard]] inline std::vector<std::size_t> drawn_tiles(std::size_t count, std::uint64_t& state) {
+    std::vector<std::size_t> times(count, 0);
+    for (std::size_t i = 0; i < count; ++i) ++times[math::splitmix64(state) % count];
+    return times;
+}
+
+/// Summits of another map of the same surface: of \p tiles by \p tiles of this map each as often as in \p times.
 template <Real T>
-[[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, std::uint64_t& state) {
-    std::vector<std::size_t> times(tiles * tiles, 0);
-    for (std::size_t i = 0; i < times.size(); ++i) ++times[math::splitmix64(state) % times.size()];
+[[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, const std::vector<std::size_t>& times) {
     const auto tile = [&](T x, T side) {
         return (std::min)(tiles - 1, static_cast<std::size_t>(x / side * static_cast<T>(tiles)));
     };

@@ -30,8 +30,8 @@ struct Options {
 };
 
 /// Name and value with its error of what the surface is given by.
-TextRows surface_rows(const Scene& scene) {
-    const parts::SurfaceParameters<double>& s = scene.face.parameters;
+TextRows surface_rows(const Face& face) {
+    const parts::SurfaceParameters<double>& s = face.parameters;
     TextRows rows;
     const auto add = [&](const char* name, const std::optional<Measurement<double>>& one, std::string_view si) {
         if (one) rows.push_back({name, with_unit(one->value, si, 4, one->error)});
@@ -57,7 +57,7 @@ std::string range_of(double low, double high, int digits = 3) {
 
 constexpr std::ptrdiff_t first_warnings = 5;  ///< shown in the answer; the others are under Validity
 
-void validity_section(Page& page, const Scene& scene, const Results& results) {
+void validity_section(Page& page, const Problem& problem, const Results& results) {
     page.heading("Validity");
     TextRows rows{{"check", "value", "holds where", "result"}};
     if (const auto* gaussian = parts::find_check(results.surface_checks, parts::Concern::gaussian_surface))
@@ -66,14 +66,14 @@ void validity_section(Page& page, const Scene& scene, const Results& results) {
                         gaussian->holds() ? "holds" : "does not hold: R and D_p are of islands, not summits"});
     const auto* plastic = parts::find_check(results.surface_checks, parts::Concern::plasticity);
     rows.push_back({"plasticity index ψ = (E/H)√(σ/R), H = 2.8 Y",
-                    plastic                ? rounded(plastic->least, 3)
-                    : scene.yield_strength ? "R and D_p not known"
-                                           : "yield strength not given",
+                    plastic                  ? rounded(plastic->least, 3)
+                    : problem.yield_strength ? "R and D_p not known"
+                                             : "yield strength not given",
                     "elastic below 1",
                     !plastic           ? "not known"
                     : plastic->holds() ? "holds"
                                        : std::string(scene::yielding_peaks)});
-    const double hardness = hardness_of(scene);
+    const double hardness = hardness_of(problem);
     for (const Curve& curve : results.curves) {
         const std::string name = legend_of(curve);
         if (const auto* pressure = parts::find_check(curve.checks, parts::Concern::interacting_asperities))
@@ -172,7 +172,7 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     for (const auto& [name, face, file] : measured_files(scene))
         surface += (surface.empty() ? "Surface measured from " : " and ") + shown_file(file->file);
     surface = surface.empty() ? "Surface as given in " + shown_file(scene.file) + ": " : surface + ": ";
-    const TextRows parameters = surface_rows(scene);
+    const TextRows parameters = surface_rows(scene.face);
     for (std::size_t i = 0; i < parameters.size(); ++i)
         surface += (i ? ", " : "") + parameters[i][0] + " = " + parameters[i][1];
     page.begin("div class=\"answer\"");

@@ -47,7 +47,7 @@ void draw_measured(Panel& panel, const MeasuredCurve& curve, double factor) {
 }
 
 /// The fitted model from the least pressure to the greatest, many points, so that it is smooth.
-PlotLine model_line(const Scene& scene, const Fits& fits, const Fit& fit, double factor) {
+PlotLine model_line(const Problem& problem, const Fits& fits, const Fit& fit, double factor) {
     const auto order = rising(fit.points);
     const double least = fit.points[order.front()].pressure, greatest = fit.points[order.back()].pressure;
     std::vector<double> pressures, loads;
@@ -56,7 +56,7 @@ PlotLine model_line(const Scene& scene, const Fits& fits, const Fit& fit, double
         loads.push_back(std::max(pressures.back() + fit.found.all.offset, 1e-6 * pressures.back()));
     }
     PlotLine line{.label = legend_of(fit.law->name, fit.theta, fit.r), .x = {}, .y = {}};
-    const auto states = fitted_points(scene, fit, loads);
+    const auto states = fitted_points(problem, fit, loads);
     for (std::size_t k = 0; k < states.size(); ++k) {
         if (!states[k].ok()) continue;
         const double stiffness = states[k].state.stiffness.value;

@@ -75,9 +75,9 @@ std::vector<Chosen> drawn(const Results& results) {
 }
 
 /// K that a wave of the scene's frequency can distinguish from a weld and from a gap.
-std::optional<PlotWindow> ultrasonic_window(const Scene& scene) {
-    if (!scene.ultrasound) return std::nullopt;
-    const Waves& waves = *scene.ultrasound;
+std::optional<PlotWindow> ultrasonic_window(const Problem& problem) {
+    if (!problem.ultrasound) return std::nullopt;
+    const Waves& waves = *problem.ultrasound;
     const auto range = resolvable_stiffness(waves.longitudinal, waves.angular());
     if (!range) return std::nullopt;
     return PlotWindow{"|R| " + rounded(range->min_reflection, 2) + " to " + rounded(range->max_reflection, 2) + " at " +
@@ -127,30 +127,32 @@ Panel panel_of(const Results& results, Axis axis, const std::function<void(PlotL
     return panel;
 }
 
-Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
-                       double ratio) {
-    const auto of = [&](double stiffness) { return reflection(ratio * stiffness, media, scene.ultrasound->angular()); };
+Panel reflection_panel(const Problem& problem, const Results& results, const char* title,
+                       const Impedances<double>& media, double ratio) {
+    const auto of = [&](double stiffness) {
+        return reflection(ratio * stiffness, media, problem.ultrasound->angular());
+    };
     Panel panel = quantity_panel(
         results, {.label = "|R|", .logarithmic = false},
         [&](const ContactState<double>& state) { return of(state.stiffness.value); },
         [&](const parts::SampledBand<double>& band) {
             return std::pair(of(band.high), of(band.low));
         });  // R falls with K
-    panel.title = std::string(title) + ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz";
+    panel.title = std::string(title) + ", " + rounded(problem.ultrasound->frequency / 1e6) + " MHz";
     frame_reflection(panel);
     return panel;
 }
 
 }  // namespace
 
-std::vector<Panel> reflection_panels(const Scene& scene, const Results& results) {
+std::vector<Panel> reflection_panels(const Problem& problem, const Results& results) {
     std::vector<Panel> panels;
-    if (!scene.ultrasound) return panels;
-    const Waves& waves = *scene.ultrasound;
-    panels.push_back(reflection_panel(scene, results, "Reflection of longitudinal waves", waves.longitudinal, 1));
+    if (!problem.ultrasound) return panels;
+    const Waves& waves = *problem.ultrasound;
+    panels.push_back(reflection_panel(problem, results, "Reflection of longitudinal waves", waves.longitudinal, 1));
     if (waves.shear)
         panels.push_back(
-            reflection_panel(scene, results, "Reflection of shear waves", *waves.shear, results.tangential_ratio));
+            reflection_panel(problem, results, "Reflection of shear waves", *waves.shear, results.tangential_ratio));
     return panels;
 }
 
@@ -195,14 +197,14 @@ std::string legend_of(const Curve& curve) {
     return legend_of(curve.law->name, curve.theta, curve.r);
 }
 
-Panel stiffness_panel(const Scene& scene, const Results& results) {
+Panel stiffness_panel(const Problem& problem, const Results& results) {
     Panel panel = quantity_panel(
         results, {.label = "K/A₀", .si = "Pa/m"},
         [](const ContactState<double>& state) { return state.stiffness.value; },
         [](const parts::SampledBand<double>& band) { return std::pair(band.low, band.high); });
     panel.title = "Normal stiffness per nominal area";
     panel.height = 360;
-    if (const auto window = ultrasonic_window(scene)) panel.windows.push_back(*window);
+    if (const auto window = ultrasonic_window(problem)) panel.windows.push_back(*window);
     Range pressures;
     for (const Curve& curve : results.curves)
         for (const auto& state : curve.states) pressures.add(state.pressure.value, true);
@@ -210,7 +212,7 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
         // a straight line on logarithmic axes: two points are enough
         PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low}, .y = {}};
         if (pressures.low < pressures.high) reference.x.push_back(pressures.high);
-        const double rms_height = scene.face.parameters.rms_height.value;
+        const double rms_height = problem.face.parameters.rms_height.value;
         for (const double p : reference.x) reference.y.push_back(parts::linear_stiffness(p, rms_height));
         reference.colour = neutral;
         reference.stroke = Stroke::dashed;

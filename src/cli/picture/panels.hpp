@@ -22,14 +22,14 @@ std::string legend_of(const Curve& curve);
 using Ends = std::function<std::pair<double, double>(const parts::SampledBand<double>&)>;
 
 /// K(p) of all curves, with the bands there are.
-Panel stiffness_panel(const Scene& scene, const Results& results);
+Panel stiffness_panel(const Problem& problem, const Results& results);
 /// One panel of a quantity of the states against the pressure, with \p ends of its band where it is given.
 Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
                      const Ends& ends = {});
 /// "8 of 30 curves are drawn": more cannot be distinguished; empty where all are.
 std::string left_out(const Results& results);
 /// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].
-std::vector<Panel> reflection_panels(const Scene& scene, const Results& results);
+std::vector<Panel> reflection_panels(const Problem& problem, const Results& results);
 /// Panels of quantities that follow from K and are asked for: loss factor and conductances, each with its band.
 std::vector<Panel> panels_after_stiffness(const Scene& scene, const Results& results);
 
