@@ -105,8 +105,7 @@ FSTIFF_INLINE std::optional<double> relative_hardness(const Problem& problem) {
     const std::optional<double> g = gradient(problem);
     if (!g || (!problem.hardness && !problem.yield_strength)) return std::nullopt;
     const double relative = hardness_of(problem) / (problem.effective_modulus * *g);
-    const bool known = !problem.one_hardness || relative < parts::flowing_hardness;  // the other one may be softer
-    return known && std::isfinite(relative) ? std::optional(relative) : std::nullopt;
+    return std::isfinite(relative) ? std::optional(relative) : std::nullopt;
 }
 
 FSTIFF_INLINE bool flows(const Problem& problem, const Law& law) {
