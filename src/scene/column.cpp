@@ -105,17 +105,13 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool band
         if (!given || (of_band && curve.band.empty())) return;
         if (row.quantity == CurveQuantity::approach && curve.seated.empty()) return;
         if (row.quantity == CurveQuantity::loss_factor && curve.growth.empty()) return;
-        const bool of_planes = row.quantity == CurveQuantity::eta || row.quantity == CurveQuantity::approach ||
-                               row.of_law == Quantity::separation ||
-                               row.quantity == CurveQuantity::thermal_conductance_gap;
         using Band = parts::SampledBand<double>;
         const auto end = (statistic == Statistic::p05) != row.falls ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
             const Estimate<double> found = estimate_of(column, scene, curve, i, state);
-            const bool lost = (row.quantity == CurveQuantity::loading_stiffness && found.value == 0) ||
-                              (of_planes && !curve.has_separation(i));
+            const bool lost = row.quantity == CurveQuantity::loading_stiffness && found.value == 0;
             column.values.push_back(lost                            ? std::numeric_limits<double>::quiet_NaN()
                                     : statistic == Statistic::error ? found.error
                                                                     : found.value);

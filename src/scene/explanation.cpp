@@ -31,26 +31,29 @@ std::string_view words_of(parts::Cause cause) {
     return "";
 }
 
+/// Whether yielded peaks change no K by more than a hundredth.
+bool is_nearly_elastic(const StiffnessAnswer& answer) {
+    bool nearly = answer.flows;
+    for (std::size_t i = 0; i < answer.reasons.size(); ++i)
+        nearly =
+            nearly && answer.reasons[i].loading_stiffness.value_or(0) > 0.99 * answer.curve.states[i].stiffness.value;
+    return nearly;
+}
+
 /// The kind of stiffness that K is, and where it applies.
 std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     const std::optional<double>& ratio = answer.relative_hardness;
-    const std::string limit = rounded(parts::flowing_hardness);
-    int digits = 2;  // as many as differ from the limit
-    while (ratio && digits < 9 && rounded(*ratio, digits) == limit) ++digits;
-    const std::string number = ratio ? "(H/(E g) = " + rounded(*ratio, digits) : "";
-    const std::string flow = "The peaks yield at first loading " + number + " is below " + limit + ")";
+    const std::string number = ratio ? " (H/(E g) = " + rounded(*ratio, 2) + ")" : "";
     const bool loads = std::any_of(answer.reasons.begin(), answer.reasons.end(),
                                    [](const AnswerReason& one) { return one.loading_stiffness.has_value(); });
+    if (is_nearly_elastic(answer))
+        return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves."};
     if (answer.flows)
-        return {flow + ": K is the unloading stiffness.",
+        return {"The peaks yield at first loading" + number + ": K is the unloading stiffness.",
                 std::string("Vibration and waves depend on K; the first static loading ") +
                     (loads ? "depends on the loading K/A0." : "has another, which is not known.")};
-    if (ratio && *ratio < parts::flowing_hardness)
-        return {flow + ", but K is that of an elastic contact; for vibration and waves it is higher."};
-    if (ratio)
-        return {"The contact is elastic " + number + " is above " + limit +
-                "): K is the same for loading, vibration and waves."};
+    if (ratio) return {"K is that of an elastic contact; where peaks yield" + number + " K for vibration is higher."};
     if (std::isfinite(hardness_of(scene)))
         return {
             "The gradient of the surface is not known, so K is elastic; where peaks yield K for vibration is higher."};
@@ -173,11 +176,10 @@ Explanation explanation(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     Explanation all{nature(scene, results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
-    const std::optional<double>& hardness = answer.relative_hardness;
-    all.shorter = {answer.flows                          ? std::string("The peaks yield: K is that of unloading.")
-                   : !hardness                           ? "Taken as elastic."
-                   : *hardness < parts::flowing_hardness ? "The peaks yield, but K is that of an elastic contact."
-                                                         : "The contact is elastic."};
+    all.shorter = {is_nearly_elastic(answer)   ? std::string("The contact is nearly elastic.")
+                   : answer.flows              ? "The peaks yield: K is that of unloading."
+                   : !answer.relative_hardness ? "Taken as elastic."
+                                               : "K is that of an elastic contact; peaks may yield."};
     if (has_lay(scene)) all.shorter = {"A profile across a lay does not determine K."};
     return all;
 }

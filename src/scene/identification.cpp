@@ -10,6 +10,7 @@
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/contact/plastic_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -272,6 +273,17 @@ void require_known(const Scene& scene, const FitRequest& request) {
                                "spectrum = \"moments\" replaces it with numbers");
 }
 
+/// Whether K of the elastic law of \p fit would be 5 % higher where its peaks yield, under its greatest pressure.
+bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, double rms_gradient) {
+    double most = 0;
+    for (const MeasuredPoint& point : fit.points) most = std::max(most, point.pressure);
+    const double share = most / hardness;
+    if (!(share < 1)) return true;
+    const parts::GaussianCut<double> cut(fit.found.all.rms_height, rms_gradient, fit.found.all.effective_modulus);
+    const double K = fitted_points(problem, fit, {&most, 1}).front().state.stiffness.value;
+    return parts::yielded(share, cut.stiffness(share), K).stiffness > 1.05 * K;
+}
+
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
 std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
     const double hardness = hardness_of(problem);
@@ -287,10 +299,9 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
                            : 0;
     const std::optional<double> g = gradient(fitted);
     const double relative = g ? hardness / (x.effective_modulus * *g) : std::numeric_limits<double>::quiet_NaN();
-    if (!(g ? relative < parts::flowing_hardness : psi > parts::max_elastic_plasticity_index<double>)) return "";
+    if (!(g ? rises_by_flow(problem, fit, hardness, *g) : psi > parts::max_elastic_plasticity_index<double>)) return "";
     const bool has_plastic = lack_of(find_law(LawName::plastic), problem) == Lack::nothing;
-    return "the peaks of the fitted surface yield (" +
-           (g ? "H/(E g) = " + rounded(relative, 2) + ", below " + rounded(parts::flowing_hardness) : "") +
+    return "the peaks of the fitted surface yield (" + (g ? "H/(E g) = " + rounded(relative, 2) : "") +
            (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +
            "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
            (has_plastic ? "plastic" : "jackson_green");

@@ -115,7 +115,7 @@ Json answer_json(const Scene& scene, const Results& results) {
                     {"stiffness_p95_Pa_per_m", band.high},
                     {"law", curve.law_at(i).name}};
         if (scene.force) row["force_N"] = scene.forces[curve.places[i]];
-        if (scene.approach && !curve.seated.empty() && curve.has_separation(i))
+        if (scene.approach && !curve.seated.empty())
             row["approach_m"] = curve.seated[i] - curve.states[i].separation.value;
         if (reason.loading_stiffness) row["loading_stiffness_Pa_per_m"] = *reason.loading_stiffness;
         if (scene.nominal_area) {
@@ -233,9 +233,7 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
                         rounded(low * unit.factor, digits) + "–" + rounded(high * unit.factor, digits)});
         if (area > 0) rows.back().push_back(rounded(curve.states[i].stiffness.value * area * joint_unit.factor, 3));
         if (closes)
-            rows.back().push_back(curve.has_separation(i)
-                                      ? rounded((curve.seated[i] - curve.states[i].separation.value) * height.factor, 3)
-                                      : "-");
+            rows.back().push_back(rounded((curve.seated[i] - curve.states[i].separation.value) * height.factor, 3));
         if (answer.flows) {
             const auto& loading = answer.reasons[i].loading_stiffness;
             rows.back().push_back(loading ? number(*loading) : "-");

@@ -59,7 +59,8 @@ void warn_of_hardness(const Problem& problem, Results& results) {
         if (const auto check = beyond_comparison(problem, *curve)) {
             results.doubtful = results.doubtful || !curve->by.empty();
             return results.warnings.push_back("law plastic was compared up to " + with_unit(check->limit, "Pa", 3) +
-                                              ", a quarter of the hardness: K at " +
+                                              ", " + shown_percent(parts::max_compared_flow) +
+                                              " of the hardness: K at " +
                                               with_unit(curve->states[check->first].pressure.value, "Pa", 3) +
                                               " may be far off, and outside of its band");
         }

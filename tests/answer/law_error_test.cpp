@@ -105,21 +105,30 @@ TEST_CASE("Numbers of valleys widen both sides, and tails beyond those of their 
     CHECK(of(0, 2).high == plain.high);
 }
 
-TEST_CASE("The error of plastic is that of p/H, and does not grow where K goes as p/H") {
-    Question question{.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 0.001, .hardness = 0.1};
+TEST_CASE("The error of plastic is that of p/H, does not grow where K goes as p/H, and that of hybrid for a great H") {
+    Question question{.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 1e-6, .hardness = 1e-4};
     const parts::LawErrorRow row = parts::law_error_row(LawName::plastic, KnownAs::numbers);
-    CHECK(test::relative_error(law_error(question).high, row.high[3] / 100.0) < 1e-14);
-    question.hardness = 0.01;
-    CHECK(test::relative_error(law_error(question).low, -row.low[5] / 100.0) < 1e-14);
-    question.p_star = 1e-9;
+    CHECK(test::relative_error(law_error(question).high, row.high[3] / 100.0) < 1e-6);
+    question.hardness = 1e-5;
+    CHECK(test::relative_error(law_error(question).low, -row.low[5] / 100.0) < 1e-6);
+    question.p_star = 9.5e-6;
+    CHECK(test::relative_error(law_error(question).low, -row.low[6] / 100.0) < 1e-6);
+    question.p_star = 1e-12;
     const auto least = law_error(question);
-    question.p_star = 1e-7;
-    CHECK(law_error(question).high == least.high);
-    CHECK(test::relative_error(least.high, std::sqrt(2.0) * row.high[0] / 100) < 1e-14);
+    CHECK(test::relative_error(least.high, std::sqrt(2.0) * row.high[0] / 100) < 1e-2);
+    question = {.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 0.1, .hardness = 1e4};
+    const double hard = law_error(question).high;
     question.law = LawName::hybrid;
     const double of_hybrid = law_error(question).high;
+    CHECK(test::relative_error(hard, of_hybrid) < 1e-6);
     question.hardness = 0.1;
     CHECK(law_error(question).high == of_hybrid);
+    // half of the squares of either at H/(E g) = 1/2
+    question = {.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 0.005, .hardness = 0.5};
+    const parts::LawErrorRow elastic = parts::law_error_row(LawName::hybrid, KnownAs::numbers);
+    const double at_half = parts::at_pressure(elastic.high, 0.005);
+    CHECK(test::relative_error(law_error(question).high, std::hypot(row.high[3] / 100.0, at_half) / std::sqrt(2.0)) <
+          1e-12);
 }
 
 }  // namespace law_error_test

@@ -57,7 +57,7 @@ struct Laws {
     HybridContact<double, SummitContact<double>, parts::HandOver<double>> hybrid{
         alone, crowded, parts::hand_over_of(summits, crowded, Edges::periodic)};
     PlasticContact<double, decltype(hybrid), parts::MapCut<double>> plastic{
-        hybrid, parts::MapCut<double>(map, 1.0, Edges::periodic), 0.1 * g, 1.0, g};
+        hybrid, parts::MapCut<double>(map, 1.0, Edges::periodic), 0.1 * g};
 };
 
 /// The law of \p contact against it at \p points random pressures, and its own p(d), -dp/dd and K(p) against each

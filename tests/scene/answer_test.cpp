@@ -172,27 +172,47 @@ TEST_CASE("A map with missing points is answered by its numbers") {
     check_rows(missing.rows);
 }
 
-TEST_CASE("Where H/(E g) is below 0.7 K is that of unloading, with the loading stiffness next to it") {
+TEST_CASE("Where a hardness is known one law answers, from elastic to p = H, with the loading stiffness next to it") {
     // E g = 10 GPa
-    const Answered flows(text_of(numbers, wide, "hardness = \"6.9 GPa\"\n")),
-        elastic(text_of(numbers, wide, "hardness = \"7.1 GPa\"\n")),
-        unknown(text_of(numbers, wide, "hardness = \"infinite\"\n"));
-    CHECK(contains(flows.said(), "H/(E g) = 0.69"));
-    CHECK(contains(elastic.said(), "H/(E g) = 0.71"));
+    const auto at = [](const std::string& hardness) {
+        return Answered(text_of(numbers, wide, "hardness = \"" + hardness + "\"\n"));
+    };
+    const Answered flows = at("6.9 GPa"), next = at("7.1 GPa"), hard = at("1000 GPa"), unknown = at("infinite");
+    CHECK(contains(flows.said(), "The peaks yield at first loading (H/(E g) = 0.69): K is the unloading stiffness"));
+    CHECK(contains(flows.said(), "Vibration and waves depend on K; the first static loading"));
+    CHECK(contains(hard.said(), "The contact is nearly elastic (H/(E g) = 100)"));
     CHECK(contains(unknown.said(), "The bodies never yield"));
     for (std::size_t i = 0; i < 9; ++i) {
-        CHECK(flows.law(i) == "plastic");
-        CHECK(double(flows.rows[i].at("loading_stiffness_Pa_per_m")) < flows.K(i));
-        CHECK(elastic.law(i) == "hybrid");
-        CHECK_FALSE(elastic.rows[i].contains("loading_stiffness_Pa_per_m"));
-        CHECK(elastic.rows[i] == unknown.rows[i]);
+        for (const Answered* one : {&flows, &next, &hard}) {
+            CHECK(one->law(i) == "plastic");
+            CHECK(double(one->rows[i].at("loading_stiffness_Pa_per_m")) <= one->K(i));
+        }
+        CHECK(next.K(i) <= flows.K(i));
+        CHECK(next.K(i) > 0.96 * flows.K(i));  // H is 3 % more
+        CHECK(test::relative_error(hard.K(i), unknown.K(i)) < 1e-3);
+        CHECK(test::relative_error(hard.width(i), unknown.width(i)) < 0.02);
     }
-    for (const char* part :
-         {"K is the unloading stiffness", "Vibration and waves depend on K; the first static loading"})
-        CHECK(contains(flows.said(), part));
     const Answered yields(text_of(numbers, wide, "yield_strength = \"2.4642857142857144 GPa\"\n"));  // 6.9/2.8
     CHECK(yields.law(0) == "plastic");
     CHECK(test::relative_error(yields.K(4), flows.K(4)) < 1e-6);
+}
+
+TEST_CASE("The mean planes pass each other above half the hardness, and the approach goes on") {
+    const auto results = test::results_of(
+        text_of(numbers,
+                "pressures = [\"10 MPa\", \"50 MPa\", \"67 MPa\", \"95 MPa\", \"100 MPa\"]\nlaws = [\"plastic\"]\n" +
+                    std::string("[output]\nquantities = [\"approach\", \"stiffness\", \"loading_stiffness\"]\n"),
+                "hardness = \"100 MPa\"\n"));
+    const auto& states = results.curves[0].states;
+    REQUIRE(states.size() == 4);
+    const double sigma = states[0].separation.value / states[0].eta;
+    // H/(E g) = 0.01: d/sigma is -0.43 and -1.63 at 0.67 and 0.95 H (boundary elements, H/(E g) = 0.02), 0 at H/2
+    CHECK(std::abs(states[1].separation.value) < 1e-3 * sigma);
+    CHECK(std::abs(states[2].separation.value / sigma + 0.43) < 0.02);
+    CHECK(std::abs(states[3].separation.value / sigma + 1.63) < 0.03);
+    for (const auto& state : states) CHECK(state.loading_stiffness.value <= state.stiffness.value);
+    CHECK(results.curves[0].missed.size() == 1);
+    CHECK(contains(test::joined(results.warnings), "at the hardness, 100 MPa"));
 }
 
 TEST_CASE("A contact that closes reports where, and has neither rows nor numbers beyond") {

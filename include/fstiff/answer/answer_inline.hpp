@@ -72,7 +72,7 @@ FSTIFF_INLINE void derive(const Problem& problem, const LawCurve& curve, std::si
     put(Derived::shear_reflection, point.shear_reflection);
     put(Derived::thermal_conductance, point.thermal_conductance);
     put(Derived::electrical_conductance, point.electrical_conductance);
-    if (problem.conduction.gap && curve.has_separation(i) && parts::has(curve.law->quantities, Quantity::separation))
+    if (problem.conduction.gap && parts::has(curve.law->quantities, Quantity::separation))
         point.gap_conductance = conductance_of_gap(problem.conduction, state.separation.value);
 }
 
@@ -89,8 +89,7 @@ FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const L
         point.pressure = pressures[curve.places[i]];
         point.stiffness = curve.band.empty() ? Banded{K, K, K} : Banded{curve.band[i].low, K, curve.band[i].high};
         point.law = curve.law_at(i).which;
-        if (!curve.seated.empty() && curve.has_separation(i))
-            point.approach = curve.seated[i] - curve.states[i].separation.value;
+        if (!curve.seated.empty()) point.approach = curve.seated[i] - curve.states[i].separation.value;
         derive(problem, curve, i, point);
     }
     return points;

@@ -11,7 +11,7 @@
 ///     scatter  0.77/sqrt(n) of ln K of one surface with n contacts, one standard deviation
 ///
 /// Reference   sum by squares: independent errors (JCGM 100:2008, 5.1.2), in logarithms; docs/accuracy.md (scatter 7.7,
-///             11, 20 and 36 % at 100, 40, 15 and 5 contacts; plastic K over elastic K 1.04 to 1.15 at H/(E g) = 0.5)
+///             11, 20 and 36 % at 100, 40, 15 and 5 contacts)
 /// Units       p* = p/(E g_rms), ln K
 /// Valid       any contact; numbers that are not known are NaN or 0, as each member describes
 /// Accuracy    of the causes (tests/answer/causes_test.cpp)
@@ -34,32 +34,26 @@ namespace fstiff::inline v0_1::parts {
 inline constexpr double max_compared_pressure = 0.75;
 /// Points of the grid in contact from which boundary elements resolve a contact and not the pixel.
 inline constexpr double min_points_in_contact = 20;
-/// H/(E g) below which peaks flow enough to change K.
-inline constexpr double flowing_hardness = 0.7;
 
 /// Facts on a contact at one pressure.
 template <Real T = double>
 struct AnswerQuestion {
     std::vector<LawName> available{};  ///< laws that can be computed of the surface
     KnownAs known = KnownAs::map;
-    T hardness = std::numeric_limits<T>::quiet_NaN();  ///< H/(E g); NaN: hardness or gradient not known
-    T points_in_contact{};                             ///< of the grid of boundary elements; 0: not solved
+    T points_in_contact{};  ///< of the grid of boundary elements; 0: not solved
 
-    [[nodiscard]] bool flows() const { return hardness < T(flowing_hardness); }
     [[nodiscard]] bool can(LawName law) const {
         return std::find(available.begin(), available.end(), law) != available.end();
     }
 };
 
-/// The law that answers: boundary elements of the map if min_points_in_contact touch, else plastic if peaks flow,
-/// hybrid, hertz, greenwood_williamson. \throws domain_error where none of them is available.
+/// The law that answers: boundary elements of the map if min_points_in_contact touch, else plastic, which needs a
+/// hardness, hybrid, hertz, greenwood_williamson. \throws domain_error where none of them is available.
 template <Real T>
 [[nodiscard]] LawName answering_law(const AnswerQuestion<T>& question) {
     if (question.can(LawName::boundary_elements) && question.points_in_contact >= T(min_points_in_contact))
         return LawName::boundary_elements;
-    if (question.flows() && question.can(LawName::plastic)) return LawName::plastic;
-    if (question.can(LawName::hybrid)) return LawName::hybrid;
-    for (const LawName law : {LawName::hertz, LawName::greenwood_williamson})
+    for (const LawName law : {LawName::plastic, LawName::hybrid, LawName::hertz, LawName::greenwood_williamson})
         if (question.can(law)) return law;
     throw domain_error("no law answers: the surface must have a height and a gradient, or a map");
 }

@@ -35,7 +35,7 @@ FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, 
 
 FSTIFF_INLINE std::optional<parts::Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve) {
     parts::Check<double> check{.concern = parts::Concern::beyond_comparison,
-                               .limit = parts::law_error_pressures.back() * hardness_of(problem)};
+                               .limit = parts::max_compared_flow * hardness_of(problem)};
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const double pressure = curve.states[i].pressure.value;
         if (curve.law_at(i).which != LawName::plastic || !(pressure > check.limit)) continue;

@@ -54,10 +54,6 @@ struct LawCurve {
     std::vector<const Law*> by{};                        ///< of an answer, the law of each state; empty: `law` gave all
 
     [[nodiscard]] const Law& law_at(std::size_t state) const { return by.empty() ? *law : *by[state]; }
-    /// Whether the separation of \p state is known: law plastic has none where the mean planes would have met.
-    [[nodiscard]] bool has_separation(std::size_t state) const {
-        return law_at(state).which != LawName::plastic || states[state].separation.value > 0;
-    }
     /// Index of the state of the point \p place; none where the law does not reach it.
     [[nodiscard]] std::optional<std::size_t> state_at(std::size_t place) const;
 };

@@ -58,10 +58,7 @@ FSTIFF_INLINE void take_points(const Problem& problem, const Request& request, L
                                const AnyContact& contact, const std::vector<ContactPoint<double>>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].ok()) {
-            ContactState<double> state = points[i].state;
-            if (flows(problem, *curve.law) && state.stiffness.value > 0)  // which no loading stiffness exceeds
-                state.loading_stiffness.value = (std::min)(state.loading_stiffness.value, state.stiffness.value);
-            curve.states.push_back(state);
+            curve.states.push_back(points[i].state);
             curve.places.push_back(i);
         } else {
             const bool law = points[i].status == PointStatus::out_of_reach;
@@ -224,7 +221,6 @@ FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
     for (const Law& law : laws())
         if (!law.needs_whole_map && lack_of(law, problem, at_separations) == Lack::nothing)
             question.available.push_back(law.which);
-    question.hardness = relative_hardness(problem).value_or(std::numeric_limits<double>::quiet_NaN());
     return find_law(parts::answering_law(question));
 }
 

@@ -9,6 +9,7 @@
 #include <fstiff/contact/microslip.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fstiff::inline v0_1::detail {
@@ -68,7 +69,7 @@ FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, co
 }
 
 FSTIFF_INLINE double conductance_of_gap(const Conduction& by, double separation) {
-    return parts::gap_conductance(*by.gap, separation) + by.radiation;
+    return parts::gap_conductance(*by.gap, (std::max)(separation, 0.0)) + by.radiation;
 }
 
 }  // namespace fstiff::inline v0_1::detail

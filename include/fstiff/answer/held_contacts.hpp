@@ -9,6 +9,7 @@
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mean_over_shifts.hpp>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -141,8 +142,29 @@ private:
     double critical_over_radius_;
 };
 
-/// K of a law of hybrid of one of many surfaces for a band, as \p of_hybrid makes K(K of hybrid, p) of it, and p(p of
-/// hybrid, d); of the law itself where that is not known.
+/// Hybrid of one of many surfaces, as far as PlasticContact needs it.
+class QuickElastic {
+public:
+    explicit QuickElastic(const ContactInputs& inputs) : inputs_(&inputs) {}
+    double stiffness(double p) const {
+        const auto K = inputs_->similar->stiffness(*inputs_, p);
+        if (!K) throw domain_error("pressure: must be within the table of surfaces");
+        return *K;
+    }
+    ContactState<double> at_pressure(double p, Quantity) const {
+        ContactState<double> state;
+        state.stiffness.value = stiffness(p);
+        return state;
+    }
+    double full_pressure() const { return 2 * inputs_->effective_modulus * std::sqrt(2 * inputs_->moments.m2); }
+    double rms_height() const { return std::sqrt(inputs_->moments.m0); }
+
+private:
+    const ContactInputs* inputs_;
+};
+
+/// K of a law of hybrid of one of many surfaces for a band, as \p of_hybrid makes K(K of hybrid, p) and p(d) of it; of
+/// the law itself where that is not known.
 template <class OfHybrid>
 class QuickContact final : public AnyContact {
 public:
@@ -153,7 +175,7 @@ public:
         std::vector<ContactPoint<double>> points;
         for (const double& p : pressures) {
             const auto hybrid = inputs_.similar->stiffness(inputs_, p);
-            const std::optional<double> K = hybrid ? of_hybrid_.stiffness(*hybrid, p) : std::nullopt;
+            const std::optional<double> K = hybrid ? of_hybrid_.stiffness(inputs_, *hybrid, p) : std::nullopt;
             if (!K) {
                 points.push_back(itself().at_pressures(std::span(&p, 1), wanted).front());
                 continue;
@@ -168,10 +190,9 @@ public:
     std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                      Quantity wanted) const override {
         std::vector<ContactPoint<double>> points;
-        if (!pressure_) pressure_ = inputs_.similar->pressure(inputs_);
+        if (!pressure_) pressure_ = of_hybrid_.pressure(inputs_);
         for (const double& d : separations) {
-            const auto hybrid = pressure_(d);
-            const double p = hybrid ? of_hybrid_.pressure(*hybrid, d) : 0;
+            const double p = pressure_(d).value_or(0);
             points.push_back(p > 0 ? at_pressures(std::span(&p, 1), wanted).front()
                                    : itself().at_separations(std::span(&d, 1), wanted).front());
         }

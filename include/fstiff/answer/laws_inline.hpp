@@ -128,8 +128,8 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid_of_numbers(const ContactInputs&
 
 /// Hybrid as the law of hybrid of a QuickContact.
 struct Itself {
-    static std::optional<double> stiffness(double K, double) { return K; }
-    static double pressure(double p, double) { return p; }
+    static std::optional<double> stiffness(const ContactInputs&, double K, double) { return K; }
+    static QuickHybrid::PressureOver pressure(const ContactInputs& inputs) { return inputs.similar->pressure(inputs); }
 };
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
@@ -148,40 +148,43 @@ FSTIFF_INLINE parts::GaussianCut<double> gaussian_cut(const ContactInputs& input
 
 /// Plastic as the law of hybrid of a QuickContact.
 struct Flowing {
-    parts::GaussianCut<double> cut;
     double hardness;
-    std::optional<double> stiffness(double K, double p) const {
+    std::optional<double> stiffness(const ContactInputs& inputs, double K, double p) const {
         if (!(p < hardness)) return std::nullopt;
-        return parts::plastic_stiffness(cut.stiffness(p / hardness), K);
+        const double share = p / hardness;
+        return parts::yielded(share, gaussian_cut(inputs).stiffness(share), K).stiffness;
     }
-    double pressure(double p, double separation) const {
-        return std::exp(
-            parts::plastic_log_pressure(std::log(p), std::log(cut.share_above(separation).first * hardness)));
+    QuickHybrid::PressureOver pressure(const ContactInputs& inputs) const {
+        const PlasticContact contact(QuickElastic(inputs), gaussian_cut(inputs), hardness);
+        return [contact](double separation) -> std::optional<double> {
+            try {
+                return std::exp(contact.log_pressure(separation / contact.rms_height()).log);
+            } catch (const domain_error&) {  // the law itself gives the reason
+                return std::nullopt;
+            }
+        };
     }
 };
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs& inputs) {
     return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
-        return PlasticContact(std::move(contact), gaussian_cut(inputs), inputs.material.hardness_or_default(),
-                              inputs.effective_modulus, std::sqrt(2 * inputs.moments.m2));
+        return PlasticContact(std::move(contact), gaussian_cut(inputs), inputs.material.hardness_or_default());
     });
 }
 
 /// The same; of a map with the cut of the map itself.
 FSTIFF_INLINE std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
-    const double hardness = inputs.material.hardness_or_default(), modulus = inputs.effective_modulus;
+    const double hardness = inputs.material.hardness_or_default();
     if (!inputs.map || !inputs.spectrum_of_map) {
         if (!inputs.similar) return plastic_of_numbers(inputs);
-        return std::make_unique<QuickContact<Flowing>>(inputs, plastic_of_numbers,
-                                                       Flowing{gaussian_cut(inputs), hardness});
+        return std::make_unique<QuickContact<Flowing>>(inputs, plastic_of_numbers, Flowing{hardness});
     }
-    const double g = inputs.map->spectrum(inputs.options.edges).rms_gradient();
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
+        const std::size_t map = inputs.map->first_bearing + shift;
         return PlasticContact(
             hybrid_of_map(inputs, of, shift),
-            inputs.map->bearings->cut(inputs.map->first_bearing + shift, inputs.options.edges, modulus)
-                .scaled(inputs.map->taller),
-            hardness, modulus, g);
+            inputs.map->bearings->cut(map, inputs.options.edges, inputs.effective_modulus).scaled(inputs.map->taller),
+            hardness);
     });
 }
 
@@ -316,7 +319,7 @@ inline const std::array<Law, 13> table{{
     {.which = LawName::plastic,
      .nature = "yielded peaks: K is that of unloading, which a wave measures",
      .load = "hardness and hybrid",
-     .stiffness = "(cut at p/H^1.9 + hybrid^1.9)^(1/1.9)",
+     .stiffness = "from hybrid to the cut at p/H",
      .peaks = "(4.4); for a map its summits",
      .contact = plastic,
      .quantities = without_contacts,

@@ -279,7 +279,7 @@ public:
     /// Separation [m] of the mean planes; 0 from the full pressure on. \throws domain_error as at_pressure.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         require_positive("pressure", pressure);
-        const T to = std::log(bearing_.full_pressure()), from = std::log(pressure);
+        const T to = std::log(full_pressure()), from = std::log(pressure);
         const T error = T(1e-4) * rms_height();
         if (from >= to) return {T(0), error, 0};
         const auto whole = static_cast<int>((to - from) * 2);  // at the same places for every pressure
@@ -293,11 +293,12 @@ public:
     /// \throws domain_error unless 0 < eta and its pressure is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
-        const T high = std::log(bearing_.full_pressure());
+        const T high = std::log(full_pressure());
         return this->searched_log_pressure(eta, high - 60, high, high - T(1.5) - 2 * eta,
                                            "within the reach of the laws");
     }
 
+    [[nodiscard]] T full_pressure() const { return bearing_.full_pressure(); }
     [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
     [[nodiscard]] bool has_kinks() const { return parts::has_kinks(of_) || bearing_.has_kinks(); }
     [[nodiscard]] const Of& gaussian() const { return of_; }

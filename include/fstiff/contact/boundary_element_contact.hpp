@@ -11,7 +11,7 @@
 /// Reference   halfspace/truth.hpp
 /// Units       SI
 /// Valid       as truth(): a map without missing points whose form is removed, at least 16 points a side;
-///             separations greater than 0 and less than the height of the highest point of the grid
+///             separations greater than 0, with a hardness than the lowest point, and less than the highest one
 /// Accuracy    that of truth(), bit for bit; at a separation the pressure to 1e-7
 ///             (tests/contact/boundary_element_contact_test.cpp)
 
@@ -61,10 +61,12 @@ public:
     }
     /// The state at the mean gap \p separation [m].
     [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity = Quantity::all) const {
-        const T highest = map_.heights.maxCoeff() - map_.heights.mean();
-        if (!(separation > T(0) && separation < highest))
+        const T mean = map_.heights.mean(), highest = map_.heights.maxCoeff() - mean;
+        const T lowest = options_.hardness > T(0) ? map_.heights.minCoeff() - mean : T(0);
+        if (!(separation > lowest && separation < highest))
             return ContactPoint<T>::out_of_reach("separation = " + parts::shortest_text(separation) +
-                                                 ": must be greater than 0 and less than the highest point (m)");
+                                                 ": must be greater than " + parts::shortest_text(lowest) +
+                                                 " and less than the highest point (m)");
         parts::TruthOptions<T> one_grid = options_;
         one_grid.grid_error = false;
         one_grid.progress = {};

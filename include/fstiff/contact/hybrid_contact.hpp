@@ -112,6 +112,8 @@ public:
         return this->searched_log_pressure(eta, low, high, high - width / 2, "within the reach of the laws");
     }
 
+    /// Pressure from which on all is in contact [Pa]: 2 E g at the local scale of a bearing curve.
+    [[nodiscard]] T full_pressure() const { return crowded_.full_pressure(); }
     [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }
     [[nodiscard]] bool has_kinks() const { return parts::has_kinks(peaks_) || crowded_.has_kinks(); }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
@@ -123,7 +125,7 @@ private:
     /// Panels of ln p: short ones with few points where K has kinks.
     [[nodiscard]] T width_of_panel() const { return has_kinks() ? T(1) / 32 : T(1); }
 
-    [[nodiscard]] T log_end() const { return std::log(crowded_.full_pressure()); }
+    [[nodiscard]] T log_end() const { return std::log(full_pressure()); }
 
     /// Error of the separation over the rms height.
     [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-11); }

@@ -1,125 +1,141 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, as a wave sees it.
+/// Contact of a surface whose pressures end at the hardness H, from elastic to all flowed: K is that of unloading.
 ///
-///     K    = (K_cut^1.9 + K_elastic^1.9)^(1/1.9)            at equal pressure, K_cut at the share p/H
-///     A/A0 = p sqrt(1/H^2 + 4/(E g)^2)                      g at the local scale of a bearing curve
-///     p(d) = (p_cut^-1.3 + p_elastic^-1.3)^(-1/1.3)         p_cut = H times the share of the surface above d
+///     K    = c (e^L - 1) 1.5^w       L^n = L_flow^n + L_el^n    w = L_el/L    n = 2.8 - 1.65 s    L_flow = -ln(1 - s)
+///     A/A0 = 1 - e^-L_A              L_A^2 = L_flow^2 + ln(1 - A_el/A0)^2     L_el = ln(1 + K_el/(1.5 c))
+///     -dd/dp = 1/K + (1 - w)^(1.2 - 0.6 s) (-dd_cut/dp)         s = p/H       c = K_cut (1 - s)/s
 ///
-/// The number of contacts is not available: it is 0. Derivation: docs/theory.md, section 10.
-/// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159; Cooper, Mikic,
-///             Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279
+/// K_cut is K of the highest points of the share s, held together, d_cut their level. d is negative above p = H/2. The
+/// number of contacts is not available: it is 0. Derivation: docs/theory.md, section 10.
+/// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159
 /// Units       SI
-/// Valid       0 < p < H. Compared for p/H from 0.003 to 0.1, H/(E g) from 0.02 to 0.5
-/// Accuracy    p(d) 1e-10 of the rms height; K of a map within 15 % of boundary elements at 138 of 140 points, of
-///             numbers at 115 (tests/contact/plastic_contact_map_test.cpp)
+/// Valid       0 < p < H within the reach of the elastic contact; compared up to 0.95 H, H/(E g) from 0.02 to 3
+/// Accuracy    p(d) 1e-10 of the rms height, 1e-5 where K has kinks; K of Gaussian numbers within 15 % of boundary
+///             elements at 95 of 100 points (tests/contact/plastic_contact_map_test.cpp)
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/topography/coarsen.hpp>
 #include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include <atomic>
 #include <memory>
+#include <vector>
 
 namespace fstiff::inline v0_1 {
 
 namespace parts {
 
-/// The highest parts of a surface as a flat cuts them: K of a share of the area [Pa/m], and the share above a level [m]
-/// over the mean plane with its change [1/m].
+/// The highest parts of a surface as a flat cuts them, of a share of the area: K of them held together [Pa/m], and the
+/// level of the flat over the mean plane [m] with its fall as the share grows [m].
 template <class C, class T>
-concept CutSurface = requires(const C& cut, T x) {
-    { cut.stiffness(x) } -> std::convertible_to<T>;
-    { cut.share_above(x) } -> std::convertible_to<std::pair<T, T>>;
+concept CutSurface = requires(const C& cut, T share) {
+    { cut.stiffness(share) } -> std::convertible_to<T>;
+    { cut.level(share) } -> std::convertible_to<std::pair<T, T>>;
 };
 
-/// K [Pa/m] of the cut and of the elastic contact together: (a^1.9 + b^1.9)^(1/1.9), without overflow.
+/// K [Pa/m], and the factor of the approach by flow.
 template <Real T>
-[[nodiscard]] T plastic_stiffness(T cut, T elastic) {
-    constexpr T n = T(1.9);
-    const T most = (std::max)(cut, elastic);
-    return most * std::exp(std::log1p(std::pow((std::min)(cut, elastic) / most, n)) / n);
+struct Yielded {
+    T stiffness, flow;
+};
+/// The contact at p/H = \p share < 1 of which K would be \p cut if all flowed and \p elastic if nothing did.
+template <Real T>
+[[nodiscard]] Yielded<T> yielded(T share, T cut, T elastic) {
+    constexpr T stiffer = T(1.5);  // elastic contacts over flowed ones of the same area
+    const T of_odds = cut * ((1 - share) / share), n = T(2.8) - T(1.65) * share;
+    const T flow = -std::log1p(-share), alone = std::log1p(elastic / (stiffer * of_odds));
+    if (std::isinf(alone)) return {alone, 0};
+    const T most = (std::max)(flow, alone);
+    const T log_more = std::log1p(std::pow((std::min)(flow, alone) / most, n)) / n;  // of L over most
+    const T log_w = std::log(alone / most) - log_more;
+    return {of_odds * std::expm1(most * std::exp(log_more)) * std::pow(stiffer, std::exp(log_w)),
+            std::pow(-std::expm1(log_w), T(1.2) - T(0.6) * share)};
 }
 
-/// Logarithm of the pressure on first loading, of those of the elastic contact and of the cut at one separation:
-/// log((p_elastic^-1.3 + p_cut^-1.3)^(-1/1.3)), from the lesser of the two.
-template <Real T>
-[[nodiscard]] T plastic_log_pressure(T elastic, T cut) {
-    constexpr T n = T(1.3);
-    return (std::min)(elastic, cut) - std::log1p(std::exp(-std::abs(n * (elastic - cut)))) / n;
-}
-
-/// Cut of a Gaussian surface.
+/// Cut of a Gaussian surface: K_cut = E g/sigma s/(1-s) sqrt(0.55^2 + 0.28^2 (z - 0.65)^2), z = Phi^-1(1-s). For light
+/// loads 0.28 z, which is 1/(2 sqrt(pi)), is exact of separate spots.
 template <Real T = double>
 class GaussianCut {
 public:
     /// \throws domain_error unless all are finite and positive.
     GaussianCut(T rms_height, T rms_gradient, T effective_modulus)
-        : rms_height_(rms_height), stiffness_(T(0.68) * effective_modulus * rms_gradient / rms_height) {
+        : rms_height_(rms_height), stiffness_(effective_modulus * rms_gradient / rms_height) {
         require_positive("rms_height", rms_height);
         require_positive("rms_gradient", rms_gradient);
         require_positive("effective_modulus", effective_modulus);
     }
-    [[nodiscard]] T stiffness(T share) const { return stiffness_ * share; }
-    [[nodiscard]] std::pair<T, T> share_above(T level) const {
-        const T z = level / rms_height_;
-        return {math::normal_share(-z), -math::normal_density(z) / rms_height_};
+    [[nodiscard]] T stiffness(T share) const {
+        return stiffness_ * share / (1 - share) *
+               std::hypot(T(0.55), T(0.28) * (-math::normal_quantile(share) - T(0.65)));
+    }
+    [[nodiscard]] std::pair<T, T> level(T share) const {
+        const T z = -math::normal_quantile(share);
+        return {rms_height_ * z, rms_height_ / math::normal_density(z)};
     }
 
 private:
     T rms_height_, stiffness_;
 };
 
-/// K of the highest points of a map at numbers of points that are 5 % apart, each computed when it is first asked for.
-/// Threads that ask at once compute the same number.
+/// Cut of a Gaussian surface as rough as \p map is over its mean plane.
+template <Real T>
+[[nodiscard]] GaussianCut<T> gaussian_cut(const HeightMap<T>& map, T effective_modulus, Edges edges) {
+    return {fstiff::rms_height(map), map_spectrum(map, edges).rms_gradient(), effective_modulus};
+}
+
+/// K of the highest points of a map of at most 256 points a side over that of a Gaussian cut: at knots of z, each
+/// computed when it is first asked for, and by a power of it between them. Threads that ask at once compute the same
+/// number.
 template <Real T>
 class CutKnots {
 public:
-    explicit CutKnots(HighestPoints<T> points) : points_(std::move(points)) {
-        const std::size_t all = points_.count();
-        for (std::size_t n = 1; n < all; n = (std::max)(n + 1, static_cast<std::size_t>(T(1.05) * static_cast<T>(n))))
-            counts_.push_back(n);
-        log_stiffness_ = std::vector<std::atomic<T>>(counts_.size());
-        for (auto& at : log_stiffness_) at.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
+    CutKnots(const HeightMap<T>& map, T effective_modulus, Edges edges)
+        : points_(map, effective_modulus, edges),
+          gaussian_(gaussian_cut(map, effective_modulus, edges)),
+          last_(-math::normal_quantile(T(1.5) / static_cast<T>(points_.count()))),
+          log_ratio_(static_cast<std::size_t>(2 * last_ / step) + 2) {
+        for (auto& at : log_ratio_) at.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
     }
-    /// K by a power of the share between two knots. \throws domain_error as HighestPoints.
-    [[nodiscard]] T stiffness(T share) const {
-        const T points = share * static_cast<T>(points_.count());
-        if (!(points > 1 && share < 1) || counts_.size() < 2) return points_.stiffness(share);
-        const auto above = std::partition_point(counts_.begin() + 1, counts_.end() - 1,
-                                                [points](std::size_t n) { return static_cast<T>(n) < points; });
-        const auto i = static_cast<std::size_t>(above - counts_.begin());
-        const T from = std::log(static_cast<T>(counts_[i - 1])), to = std::log(static_cast<T>(counts_[i]));
-        const T a = log_at(i - 1), b = log_at(i);
-        return std::exp(a + (std::log(points) - from) / (to - from) * (b - a));
+    [[nodiscard]] T ratio(T share) const {
+        const T place = (last_ - std::clamp(-math::normal_quantile(share), -last_, last_)) / step;
+        const auto i = static_cast<std::size_t>(place);
+        return std::exp(std::lerp(log_at(i), log_at(i + 1), place - static_cast<T>(i)));
     }
 
 private:
+    static constexpr T step = T(0.75);  ///< of z
+
     [[nodiscard]] T log_at(std::size_t knot) const {
-        T known = log_stiffness_[knot].load(std::memory_order_relaxed);
+        T known = log_ratio_[knot].load(std::memory_order_relaxed);
         if (std::isnan(known)) {
-            known = std::log(points_.stiffness(static_cast<T>(counts_[knot]) / static_cast<T>(points_.count())));
-            log_stiffness_[knot].store(known, std::memory_order_relaxed);
+            const T share = math::normal_share((std::min)(static_cast<T>(knot) * step - last_, last_));
+            known = std::log(points_.stiffness(share, T(1e-3)) / gaussian_.stiffness(share));
+            log_ratio_[knot].store(known, std::memory_order_relaxed);
         }
         return known;
     }
 
     HighestPoints<T> points_;
-    std::vector<std::size_t> counts_;
-    mutable std::vector<std::atomic<T>> log_stiffness_;  ///< NaN: not yet
+    GaussianCut<T> gaussian_;
+    T last_;                                         ///< z of one and a half points
+    mutable std::vector<std::atomic<T>> log_ratio_;  ///< from z = last_ down; NaN: not yet
 };
 
-/// Cut of a map, K by knots 5 % of the share apart, so that it is continuous. Copies share the computed numbers.
+/// Cut of a map. Copies share the computed numbers.
 template <Real T = double>
 class MapCut {
 public:
-    /// \throws domain_error as HighestPoints.
+    /// \throws domain_error as HighestPoints and map_spectrum.
     MapCut(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges)
-        : knots_(std::make_shared<const parts::CutKnots<T>>(HighestPoints<T>(map, effective_modulus, edges))),
+        : gaussian_(gaussian_cut(map, effective_modulus, edges)),
+          knots_(std::make_shared<const parts::CutKnots<T>>(coarsened(map, 256), effective_modulus, edges)),
           curve_(std::make_shared<const BearingSlope<T>>(BearingSlope<T>::of_heights(
               std::span<const T>(map.heights.data(), static_cast<std::size_t>(map.heights.size()))))),
           mean_(mean_height(map)) {}
@@ -130,20 +146,15 @@ public:
         taller.factor_ *= factor;
         return taller;
     }
-    [[nodiscard]] T stiffness(T share) const { return knots_->stiffness(share); }
-    /// Share by straight lines of the bearing curve; that of the highest knot beyond it.
-    [[nodiscard]] std::pair<T, T> share_above(T level) const {
-        const auto knots = curve_->knots();
-        const T height = level / factor_ + mean_;
-        const auto above = std::partition_point(knots.begin() + 1, knots.end() - 1,
-                                                [&](const auto& knot) { return knot.height < height; });
-        const auto &a = *(above - 1), &b = *above;
-        const T per_height = (b.score - a.score) / (b.height - a.height);
-        const T score = a.score + (height - a.height) * per_height;
-        return {math::normal_share(-score), -math::normal_density(score) * per_height / factor_};
+    [[nodiscard]] T stiffness(T share) const { return gaussian_.stiffness(share) * knots_->ratio(share); }
+    /// The fall by the slope of the bearing curve about the level.
+    [[nodiscard]] std::pair<T, T> level(T share) const {
+        const T z = -math::normal_quantile(share);
+        return {factor_ * (curve_->height(z) - mean_), factor_ * curve_->slope(z, T(0.25)) / math::normal_density(z)};
     }
 
 private:
+    GaussianCut<T> gaussian_;
     std::shared_ptr<const parts::CutKnots<T>> knots_;
     std::shared_ptr<const BearingSlope<T>> curve_;
     T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
@@ -151,22 +162,17 @@ private:
 
 }  // namespace parts
 
-/// \p Elastic is the contact of the same surface without flow, at light and heavy loads, which gives K and the
-/// separation under a pressure beyond what was compared too: HybridContact.
-template <Real T, Contact<T> Elastic, parts::CutSurface<T> Cut>
+/// \p Elastic is the contact of the same surface without flow, at light and heavy loads: HybridContact.
+template <Real T, class Elastic, parts::CutSurface<T> Cut>
 class PlasticContact : private detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
     using Base = detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
     friend Base;
 
 public:
-    /// \throws domain_error unless hardness [Pa], modulus [Pa] and gradient are finite and positive.
-    PlasticContact(Elastic elastic, Cut cut, std::type_identity_t<T> hardness,
-                   std::type_identity_t<T> effective_modulus, std::type_identity_t<T> rms_gradient)
+    /// \throws domain_error unless hardness [Pa] is finite and positive.
+    PlasticContact(Elastic elastic, Cut cut, std::type_identity_t<T> hardness)
         : elastic_(std::move(elastic)), cut_(std::move(cut)), hardness_(hardness) {
         require_positive("hardness", hardness);
-        require_positive("effective_modulus", effective_modulus);
-        require_positive("rms_gradient", rms_gradient);
-        modulus_times_gradient_ = effective_modulus * rms_gradient;
     }
 
     using Base::bulk_compliance;
@@ -179,44 +185,67 @@ public:
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
         require(pressure < hardness_, "pressure", pressure, "less than the hardness (Pa): all has flowed there");
+        const T share = pressure / hardness_;
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};
-        if (parts::has(wanted, Quantity::stiffness)) {
-            const Estimate<T> elastic = elastic_.at_pressure(pressure, Quantity::stiffness).stiffness;
-            const T K = parts::plastic_stiffness(cut_.stiffness(pressure / hardness_), elastic.value);
-            state.stiffness = {K, (elastic.error / elastic.value + error_of_cut) * K, elastic.evaluations};
+        const bool area = parts::has(wanted, Quantity::real_area_fraction);
+        const ContactState<T> elastic = elastic_.at_pressure(
+            pressure, area ? Quantity::stiffness | Quantity::real_area_fraction : Quantity::stiffness);
+        if (parts::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
+            const Estimate<T>& alone = elastic.stiffness;
+            const parts::Yielded<T> of = parts::yielded(share, cut_.stiffness(share), alone.value);
+            const T K = of.stiffness, loading = 1 / compliance(share, of), error = alone.error / alone.value + T(1e-9);
+            if (parts::has(wanted, Quantity::stiffness)) state.stiffness = {K, error * K, alone.evaluations};
+            if (parts::has(wanted, Quantity::loading_stiffness))
+                state.loading_stiffness = {loading, error * loading, alone.evaluations};
         }
-        if (parts::has(wanted, Quantity::real_area_fraction)) {
-            const T share = (std::min)(std::hypot(1 / hardness_, 2 / elastic_scale(pressure)) * pressure, T(1));
-            state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
+        if (area) {
+            const T of_elastic = elastic.real_area_fraction.value;
+            const T alone = of_elastic < T(1) ? -std::log1p(-of_elastic) : std::numeric_limits<T>::infinity();
+            const T whole = -std::expm1(-std::hypot(std::log1p(-share), alone));
+            state.real_area_fraction = {whole, elastic.real_area_fraction.error, 0};
         }
-        if (parts::has(wanted, Quantity::separation | Quantity::loading_stiffness)) {
-            const Loading at = loading(pressure);
-            state.separation = {at.separation, T(1e-9) * rms_height(), 0};
-            if (parts::has(wanted, Quantity::loading_stiffness) && at.separation > 0)
-                state.loading_stiffness = {at.stiffness, T(1e-6) * at.stiffness, 0};
-        }
+        if (parts::has(wanted, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height();
         return state;
     }
 
-    /// The contact on loading at the separation \p separation [m] of the mean planes.
-    /// \throws domain_error unless it is positive and its pressure within reach.
+    /// The contact on loading at the separation \p separation [m] of the mean planes, which may be negative.
+    /// \throws domain_error unless its pressure is within reach.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         return this->state_at_separation(separation, wanted);
     }
 
-    /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error unless 0 < eta,
-    /// where a part of the surface is above it, and its pressure is within reach.
+    /// Separation [m] of the mean planes on loading under \p pressure [Pa] < H.
+    [[nodiscard]] Estimate<T> separation(T pressure) const {
+        const T u = std::log(pressure / (hardness_ - pressure)), width = width_of_panel(), side = u < 0 ? -1 : 1;
+        const auto whole = static_cast<std::size_t>(std::abs(u) / width);
+        T fall = 0;
+        for (std::size_t i = 0; i < whole; ++i) fall += panel(side, i);
+        fall += side * fall_between(side * T(whole) * width, u);
+        const T d = at_half() - side * fall;
+        return {d, error_share() * (std::abs(d) + rms_height()), 16};
+    }
+
+    /// log(p/Pa) and its slope against eta, the separation over the rms height.
+    /// \throws domain_error unless the pressure of eta is within reach.
     [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
-        const T to_elastic = rms_height() / elastic_.rms_height();
-        const parts::LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);
-        const auto [share, change] = cut_.share_above(eta * rms_height());
-        require(share > 0, "eta", eta, "where a part of the surface is above the separation");
-        const T cut = std::log(share * hardness_), apart = loading_exponent * (elastic.log - cut);
-        const T of_elastic = 1 / (1 + std::exp(apart));  // its part in the sum of the inverse powers
-        const T slope = of_elastic * elastic.slope * to_elastic + (1 - of_elastic) * change / share * rms_height();
-        return {parts::plastic_log_pressure(elastic.log, cut), slope, elastic.error};
+        require(std::isfinite(eta), "eta", eta, "finite (separation over rms height)");
+        const T width = width_of_panel(), start = at_half(), side = eta * rms_height() > start ? -1 : 1;
+        const T target = std::abs(eta * rms_height() - start);
+        std::size_t whole = 0;
+        T fall = 0;
+        for (T next; T(whole) * width < furthest && (next = fall + panel(side, whole)) <= target; ++whole) fall = next;
+        require(T(whole) * width < furthest, "eta", eta, "within the reach of the laws");
+        const T from = side * T(whole) * width, to = from + side * width;
+        const auto residual = [&](T u) {
+            return std::pair(side * fall_between(from, u) + fall - target, side * fall_at(u));
+        };
+        const auto found = math::newton_bracketed(residual, (std::min)(from, to), (std::max)(from, to), (from + to) / 2,
+                                                  64 * std::numeric_limits<T>::epsilon() * (1 + std::abs(from)));
+        require(found.converged(), "eta", eta, "within the reach of the laws");
+        const T slope = -rms_height() / (1 + std::exp(found.root)) / fall_at(found.root);
+        return {std::log(hardness_) - std::log1p(std::exp(-found.root)), slope, found.error - error_share() * slope};
     }
 
     /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
@@ -228,63 +257,59 @@ public:
 
     [[nodiscard]] T rms_height() const { return elastic_.rms_height(); }
     [[nodiscard]] bool has_kinks() const { return parts::has_kinks(elastic_); }
-    [[nodiscard]] T hardness() const { return hardness_; }
-    [[nodiscard]] const Elastic& elastic() const { return elastic_; }
-    [[nodiscard]] const Cut& cut() const { return cut_; }
 
 private:
-    static constexpr T loading_exponent = T(1.3), error_of_cut = T(1e-9);
+    static constexpr int furthest = 36;  ///< ln(p/(H - p)) to either side: 2e-16 of H
 
-    /// E g [Pa]; with a bearing curve that of the surface at its local scale.
-    [[nodiscard]] T elastic_scale(T pressure) const {
-        if constexpr (requires { elastic_.crowded().gaussian(); }) {
-            const auto& crowded = elastic_.crowded();
-            if (crowded.has_bearing_curve())
-                return crowded.effective_modulus() * crowded.gaussian().rms_gradient() * crowded.local_scale(pressure);
-        }
-        return modulus_times_gradient_;
-    }
+    /// Panels of ln(p/(H - p)): short ones with few points where K has kinks.
+    [[nodiscard]] T width_of_panel() const { return has_kinks() ? T(1) / 8 : T(1); }
 
-    struct Loading {
-        T separation, stiffness;  ///< stiffness: -dp/dd
-    };
-    /// p(d) where the elastic contact has the pressure q: its logarithm, the slope of it against log q, d, -dd/d log q.
-    struct AtElastic {
-        T log_p, slope, separation, stiffness, fall;
-    };
-    [[nodiscard]] AtElastic at_elastic(T log_q) const {
-        const T q = std::exp(log_q), d = elastic_.separation(q).value, K = elastic_.stiffness(q);
-        const auto [share, change] = cut_.share_above(d);
-        if (!(share > 0)) return {-std::numeric_limits<T>::max_exponent, T(1), d, T(0), q / K};
-        const T cut = std::log(share * hardness_), apart = loading_exponent * (log_q - cut);
-        const T of_elastic = 1 / (1 + std::exp(apart)),
-                per_height = of_elastic * K / q - (1 - of_elastic) * change / share;
-        const T log_p = parts::plastic_log_pressure(log_q, cut);
-        return {log_p, per_height * q / K, d, per_height * std::exp(log_p), q / K};
+    /// The contact under \p share of H, compared with boundary elements or not: closed where the elastic one is.
+    [[nodiscard]] parts::Yielded<T> yielded(T share) const {
+        const T p = share * hardness_;
+        return parts::yielded(
+            share, cut_.stiffness(share),
+            p < elastic_.full_pressure() ? elastic_.stiffness(p) : std::numeric_limits<T>::infinity());
     }
-    /// The root of p(d) = p by Newton's steps of the elastic pressure there, which is more than p: flow brings the
-    /// planes together. 0 where p at 0 is less.
-    [[nodiscard]] Loading loading(T pressure) const {
-        const T target = std::log(pressure);
-        T low = target, high = std::numeric_limits<T>::infinity(), log_q = target;
-        for (int i = 0; i < 100; ++i) {
-            const AtElastic at = at_elastic(log_q);
-            const T step = (target - at.log_p) / at.slope, next = log_q + (std::min)(step, T(1));
-            if (step > 0 && !(at.separation > T(1e-6) * rms_height())) break;
-            if (std::abs(step) < T(1e-7)) return {at.separation - step * at.fall, at.stiffness};
-            (step > 0 ? low : high) = log_q;
-            log_q = i < 50 && next > low && next < high ? next : std::midpoint(low, (std::min)(high, low + 1));
-        }
-        return {0, 0};
+    /// -dd/dp [m/Pa] on loading.
+    [[nodiscard]] T compliance(T share, const parts::Yielded<T>& of) const {
+        return 1 / of.stiffness + (of.flow > 0 ? of.flow * cut_.level(share).second / hardness_ : T(0));
     }
+    /// -dd/du [m] where u = ln(p/(H - p)).
+    [[nodiscard]] T fall_at(T u) const {
+        const T share = 1 / (1 + std::exp(-u));
+        return compliance(share, yielded(share)) * hardness_ * share / (1 + std::exp(u));
+    }
+    /// Its integral.
+    [[nodiscard]] T fall_between(T from, T to) const {
+        return has_kinks() ? by_rule<4>(from, to) : by_rule<16>(from, to);
+    }
+    template <std::size_t points>
+    [[nodiscard]] T by_rule(T from, T to) const {
+        const auto& rule = math::GaussLegendre<T, points>::get();
+        T sum = 0;
+        for (std::size_t i = 0; i < points; ++i)
+            sum += rule.weight[i] * fall_at(std::lerp(from, to, (1 + rule.node[i]) / 2));
+        return (to - from) / 2 * sum;
+    }
+    /// The same over panel \p i beyond p = H/2, at more (\p side is 1) or less (-1).
+    [[nodiscard]] T panel(T side, std::size_t i) const {
+        const T width = width_of_panel(), from = side * T(i) * width;
+        return panels_.at(2 * i + (side > 0), [&] { return side * fall_between(from, from + side * width); });
+    }
+    /// d at p = H/2.
+    [[nodiscard]] T at_half() const { return yielded(T(0.5)).flow * cut_.level(T(0.5)).first; }
+    /// Error of the separation over the rms height.
+    [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-10); }
 
     Elastic elastic_;
     Cut cut_;
-    T hardness_, modulus_times_gradient_{};  ///< [Pa]
+    T hardness_;  ///< [Pa]
+    detail::Panels<T> panels_{static_cast<std::size_t>(2 * furthest / width_of_panel())};
 };
 
-template <class Elastic, class Cut, class... Numbers>
-PlasticContact(Elastic, Cut, Numbers...)
+template <class Elastic, class Cut, class Number>
+PlasticContact(Elastic, Cut, Number)
     -> PlasticContact<std::remove_cvref_t<decltype(std::declval<Elastic>().rms_height())>, Elastic, Cut>;
 
 }  // namespace fstiff::inline v0_1

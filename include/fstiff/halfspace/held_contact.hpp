@@ -185,9 +185,9 @@ public:
     /// Points of the map.
     [[nodiscard]] std::size_t count() const { return order_.size(); }
 
-    /// K [Pa/m] of the points of \p share of the area; in proportion to it between whole numbers of points.
-    /// \throws domain_error unless 0 < share < 1.
-    [[nodiscard]] T stiffness(T share) const {
+    /// K [Pa/m] of the points of \p share of the area; in proportion to it between whole numbers of points. Its error
+    /// is the square of \p tolerance. \throws domain_error unless 0 < share < 1.
+    [[nodiscard]] T stiffness(T share, T tolerance = T(1e-6)) const {
         require(share > 0 && share < 1, "share of the area", share, "greater than 0 and less than 1");
         const T points = share * static_cast<T>(order_.size());
         const auto count =
@@ -195,7 +195,7 @@ public:
         GridField<T> on = GridField<T>::Zero(rows_, static_cast<Eigen::Index>(order_.size()) / rows_);
         for (std::size_t i = 0; i < count; ++i) on.data()[order_[i]] = 1;
         detail::SurfaceCompliance<T> compliance = compliance_;
-        return modulus_ / held_together<T>(compliance, on, on).compliance * (points / static_cast<T>(count));
+        return modulus_ / held_together<T>(compliance, on, on, tolerance).compliance * (points / static_cast<T>(count));
     }
 
 private:

@@ -181,8 +181,7 @@ void answer_section(Page& page, const Scene& scene, const Results& results, cons
     page.paragraph(material_sentence(scene));
     if (results.answer) page.table(answer_table(scene, results));
     const std::size_t count = results.warnings.size();
-    const bool yields = results.answer && !results.answer->flows &&
-                        results.answer->relative_hardness.value_or(0) < parts::flowing_hardness;
+    const bool yields = results.answer && !results.answer->flows && results.answer->relative_hardness;
     page.begin(count == 0 && !yields ? "div class=\"result\"" : "div class=\"result warned\"");
     page.paragraph(results.doubtful ? "Result: doubtful. Read the warnings before using any of these numbers."
                    : count > 0      ? "Result: computed, but not all assumptions of the model hold."
