@@ -10,6 +10,10 @@ namespace fstiff::inline v0_1::detail {
 /// In which form the laws have the surface.
 [[nodiscard]] parts::KnownAs known_as(const Problem& problem);
 
+/// The error of \p law at the p* of \p reason, with that of the grid \p relative to K.
+[[nodiscard]] parts::CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
+                                                   double relative = 0);
+
 /// Where the approach of \p curve, which has its states, begins, or why \p contact has no separation there.
 void seat(const Request& request, const AnyContact& contact, LawCurve& curve);
 
