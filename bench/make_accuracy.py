@@ -6,11 +6,12 @@
     bench/make_accuracy.py                                writes the tables from bench/coverage.csv
     bench/make_accuracy.py --check                        exit code 1 when the tables are not what bench/coverage.csv gives
     bench/make_accuracy.py --build ... --rows rows.csv    keeps every single answer too, for a calibration
+    bench/make_accuracy.py --build ... --faces            runs the faces of bench/make_faces.py alone, into bench/face_coverage.csv
 
 K by boundary elements is kept in bench/answer_truth.csv and solved where it is not there: some ten minutes of one core. The maps
 repeat themselves, have 256 points a side every 0.5 um (those of a broad spectrum 512), and an rms gradient of 0.1; traces of 1,024
 points are of maps four times as wide (of a broad spectrum twice). The command gets files and its defaults: steel on steel, no
-yield, or a hardness where peaks flow.
+yield, or a hardness where peaks flow. The faces of bench/make_faces.py, whose truth is bench/face_truth.csv, have no nominal area.
 """
 import argparse
 import array
@@ -29,6 +30,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools")
 from generated import ROOT, between_markers, table, write_or_check
 
 DOCUMENT, ROWS, TRUTH = ROOT / "docs/accuracy.md", ROOT / "bench/coverage.csv", ROOT / "bench/answer_truth.csv"
+FACE_ROWS = ROOT / "bench/face_coverage.csv"
 MODULUS = 205e9 / (2 * (1 - 0.3**2))  # effective, [Pa]
 GRADIENT, STEP = 0.1, 0.5e-6
 P_STARS = {1: (3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.25), 4: (1e-3, 1e-2, 0.1)}
@@ -134,6 +136,70 @@ class Answers:
                 yield known, [f'from = "{trace}"', 'units = "um"'] + ([f'process = "{process}"'] if along else []), None
 
 
+def measure_faces(build):
+    """Writes how many answers of the faces hold the truth."""
+    import make_faces as faces  # needs numpy
+
+    with open(faces.TRUTH, newline="") as file:
+        truth = list(csv.DictReader(file))
+    answers = Answers(build, {})
+
+    def of_face(kind, seed):
+        true = [float(row["K"]) for row in truth if row["kind"] == kind and int(row["seed"]) == seed]
+        z, (group, calibrated, _) = faces.map_of(kind, seed), faces.KINDS[kind]
+        rms, skewness, kurtosis = faces.numbers_of(z)
+        height, gradient = f'rms_height = "{rms:.6g} m"', f"rms_gradient = {GRADIENT}"
+        with tempfile.TemporaryDirectory(dir=answers.folder) as folder:
+            faces.write_field(z, os.path.join(folder, "map.gsf"))
+            known = [("map", [f'from = "{folder}/map.gsf"']),
+                     ("height, gradient and shape", [height, gradient, f"skewness = {max(-3, min(3, skewness)):.5g}",
+                                                     f"kurtosis = {kurtosis:.5g}"]),
+                     ("height and gradient", [height, gradient]), ("height", [height])]
+            for i, line in enumerate(faces.traces_of(kind, seed)):
+                trace = f"{folder}/{i}.csv"
+                pathlib.Path(trace).write_text("".join(f"{k * STEP * 1e6:g},{h * 1e6:.9g}\n" for k, h in enumerate(line)))
+                known.append(("short trace", [f'from = "{trace}"', 'units = "um"']))
+            pressures, side = [p * GRADIENT * MODULUS for p in faces.P_STARS], faces.POINTS * STEP
+            return [["calibrated" if calibrated else "unseen", group, word, p]
+                    + [answer[f"stiffness_{end}_Pa_per_m"] / (K * MODULUS / side) for end in ("p05", "p95")]
+                    for word, surface in known for answer in answers.run(surface, pressures)
+                    for p, K in [nearest(answer["pressure_Pa"], pressures, faces.P_STARS, true)]]
+
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        rows = [row for of in pool.map(lambda job: of_face(*job), [(kind, seed) for kind in faces.KINDS for seed in faces.SEEDS])
+                for row in of]
+    os.rmdir(answers.folder)
+    cells = {}
+    for half, group, word, p, low, high in rows:
+        cells.setdefault((half, group, word, p), []).append((low, high))
+    write_csv(FACE_ROWS, COLUMNS, [[half, group, word, 0, f"{p:g}", sum(low <= 1 <= high for low, high in bands), len(bands),
+                                    f"{statistics.median(high / low for low, high in bands):.3g}"]
+                                   for (half, group, word, p), bands in cells.items()])
+
+
+def nearest(pressure, pressures, *columns):
+    """What the columns have at the one of the pressures that is meant."""
+    at = min(range(len(pressures)), key=lambda i: abs(pressures[i] - pressure))
+    return [column[at] for column in columns]
+
+
+def face_tables(rows):
+    """The tables of faces: the share of bands that hold the truth, and the median of their widths at all p*."""
+    lines = []
+    for half, title in (("unseen", "Kinds that the bands were not set on"), ("calibrated", "Kinds that the bands were set on")):
+        mine = [row for row in rows if row["half"] == half]
+        known = [word for word in KNOWN if any(row["known"] == word for row in mine)]
+
+        def cell(group, word):
+            of = [row for row in mine if group in (row["group"], "all") and row["known"] == word]
+            share = sum(int(row["inside"]) for row in of) / sum(int(row["of"]) for row in of)
+            return f"{100 * share:.0f} %, {statistics.median(float(row['width']) for row in of):.3g}"
+
+        groups = list(dict.fromkeys(row["group"] for row in mine)) + ["all"]
+        lines += [f"{title}:", ""] + table(["class"] + known, [[group] + [cell(group, word) for word in known] for group in groups])
+    return lines
+
+
 def pressures_of(size, hardness):
     """p* of one map; p/H where peaks flow."""
     return FLOWED[hardness] if hardness else P_STARS[size]
@@ -229,12 +295,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--build", help="folder of the build, whose bin has fstiff and fstiff_maps")
     parser.add_argument("--rows", help="file for every single answer")
+    parser.add_argument("--faces", action="store_true", help="the faces of bench/make_faces.py alone")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     if options.build:
-        measure(options.build, options.rows)
-    with open(ROWS, newline="") as file:
-        text = between_markers(DOCUMENT, coverage="\n".join(tables(list(csv.DictReader(file)))))
+        measure_faces(options.build)
+        if not options.faces:
+            measure(options.build, options.rows)
+    with open(ROWS, newline="") as file, open(FACE_ROWS, newline="") as of_faces:
+        text = between_markers(DOCUMENT, coverage="\n".join(tables(list(csv.DictReader(file)))),
+                               faces="\n".join(face_tables(list(csv.DictReader(of_faces)))))
     return write_or_check({DOCUMENT: text}, "../bench/make_accuracy.py", options.check)
 
 

@@ -9,6 +9,7 @@
 
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/elements.hpp>
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 
@@ -137,16 +138,55 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
     return points;
 }
 
-Identification<double> found_by(const Problem& problem, const Fit& fit, const FitInputs& inputs) {
-    const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
-    if (fit.law->fit && exact) return fit.law->fit(inputs);
+/// The fit by differences of the law of \p fit, with ln K more by \p more(p).
+template <class More>
+Identification<double> found_by_differences(const Problem& problem, const Fit& fit, const FitInputs& inputs,
+                                            const More& more) {
     const Problem lean = lean_problem(problem, fit);
     return fit_curve(inputs, [&](const ContactParameters<double>& x, std::span<const double> pressures) {
         std::vector<double> stiffness;
         for (const auto& point : points_with(lean, *fit.law, x, inputs.wanted, pressures))
-            stiffness.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
+            stiffness.push_back(point.ok() ? point.state.stiffness.value * std::exp(more(point.state.pressure.value))
+                                           : std::numeric_limits<double>::quiet_NaN());
         return stiffness;
     });
+}
+
+Identification<double> found_by(const Problem& problem, const Fit& fit, const FitInputs& inputs) {
+    const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
+    if (fit.law->fit && exact) return fit.law->fit(inputs);
+    return found_by_differences(problem, fit, inputs, [](double) { return 0.0; });
+}
+
+/// Puts into \p fit the intervals that are widened by squares by what the fits find of K at either end of the error of
+/// the law, which is on one side of K at all pressures.
+void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) {
+    if (fit.found.covariance.size() == 0) return;
+    constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
+    inputs.start = fit.found.all;
+    Problem fitted = lean_problem(problem, fit);
+    fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.wanted);
+    const std::optional<double> g = gradient(fitted);
+    const auto shifted = [&](double parts::LawError<double>::*end) {
+        return found_by_differences(problem, fit, inputs, [&](double pressure) {
+            AnswerReason reason;
+            if (g) reason.p_star = parts::dimensionless_pressure(pressure, inputs.start.effective_modulus, *g);
+            return wider * law_error(problem, fit.law->which, reason).*end;
+        });
+    };
+    const auto low = shifted(&parts::LawError<double>::low), high = shifted(&parts::LawError<double>::high);
+    if (low.status != math::FitStatus::converged || high.status != math::FitStatus::converged) return;
+    for (std::size_t i = 0; i < inputs.wanted.size(); ++i) {
+        auto& own = fit.found.parameters[i];
+        const parts::ParameterScale<double> scale(own.parameter);
+        const double u = scale.variable(own.value);
+        double below = u - scale.variable(own.low), above = scale.variable(own.high) - u;
+        for (const auto* one : {&low, &high}) {
+            const double moved = scale.variable(one->parameters[i].value) - u;
+            (moved < 0 ? below : above) = std::hypot(moved < 0 ? below : above, moved);
+        }
+        own.low_with_law = scale.value(u - below), own.high_with_law = scale.value(u + above);
+    }
 }
 
 std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
@@ -335,8 +375,10 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     options.wave = all.wave;
     for (Fit& fit : all.fits) {
         const auto data = observations(curve, fit.points);
-        fit.found = parts::located(parts::Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
-            return found_by(scene, fit, {data, request.wanted, fit.start, options});
+        const FitInputs inputs{data, request.wanted, fit.start, options};
+        parts::located(parts::Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
+            fit.found = found_by(scene, fit, inputs);
+            widen_by_law(scene, fit, inputs);
         });
     }
     for (const Parameter unknown :

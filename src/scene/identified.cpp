@@ -46,6 +46,8 @@ Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p)
     if (fit.found.covariance.size() > 0) {
         one["standard_error"] = finite_json(p.standard_error);
         one["interval"] = {{"level", 0.95}, {"low", finite_json(p.low)}, {"high", finite_json(p.high)}};
+        one["interval_with_law"] = {
+            {"level", 0.95}, {"low", finite_json(p.low_with_law)}, {"high", finite_json(p.high_with_law)}};
     }
     return one;
 }

@@ -219,9 +219,14 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     for (const Assumed& one : assumed(scene))
         source.record_default("surface." + std::string(one.key), one.how, one.value);
     take_assumed_numbers(source, scene);
-    for (const auto& [name, face, file] : measured_files(scene))
+    for (const auto& [name, face, file] : measured_files(scene)) {
+        const std::string of = scene.faces.empty() ? "" : std::string(name) + ": ";
+        if (face->is_taken_across())
+            scene.assumptions.push_back(of +
+                                        "the trace across the lay, as ISO 21920 has it (along it K errs 2 to 5 times)");
         for (const std::string& warning : scene.best ? file->of_file : file->warnings)
-            scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + warning);
+            scene.warnings.push_back(of + warning);
+    }
     for (const auto& [name, face, file] : named_faces(scene))
         warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
     warn_of_gradients(scene);

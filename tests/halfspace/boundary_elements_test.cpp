@@ -94,6 +94,26 @@ TEST_CASE("the stiffness held together is the slope of the pressure, of elastic 
     CHECK(test::relative_error(middle.stiffness, slope) < 5e-3);  // points join the contact one at a time
 }
 
+TEST_CASE("the stiffness of hills on a plain that has come into contact is the slope of the pressure, too") {
+    // the contact, most of it plain, is lower than the mean then: where the search for K begins
+    HeightMap<double> map;
+    map.dx = map.dy = 1.0 / 64;
+    map.heights = HeightMap<double>::Array::NullaryExpr(64, 64, [](Eigen::Index j, Eigen::Index i) {
+        const auto hill = [&](double x, double y) {
+            const double r = std::hypot(static_cast<double>(i) - x, static_cast<double>(j) - y);
+            return 6e-3 * std::exp(-r * r / 8);
+        };
+        return hill(20, 24) + hill(50, 44) + 2e-4 * std::cos(0.1 * std::numbers::pi * static_cast<double>(i + 2 * j));
+    });
+    BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic});
+    for (const double p : {2e-4, 1e-3, 4e-3, 6e-3, 1e-2}) {
+        const auto low = solver.at_pressure(p * 0.99), state = solver.at_pressure(p),
+                   high = solver.at_pressure(p * 1.01);
+        CAPTURE(p, state.contact_fraction);
+        CHECK(test::relative_error(state.stiffness, 0.02 * p / (low.mean_gap - high.mean_gap)) < 0.05);
+    }
+}
+
 TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer contact") {
     const HeightMap<double> map = test::half_space_map("gaussian");  // gradient 0.1
     BoundaryElements<double> elastic(map, 1.0, {.edges = Edges::periodic});

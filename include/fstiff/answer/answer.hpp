@@ -97,6 +97,8 @@ struct Answer {
     bool of_map_itself = false;                 ///< the contact is the measured map, and no other piece of the surface
     std::optional<double> relative_hardness{};  ///< H/(E g), where both are known
     std::vector<AssumedNumber> assumed{};       ///< that the law of the answer depends on
+    bool across_lay =
+        false;  ///< a profile is taken to run across the lay, as ISO 21920 has it; along it K errs 2 to 5 times
     std::vector<parts::Check<double>> concerns{};  ///< what does not hold; `first` is a place among the pressures
     bool doubtful = false;                         ///< `fstiff run` would end with exit code 4
     /// A measurement that narrows the band.

@@ -132,6 +132,9 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
     found.of_map_itself = curves.facts.of_map_itself;
     found.relative_hardness = curves.facts.relative_hardness;
     found.assumed = detail::assumed_of(problem, *curve.law);
+    const std::vector<const detail::Face*> faces = detail::measured_faces(problem);
+    found.across_lay =
+        std::any_of(faces.begin(), faces.end(), [](const auto* face) { return face->is_taken_across(); });
     found.concerns = concerns_of(problem, curve);
     found.doubtful = std::any_of(found.concerns.begin(), found.concerns.end(), [](const parts::Check<double>& one) {
         return one.concern != parts::Concern::missing_points && one.concern != parts::Concern::noise;

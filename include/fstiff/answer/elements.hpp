@@ -10,6 +10,9 @@ namespace fstiff::inline v0_1::detail {
 /// In which form the laws have the surface.
 [[nodiscard]] parts::KnownAs known_as(const Problem& problem);
 
+/// The error of \p law at the p* of \p reason, with that of the grid \p relative to K.
+[[nodiscard]] parts::CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
+                                                   double relative = 0);
 /// Noise over the rms height, above which it is a concern.
 inline constexpr double most_noise = 0.05;
 /// Rms height [m] of the noise in the map of \p face; 0 of none, and where lambda_s was given.

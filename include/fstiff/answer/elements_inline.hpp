@@ -4,6 +4,7 @@
 /// The functions of answer/elements.hpp: inline, or compiled in fstiff::double.
 
 #include <fstiff/answer/elements.hpp>
+#include <fstiff/answer/unknowns.hpp>
 
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/halfspace/truth.hpp>
@@ -198,15 +199,25 @@ FSTIFF_INLINE parts::CauseSpread<double> of_lay(const Problem& problem) {
     return {};
 }
 
-/// The law's own error, with that of the grid \p relative to K.
+/// The shape of the heights of \p face; where it is open, the one of its prior that is farthest from Gaussian.
+FSTIFF_INLINE parts::HeightShape<double> farthest_shape(const Face& face) {
+    parts::HeightShape<double> shape = face.shape;
+    for (const Prior& prior : face.priors)
+        if (prior.which == parts::Unknown::skewness)
+            for (const double end : {prior.low, prior.high})
+                if (std::abs(end) > std::abs(shape.skewness)) shape = with_value(face, prior.which, end).shape;
+    return shape;
+}
+
 FSTIFF_INLINE parts::CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
                                                    double grid) {
     parts::LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
     if (reason.p_star) question.p_star = *reason.p_star, question.hardness = relative_hardness(problem).value_or(0);
+    const parts::HeightShape<double> shape = farthest_shape(problem.face);
     if (const auto& heights = problem.face.heights; heights && heights->kurtosis.value != 0)
         question.skewness = heights->skewness, question.kurtosis = heights->kurtosis;
     else if (question.known == parts::KnownAs::numbers || question.known == parts::KnownAs::height)
-        question.skewness = {problem.face.shape.skewness, 0}, question.kurtosis = {problem.face.shape.kurtosis, 0};
+        question.skewness = {shape.skewness, 0}, question.kurtosis = {shape.kurtosis, 0};
     if (const Measurement<double>& height = problem.face.parameters.rms_height; height.value > 0)
         question.long_waves = height.error / height.value;
     const parts::LawError<double> error = parts::law_error(question);

@@ -95,6 +95,11 @@ struct Face {
     /// Whether the rms gradient is more than what R and D_p imply.
     [[nodiscard]] bool has_own_gradient() const { return rms_gradient && !gradient_of_islands; }
 
+    /// Whether it is a profile that is taken to run across the lay: its process does not show whether there is one.
+    [[nodiscard]] bool is_taken_across() const {
+        return measured && measured->is_profile && process == parts::Process::unknown;
+    }
+
     /// Calls \p put with this face and with its neighbours, which all hold what is written.
     template <class Write>
     void write(const Write& put) {

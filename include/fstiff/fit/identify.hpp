@@ -21,6 +21,8 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 
+#include <limits>
+
 namespace fstiff::inline v0_1 {
 
 /// Observations and options of a fit.
@@ -38,7 +40,8 @@ template <Real T = double>
 struct IdentifiedParameter {
     Parameter parameter{};
     T value{}, standard_error{};
-    T low{}, high{};   ///< of the 95 % interval
+    T low{}, high{};                                                                     ///< of the 95 % interval
+    T low_with_law = std::numeric_limits<T>::quiet_NaN(), high_with_law = low_with_law;  ///< where the law errs, too
     T null_share = 0;  ///< when singular: its share in the combination that the data do not determine, of the largest
     bool at_bound = false;  ///< came to the end of its range
 };

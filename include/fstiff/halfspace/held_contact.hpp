@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -148,7 +149,8 @@ template <Real T>
     gradients.start(points_of(on), u);
     HeldContact<T> held;
     for (;; ++held.iterations) {
-        held.residual = gradients.scatter() / gradients.level();
+        const T level = gradients.level();  // of the start it may be below 0
+        held.residual = level > T(0) ? gradients.scatter() / level : std::numeric_limits<T>::infinity();
         if (held.residual <= tolerance || held.iterations == max_iterations || !(gradients.step(t, u) > 0)) break;
     }
     held.compliance = (t * u).mean();  // twice the energy: least where u is one value, so that its error is a square

@@ -61,7 +61,8 @@ std::string introduction(const Work& work) {
 std::string parameter_text(const Fit& fit) {
     const auto& found = fit.found;
     const bool has_errors = found.covariance.size() > 0;
-    TextTable parameters({"parameter", "start", "estimate", "standard error", "95 % from", "to"});
+    TextTable parameters(
+        {"parameter", "start", "estimate", "standard error", "95 % from", "to", "with the law's error", "to"});
     for (const auto& p : found.parameters) {
         const parts::ParameterRow& row = parts::row_of(p.parameter);
         const auto cell = [&](double value, int digits) {
@@ -70,7 +71,8 @@ std::string parameter_text(const Fit& fit) {
         };
         parameters.add({row.heading(), rounded(fit.start[p.parameter] * row.shown_factor),
                         found.status == math::FitStatus::singular ? "-" : rounded(p.value * row.shown_factor),
-                        cell(p.standard_error, 2), cell(p.low, 5), cell(p.high, 5)});
+                        cell(p.standard_error, 2), cell(p.low, 5), cell(p.high, 5), cell(p.low_with_law, 2),
+                        cell(p.high_with_law, 2)});
     }
     return parameters.str();
 }
@@ -110,7 +112,7 @@ std::string table(const Work& work) {
 std::string csv(const Work& work) {
     std::vector<Heading> headings;
     for (const char* key : {"law", "theta", "r", "status", "chi_squared", "degrees_of_freedom", "parameter", "unit",
-                            "start", "value", "standard_error", "low", "high"})
+                            "start", "value", "standard_error", "low", "high", "low_with_law", "high_with_law"})
         headings.push_back({key});
     for (const Parameter p : work.wanted)
         headings.push_back({"correlation_" + std::string(parts::row_of(p).short_name)});
@@ -133,7 +135,9 @@ std::string csv(const Work& work) {
                                     found.status == math::FitStatus::singular ? Cell() : Cell(p.value),
                                     if_known(p.standard_error),
                                     if_known(p.low),
-                                    if_known(p.high)};
+                                    if_known(p.high),
+                                    if_known(p.low_with_law),
+                                    if_known(p.high_with_law)};
             const auto i = &p - found.parameters.data();
             for (std::ptrdiff_t k = 0; k < std::ssize(work.wanted); ++k)
                 cells.push_back(has_errors ? Cell(found.correlation(i, k)) : Cell());
