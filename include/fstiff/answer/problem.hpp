@@ -135,7 +135,7 @@ void take_bodies(const Body& upper, const Body& lower, const std::optional<doubl
 /// The indentation hardness of the softer body [Pa], of its yield strength where that alone is known; 0: neither is.
 [[nodiscard]] double hardness_of(const Problem& problem);
 /// H/(E g), of the softer body and the surface; none where one of them is not known. Where one body alone has a
-/// hardness, that of the softer one is no greater: known as far as it makes the peaks flow.
+/// hardness, the other one counts as at least as hard.
 [[nodiscard]] std::optional<double> relative_hardness(const Problem& problem);
 /// Whether K of \p law is that of yielded spots.
 [[nodiscard]] bool flows(const Problem& problem, const Law& law);
