@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: boundary elements whose pressures are cut at the hardness, of a map and of tests/data/plastic_closing.csv
-// (make_plastic_closing.py; none of its maps was fitted); elastic and flowed limits in closed form; differences of p(d).
+// (make_plastic_closing.py; no map of it was fitted); elastic and flowed limits in closed form; differences of p(d).
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/plastic_contact.hpp>

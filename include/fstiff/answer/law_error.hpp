@@ -9,8 +9,7 @@
 ///     low  = -sqrt(low(p*)^2 + sum low_i^2),  high = sqrt(high(p*)^2 + sum high_i^2)
 ///
 /// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*, and by
-/// squares ever more of hybrid as H/(E g) rises. Terms low_i, high_i of long waves and of the shape of the
-/// heights: docs/theory.md, section 15.
+/// squares ever more of hybrid as H/(E g) rises. Other terms: docs/theory.md, section 15.
 ///
 /// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13; traces and numbers: and 13 faces
 /// Units       p* = p/(E g_rms), ln K
@@ -79,9 +78,9 @@ inline constexpr LawErrorRow shape_errors_of_traces{{50, 50, 50, 50, 50, 50, 50}
             if (known == KnownAs::trace) return {{50, 50, 50, 50, 45, 35, 30}, {25, 25, 25, 20, 20, 25, 30}};
             return {{25, 20, 16, 15, 12, 12, 18}, {25, 20, 18, 15, 14, 20, 28}};
         case LawName::plastic:
-            if (known == KnownAs::map) return {{14, 14, 12, 11, 10, 10, 16}, {16, 14, 12, 10, 9, 10, 12}};
-            if (known == KnownAs::trace) return {{24, 22, 22, 22, 22, 20, 20}, {36, 32, 26, 20, 12, 11, 14}};
-            return {{22, 20, 17, 15, 14, 11, 14}, {32, 26, 18, 12, 9, 9, 12}};
+            if (known == KnownAs::map) return {{22, 20, 12, 10, 8, 8, 16}, {14, 12, 10, 11, 12, 11, 20}};
+            if (known == KnownAs::trace) return {{30, 30, 26, 22, 20, 20, 20}, {36, 34, 28, 20, 12, 12, 14}};
+            return {{30, 30, 24, 17, 14, 11, 14}, {32, 31, 20, 12, 10, 9, 12}};
         case LawName::persson: return {{22, 18, 14, 12, 14, 14, 20}, {80, 70, 55, 35, 20, 15, 16}};
         case LawName::summits: return {{22, 18, 14, 12, 10, 10, 10}, {20, 14, 14, 16, 30, 60, 100}};
         default: return {{45, 40, 35, 30, 25, 20, 20}, {30, 30, 30, 35, 55, 90, 150}};

@@ -150,9 +150,8 @@ FSTIFF_INLINE parts::GaussianCut<double> gaussian_cut(const ContactInputs& input
 struct Flowing {
     double hardness;
     std::optional<double> stiffness(const ContactInputs& inputs, double K, double p) const {
-        if (!(p < hardness)) return std::nullopt;
-        const double share = p / hardness;
-        return parts::yielded(share, gaussian_cut(inputs).stiffness(share), K).stiffness;
+        const double s = p / hardness;
+        return s < 1 ? std::optional(parts::yielded(s, gaussian_cut(inputs).stiffness(s), K).stiffness) : std::nullopt;
     }
     QuickHybrid::PressureOver pressure(const ContactInputs& inputs) const {
         const PlasticContact contact(QuickElastic(inputs), gaussian_cut(inputs), hardness);
@@ -180,11 +179,9 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
         return std::make_unique<QuickContact<Flowing>>(inputs, plastic_of_numbers, Flowing{hardness});
     }
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
-        const std::size_t map = inputs.map->first_bearing + shift;
-        return PlasticContact(
-            hybrid_of_map(inputs, of, shift),
-            inputs.map->bearings->cut(map, inputs.options.edges, inputs.effective_modulus).scaled(inputs.map->taller),
-            hardness);
+        const auto cut = inputs.map->bearings->cut(inputs.map->first_bearing + shift, inputs.options.edges,
+                                                   inputs.effective_modulus);
+        return PlasticContact(hybrid_of_map(inputs, of, shift), cut.scaled(inputs.map->taller), hardness);
     });
 }
 
