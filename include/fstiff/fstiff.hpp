@@ -80,6 +80,7 @@
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/line_transform.hpp>
+#include <fstiff/topography/map_noise.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/repair.hpp>
 #include <fstiff/topography/shifted_sum.hpp>

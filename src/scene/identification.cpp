@@ -327,9 +327,8 @@ bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, doub
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
 std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
     const double hardness = hardness_of(problem);
-    if (flows(problem, *fit.law) || problem.hardness_range || !(hardness > 0) ||
-        fit.found.status == math::FitStatus::singular)
-        return "";
+    const bool known = !problem.hardness_range && std::isfinite(hardness);
+    if (flows(problem, *fit.law) || !known || fit.found.status == math::FitStatus::singular) return "";
     const ContactParameters<double>& x = fit.found.all;
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);

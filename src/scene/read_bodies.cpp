@@ -33,8 +33,8 @@ const parts::NamedMaterial& named_material(Source& source, const toml::node& nod
                       (near ? "? Or give" : ", or") + " a section with youngs_modulus and poisson_ratio");
 }
 
-/// "240 HV", "180 HBW", "60 HRC", "HV 240", of a body with the modulus \p modulus [Pa], as a pressure [Pa]; none: \p text
-/// is a pressure.
+/// "240 HV", "180 HBW", "60 HRC" or "HV 240", of a body with the modulus \p modulus [Pa], as a pressure [Pa]; none:
+/// \p text is a pressure.
 std::optional<double> indentation_pressure(std::string_view text, double modulus, const std::string& key) {
     const auto trim = [](std::string_view one) {
         const std::size_t first = one.find_first_not_of(" \t"), last = one.find_last_not_of(" \t");

@@ -85,7 +85,7 @@ TEST_CASE("An unknown name has the materials next to it") {
 }
 
 TEST_CASE("The range of a hardness holds what handbooks give") {
-    // HV of tables that the ranges were not made of, as mean pressures: normalized C45 (DIN EN 10083-2, 185 to 255 HBW),
+    // HV of tables that the ranges were not made of: normalized C45 (DIN EN 10083-2, 185 to 255 HBW),
     // quenched 100Cr6 (ISO 683-17, 700 to 850 HV), Ti-6Al-4V annealed (ASM, 349 HV), C11000 H04 (CDA, 105 HV)
     const auto holds = [](const char* name, double vickers) {
         const auto range = find_material(name)->hardness();

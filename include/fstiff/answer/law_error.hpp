@@ -11,7 +11,7 @@
 /// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*, and by
 /// squares ever more of hybrid as H/(E g) rises. Other terms: docs/theory.md, section 15.
 ///
-/// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13; traces and numbers: and 13 faces
+/// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13; of traces and numbers 13 more
 /// Units       p* = p/(E g_rms), ln K
 /// Valid       any p*; the widest of the table where it is NaN
 /// Accuracy    coverage on other kinds and seeds: docs/accuracy.md

@@ -10,7 +10,7 @@
 ///
 ///     HV is force over the faces of the pyramid; the pressure under it is 1/sin 68 degrees = 1.079 times that
 ///
-/// Reference   ISO 6507-1:2018 (HV); ASTM A370-03a as quoted by two suppliers (HRC); HB to HV from pairs in data sheets.
+/// Reference   ISO 6507-1:2018 (HV); ASTM A370-03a as quoted by two suppliers (HRC); HB to HV of pairs in data sheets.
 ///             Shares of the modulus: smallest and greatest of the materials of asperity/named_materials.hpp
 /// Units       [Pa]
 /// Valid       HRC 20 to 68

@@ -9,14 +9,12 @@
 ///
 /// The hardness of a family is that of its soft and hard states together. Machining hardens the skin: its factor, read
 /// as 1.13 to 2 of peened, blasted and straightened metal, is 1.25 at the middle and 2 at the upper end, of hardened
-/// steel 1.1 and 1.3, of glass, ceramics and polymers 1.05 and 1.3 (judgement); the lower end is that of the bulk.
+/// steel 1.1 and 1.3, of glass, ceramics and polymers 1.05 and 1.3 (judgement); the lower end is the bulk.
 ///
 /// Reference   at the table, whose letters name the sources
 /// Units       moduli and hardness [Pa], density [kg/m^3], velocities [m/s], conductivities [W/(m K)] and [S/m]
 /// Valid       the material that the source names; conductivities from [C] are those of pure metals, alloys have less
-/// Accuracy    moduli some 5 %, cast iron 103 to 118 GPa. The modulus from density and velocities differs by less than
-///             4 %, for cast iron by 12 %, for PMMA, which is stiffer at MHz, by 22 %
-///             (tests/asperity/named_materials_test.cpp)
+/// Accuracy    moduli some 5 %, cast iron 103 to 118 GPa; by density and velocities (tests/asperity)
 
 #include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/material.hpp>

@@ -6,12 +6,11 @@
 ///     C(q) = a q^-s + n  at q_N/4, q_N/2, q_N   ->   n = (C1 C3 - C2^2)/(C1 + C3 - 2 C2)
 ///
 /// q_N is pi over the coarser step; each C is the mean over shells from 0.8 of that place to it. Noise that the
-/// instrument smooths, and a surface whose spectrum flattens, are not told apart from the surface and from noise.
+/// instrument smooths counts as the surface, and a surface whose spectrum flattens as noise.
 /// Reference   n: Aitken's extrapolation, exact for a power law
 /// Units       lengths [m]
 /// Valid       spectra of map_spectrum(); 0 where C falls as a power or faster
-/// Accuracy    256 x 256 points, self-affine: 15 % where the noise is 3 % of sigma and H 0.8, 1.5 % of sigma where there
-///             is none
+/// Accuracy    256 x 256 points, H 0.8: 15 % of a noise of 3 % of sigma; without noise below 1.5 % of sigma
 ///             (tests/topography/map_noise_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
