@@ -72,12 +72,10 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
         text = "K is computed from the map's numbers: " + missing;
     else if (count > 0)
         text = "Boundary elements solve the map itself" +
-               (count == curve.by.size()
-                    ? ""
-                    : (points_of_answer(scene).size() < scene.points.size() ? " at the pressures of the summary" : "") +
-                          std::string(" where ") + least +
-                          " points touch; elsewhere K is computed from its summits and bearing "
-                          "curve");
+               (count == curve.by.size() ? ""
+                                         : " where " + least +
+                                               " points touch; elsewhere K is computed from its summits and bearing "
+                                               "curve");
     else if (map && scene.face.spectrum_of_map)
         text = curve.law->needs_spectrum
                    ? "K is computed from the map's summits and bearing curve"

@@ -126,6 +126,9 @@ TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer c
     CHECK(soft.contact_fraction / 0.03 > 1.0);
     CHECK(soft.contact_fraction / 0.03 < 1.03);
     CHECK(soft.stiffness / hard.stiffness > 10);
+    CHECK(hard.loading_stiffness == hard.stiffness);
+    CHECK(soft.below_hardness < soft.contact_fraction * static_cast<double>(map.size()) / 4);
+    CHECK(soft.loading_stiffness < soft.stiffness / 4);
     CHECK(test::refusal([&] { (void)plastic.at_pressure(H); }).find("less than the hardness") != std::string::npos);
 }
 

@@ -166,7 +166,7 @@ FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<
     return ContactLaw<double>::tabulate_points(
         [&](double p) {
             const double x = std::log(p);
-            return detail::LawPoint<double>{curve.fall(x, last), std::exp(curve.log_stiffness(x))};
+            return detail::LawPoint<double>{curve.fall(x, last), std::exp(curve.at(x))};
         },
         rms_height, range, 1.0);
 }

@@ -34,6 +34,12 @@ namespace fstiff::inline v0_1::parts {
 inline constexpr double max_compared_pressure = 0.75;
 /// Points of the grid in contact from which boundary elements resolve a contact and not the pixel.
 inline constexpr double min_points_in_contact = 20;
+/// Weight of boundary elements next to the law of the summits, where \p touching points of their grid do by the latter:
+/// 1/2 at min_points_in_contact, and linear in the logarithm, from 0 at 7 points to 1 at 57.
+template <Real T>
+[[nodiscard]] T weight_of_elements(T touching) {
+    return std::clamp(T(0.5) + std::log(touching / T(min_points_in_contact)) / std::log(T(8)), T(0), T(1));
+}
 
 /// Facts on a contact at one pressure.
 template <Real T = double>

@@ -160,7 +160,7 @@ FSTIFF_INLINE void add_answer(Problem problem, Request request, const ProgressHo
     std::vector<LawCurve> curves;
     add_curves(problem, request, of_answer, progress, made, curves, all.failed);
     all.answer = std::move(curves.front());
-    if (!all.answer->states.empty()) all.facts = make_answer(problem, request, *all.answer, progress);
+    all.facts = make_answer(problem, request, *all.answer, progress);
 }
 
 /// The answer next to laws that are named. A band costs more than a curve: of many points it is of those that are

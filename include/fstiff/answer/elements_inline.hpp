@@ -4,26 +4,20 @@
 /// The functions of answer/elements.hpp: inline, or compiled in fstiff::double.
 
 #include <fstiff/answer/elements.hpp>
+#include <fstiff/answer/solved_map_inline.hpp>
 #include <fstiff/answer/unknowns.hpp>
 
 #include <fstiff/asperity/plastic_laws.hpp>
-#include <fstiff/halfspace/truth.hpp>
 #include <fstiff/measured/band_parts.hpp>
-#include <fstiff/topography/map_noise.hpp>
-#include <fstiff/topography/map_spectrum.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace fstiff::inline v0_1::detail {
-
-FSTIFF_INLINE bool is_map(const Face& face) { return face.map && face.spectrum_of_map; }
-
-/// Whether the share \p area can carry \p pressure at \p hardness (0: elastic): of few points the solver may find too
-/// few.
-FSTIFF_INLINE bool is_carried(double pressure, double area, double hardness) {
-    return area * hardness * (1 + 1e-6) >= pressure || hardness == 0;
-}
 
 /// The side [m] of what was measured: of a profile its length, of a map the root of its area; 0 for numbers.
 FSTIFF_INLINE double measured_side(const Problem& problem) {
@@ -65,127 +59,6 @@ FSTIFF_INLINE void take_band(parts::Causes<double>& causes, double value, const 
         put(parts::Cause::measurement, (std::min)(0.0, std::log(band.low / value)),
             (std::max)(0.0, std::log(band.high / value)));
     }
-}
-
-/// K of boundary elements, on 256 points a side, which take seconds, unless another number is given, at the points that
-/// are answered where they resolve more than a pixel.
-FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, const LawCurve& base,
-                              const AnswerFacts& facts, const ProgressHook& progress) {
-    const Law& law = find_law(LawName::boundary_elements);
-    LawCurve curve{.law = &law};
-    if (!request.solves_map || !is_map(problem.face) || problem.face.map->maps.size() > 1 ||
-        lack_of(law, problem, request.at_separations) != Lack::nothing)
-        return curve;
-    const HeightMap<double>& map = *problem.face.map->maps.front();
-    const double coarser =
-        (std::min)(1.0, problem.law_options.points / static_cast<double>((std::max)(map.rows(), map.columns())));
-    const double size = coarser * coarser * static_cast<double>(map.size());
-    Request of{.at_separations = request.at_separations, .seating = request.seating, .parallel = request.parallel};
-    std::vector<std::size_t> places;
-    for (const std::size_t place : request.answered) {
-        const auto state = base.state_at(place);
-        if (!state || facts.reasons[*state].p_star.value_or(0) > parts::max_compared_pressure) continue;
-        const double touching = base.states[*state].real_area_fraction.value * size;
-        if (touching > 0 && touching < parts::min_points_in_contact / 4) continue;
-        of.points.push_back(request.points[place]);
-        places.push_back(place);
-    }
-    if (places.empty()) return curve;
-    Problem flowing = problem;
-    const double hardness = flowing.law_options.hardness = facts.flows ? hardness_of(problem) : 0;
-    for_each_contact(flowing, {&law}, {}, [&](const ContactOfLaw& one) {
-        const auto made = one.make();
-        const auto points = points_of(of, law, *made, Quantity::all, progress);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (const double area = points[i].state.real_area_fraction.value;
-                points[i].ok() && area * size >= parts::min_points_in_contact &&
-                is_carried(points[i].state.pressure.value, area, hardness))
-                curve.states.push_back(points[i].state), curve.places.push_back(places[i]);
-        if (request.approach) seat(of, *made, curve);
-    });
-    return curve;
-}
-
-/// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others
-/// lie on lines over ln p.
-FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMap<double>& map, const LawCurve& solved,
-                                          double hardness, const ParallelHook& parallel, const ProgressHook& progress) {
-    const std::size_t count = solved.states.size(),
-                      most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
-    std::vector<double> pressures;
-    std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < (std::min)(most, count); ++k) {
-        places.push_back(count <= most ? k : k * (count - 1) / (most - 1));
-        pressures.push_back(solved.states[places.back()].pressure.value);
-    }
-    const LawOptions& of = problem.law_options;
-    const parts::TruthOptions<double> how{of.points, of.edges, hardness, false, parallel ? ProgressHook() : progress};
-    std::vector<TruthPoint<double>> found(pressures.size());
-    if (parallel)
-        parts::run_pieces(parallel, found.size(), [&](std::size_t k) {
-            found[k] = truth(map, problem.effective_modulus, std::span(&pressures[k], 1), how).front();
-        });
-    else
-        found = truth(map, problem.effective_modulus, pressures, how);
-    std::vector<double> all(count);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const double change = std::log(found[k].state.stiffness / solved.states[places[k]].stiffness.value);
-        const bool carried = is_carried(pressures[k], found[k].state.contact_fraction, hardness);
-        all[places[k]] = carried && std::isfinite(change) ? change : 0;
-        for (std::size_t i = k > 0 ? places[k - 1] + 1 : places[k]; i < places[k]; ++i) {
-            const double p = solved.states[i].pressure.value, from = pressures[k - 1];
-            all[i] = std::lerp(all[places[k - 1]], all[places[k]], std::log(p / from) / std::log(pressures[k] / from));
-        }
-    }
-    return all;
-}
-
-FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
-    if (!is_map(face) || !face.filtered || !face.map->spectra) return 0;
-    const HeightMap<double>& map = *face.map->maps.front();
-    return parts::white_noise(face.map->spectra->of(edges), map.dx, map.dy);
-}
-
-/// The part that \p noise [m] has of the gradient squared of \p face that the lambda_s of the tables takes away.
-FSTIFF_INLINE double share_of_noise(const Face& face, Edges edges, double noise) {
-    if (!(noise > 0)) return 0;
-    const HeightMap<double>& map = *face.map->maps.front();
-    const double all = face.map->spectra->of(edges).rms_gradient(),
-                 kept = map_spectrum(*face.filtered, edges).rms_gradient(),
-                 of_noise = parts::gradient_of_noise(noise, map.dx, map.dy);
-    return (std::min)(1.0, of_noise * of_noise / ((all - kept) * (all + kept)));
-}
-
-/// Changes of K of \p solved that the filter of a lambda_s that was given, and the removed plane may have caused: the
-/// filter by the neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be
-/// the surface's own.
-FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
-                                                                  double hardness, const ParallelHook& parallel,
-                                                                  const ProgressHook& progress) {
-    std::vector<parts::CauseSpread<double>> all(solved.states.size());
-    const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
-        const std::vector<double> of_map = changes(problem, map, solved, hardness, parallel, progress);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const double change = factor * of_map[i];
-            all[i].low = -std::hypot(all[i].low, both_ways ? change : (std::min)(0.0, change));
-            all[i].high = std::hypot(all[i].high, both_ways ? change : (std::max)(0.0, change));
-        }
-    };
-    if (all.empty() || !problem.face.measured || !problem.face.measured->map) return all;
-    for (const Face& other : problem.face.neighbours)
-        if (const double ratio = other.lambda_s.value_or(0) / problem.face.lambda_s.value_or(0);
-            ratio < 1 && !problem.face.filtered && other.map)
-            widen(*other.map->maps.front(), 1 / (1 - ratio * ratio), false);
-    const parts::PreparedMap<double>& flat = *problem.face.measured->map;
-    const auto [x, y] = flat.tilt;
-    const double tilted = std::hypot(x, y) / std::sqrt(12.0) / problem.face.parameters.rms_height.value;
-    if (flat.removed != MapForm::plane || !(tilted > 0)) return all;
-    const double share = (std::min)(1.0, problem.face.parameters.long_end.form_share / tilted);
-    HeightMap<double> map = *problem.face.map->maps.front();
-    map.heights.rowwise() += share * Eigen::ArrayXd::LinSpaced(map.columns(), -x / 2, x / 2).transpose();
-    map.heights.colwise() += share * Eigen::ArrayXd::LinSpaced(map.rows(), -y / 2, y / 2);
-    widen(map, 1, share < 0.99);
-    return all;
 }
 
 /// Uncertainty of a profile of a face with a lay: the length of the ridges if it is across the lay, else the profile
@@ -234,6 +107,53 @@ FSTIFF_INLINE parts::KnownAs known_as(const Problem& problem) {
     return parts::KnownAs::numbers;
 }
 
+/// \p from with the weight 1 - \p weight, and \p to.
+FSTIFF_INLINE parts::CauseSpread<double> toward(const parts::CauseSpread<double>& from,
+                                                const parts::CauseSpread<double>& to, double weight) {
+    return {std::lerp(from.low, to.low, weight), std::lerp(from.high, to.high, weight)};
+}
+
+/// Takes \p to with its weight into the state \p i of \p curve, K and the loading stiffness by their logarithms, and
+/// its causes into \p reason.
+FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size_t i, LawCurve& curve,
+                             AnswerReason& reason) {
+    ContactState<double>& from = curve.states[i];
+    const auto take = [&](Estimate<double> ContactState<double>::*which) {
+        Estimate<double>& one = from.*which;
+        const Estimate<double>& other = to.state.*which;
+        if (!(to.weight < 1 && one.value > 0 && other.value > 0)) return void(one = other);
+        one.value *= std::pow(other.value / one.value, to.weight);
+        one.error = std::lerp(one.error, other.error, to.weight);
+    };
+    const double grid = to.state.stiffness.error / to.state.stiffness.value;
+    const auto error = law_error(problem, LawName::boundary_elements, reason, std::isfinite(grid) ? grid : 0);
+    auto& law = reason.causes[static_cast<std::size_t>(parts::Cause::law)];
+    auto& cut_offs = reason.causes[static_cast<std::size_t>(parts::Cause::cut_offs)];
+    law = toward(law, error, to.weight);
+    cut_offs = toward(cut_offs, {to.cut_offs.low, std::hypot(cut_offs.high, to.cut_offs.high)}, to.weight);
+    reason.causes[static_cast<std::size_t>(parts::Cause::noise)] = {0, to.weight * to.noise};
+    take(&ContactState<double>::stiffness);
+    take(&ContactState<double>::loading_stiffness);
+    take(&ContactState<double>::real_area_fraction);
+    from.separation.value = std::lerp(from.separation.value, to.state.separation.value, to.weight);
+    if (!curve.seated.empty() && to.seated) curve.seated[i] = std::lerp(curve.seated[i], *to.seated, to.weight);
+}
+
+/// Widens \p bands where an end falls as the pressure of \p states rises: parts that shrink with p, such as the error
+/// of the grid, are known to their own size alone.
+FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& states,
+                                  std::vector<parts::SampledBand<double>>& bands) {
+    std::vector<std::size_t> order(states.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
+        return states[one].pressure.value < states[other].pressure.value;
+    });
+    for (std::size_t k = 1; k < order.size(); ++k)
+        bands[order[k]].high = (std::max)(bands[order[k]].high, bands[order[k - 1]].high);
+    for (std::size_t k = order.size(); k > 1; --k)
+        bands[order[k - 2]].low = (std::min)(bands[order[k - 2]].low, bands[order[k - 1]].low);
+}
+
 FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& request, LawCurve& curve,
                                       const ProgressHook& progress) {
     AnswerFacts facts;
@@ -244,58 +164,40 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
     parts::UnmeasuredWaves<double> longer;
     if (problem.nominal_area) longer = problem.face.unmeasured(std::sqrt(*problem.nominal_area));
     facts.waves_at_least = longer.at_least;
+    const std::vector<Solved> of_place = boundary_elements_of(problem, request, facts.flows, curve, progress);
     for (const auto& state : curve.states) {
         AnswerReason& reason = facts.reasons.emplace_back();
         if (curve.rms_gradient)
             reason.p_star =
                 parts::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient);
         if (const double contacts = area * state.contact_density.value; contacts > 0) reason.contacts = contacts;
-        if (facts.flows && state.loading_stiffness.value > 0) reason.loading_stiffness = state.loading_stiffness.value;
     }
-    const LawCurve elements = solved(problem, request, curve, facts, progress);
-    const Edges edges = problem.law_options.edges;
-    const double noise = share_of_noise(problem.face, edges, noise_of(problem.face, edges));
-    const double hardness = facts.flows ? hardness_of(problem) : 0;
-    const auto cut_offs = of_cut_offs(problem, elements, hardness, request.parallel, progress);
-    std::vector<double> smoother(elements.states.size());  // change of ln K without the short waves
-    if (noise > 0.01 && !elements.states.empty())
-        smoother = changes(problem, *problem.face.filtered, elements, hardness, request.parallel, progress);
     std::vector<parts::SampledBand<double>> bands;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerReason& reason = facts.reasons[i];
-        if (i < curve.band.size())
-            take_band(reason.causes, curve.states[i].stiffness.value, curve.band[i],
-                      i < curve.band_parts.size() ? &curve.band_parts[i] : nullptr, !facts.of_map_itself);
         const auto put = [&](parts::Cause cause, const parts::CauseSpread<double>& spread) {
             reason.causes[static_cast<std::size_t>(cause)] = spread;
         };
+        if (i < curve.band.size())
+            take_band(reason.causes, curve.states[i].stiffness.value, curve.band[i],
+                      i < curve.band_parts.size() ? &curve.band_parts[i] : nullptr, !facts.of_map_itself);
         put(parts::Cause::lay, of_lay(problem));
         if (reason.contacts && !facts.of_map_itself)
             put(parts::Cause::contacts, parts::scatter_of_contacts(*reason.contacts));
         put(parts::Cause::long_waves, {-longer.growth, 0});
-        const Law* law = curve.law;
-        double grid = 0;
-        if (const auto at = elements.state_at(curve.places[i])) {
-            law = elements.law;
-            put(parts::Cause::cut_offs, {cut_offs[*at].low, std::hypot(reason.causes[1].high, cut_offs[*at].high)});
-            put(parts::Cause::noise, {0, noise * (std::max)(0.0, smoother[*at])});
-            curve.states[i].stiffness = elements.states[*at].stiffness;
-            curve.states[i].real_area_fraction = elements.states[*at].real_area_fraction;
-            curve.states[i].separation = elements.states[*at].separation;
-            if (!curve.seated.empty() && !elements.seated.empty()) curve.seated[i] = elements.seated[*at];
-            grid = curve.states[i].stiffness.error / curve.states[i].stiffness.value;
-        }
-        put(parts::Cause::law, law_error(problem, law->which, reason, std::isfinite(grid) ? grid : 0));
+        put(parts::Cause::law, law_error(problem, curve.law->which, reason, 0));
+        const Solved& at = of_place[curve.places[i]];
+        if (at.weight > 0) hand_over(problem, at, i, curve, reason);
         const double K = curve.states[i].stiffness.value;
-        if (reason.loading_stiffness) {  // that of the law, next to K of boundary elements
-            *reason.loading_stiffness = (std::min)(*reason.loading_stiffness, K);
-            curve.states[i].loading_stiffness.value = *reason.loading_stiffness;
-        }
+        double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more
+        loading = facts.flows ? (std::min)(loading, K) : K;
+        if (facts.flows && loading > 0) reason.loading_stiffness = loading;
         const auto whole = parts::band_of(reason.causes);
         constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
         bands.push_back({K * std::exp(whole.low), K, (std::min)(most, K * std::exp(whole.high))});
-        curve.by.push_back(law);
+        curve.by.push_back(at.weight >= 0.5 ? &find_law(LawName::boundary_elements) : curve.law);
     }
+    make_ends_rise(curve.states, bands);
     curve.band = std::move(bands);
     return facts;
 }

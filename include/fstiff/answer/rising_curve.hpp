@@ -55,7 +55,7 @@ public:
         require(to <= most * (1 + rounding), "max_pressure", to, range);
     }
 
-    [[nodiscard]] double log_stiffness(double x) const { return in_piece(piece_of(x), x); }
+    [[nodiscard]] double at(double x) const { return in_piece(piece_of(x), x); }
 
     [[nodiscard]] double fall(double from, double to) const {
         double sum = 0;

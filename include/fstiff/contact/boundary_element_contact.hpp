@@ -45,8 +45,8 @@ public:
         map_ = parts::map_for_truth(map, options.points);
     }
 
-    /// The state under \p pressure [Pa], of all quantities but those that a hardness leaves unknown; out of reach where
-    /// all points touch, and from the hardness on. \throws domain_error for a pressure that is not positive.
+    /// The state under \p pressure [Pa]; out of reach where all points touch, where the solver does not converge, and
+    /// from the hardness on. \throws domain_error for a pressure that is not positive.
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity = Quantity::all) const {
         require_positive("pressure", pressure);
         if (options_.hardness > T(0) && !(pressure < options_.hardness))
@@ -57,6 +57,7 @@ public:
             return ContactPoint<T>::out_of_reach("all points of the map are in contact");
         if (std::isinf(solved.stiffness_error))
             return ContactPoint<T>::out_of_reach("all points of the grid half as fine are in contact");
+        if (!solved.state.converged) return ContactPoint<T>::out_of_reach("the boundary elements do not converge");
         return ContactPoint<T>::of(state_of(solved));
     }
     /// The state at the mean gap \p separation [m].
@@ -102,10 +103,24 @@ private:
         state.separation = {found.mean_gap, solved.gap_error, found.iterations};
         state.eta = found.mean_gap / rms_height_;
         state.stiffness = {found.stiffness, solved.stiffness_error, found.iterations};
-        if (!(options_.hardness > T(0))) state.loading_stiffness = state.stiffness;
+        state.loading_stiffness = {loading_stiffness_of(found), solved.stiffness_error, found.iterations};
         state.real_area_fraction = {found.contact_fraction, 0, 0};
         state.contact_density = {static_cast<T>(found.spots) / area_, 0, 0};
         return state;
+    }
+
+    /// -dp/dd: of few points below H, which come and go one by one, over 3 % of the pressure to either side.
+    [[nodiscard]] T loading_stiffness_of(const parts::BoundaryElementState<T>& at) const {
+        const T few = (std::max)(T(200), T(0.03) * at.contact_fraction * T(map_.heights.size()));
+        constexpr T apart = T(1.03);
+        const T above = apart * at.pressure, below = at.pressure / apart;
+        const bool flows = at.loading_stiffness < at.stiffness;
+        if (!flows || T(at.below_hardness) >= few || !(above < options_.hardness)) return at.loading_stiffness;
+        parts::TruthOptions<T> one_grid = options_;
+        one_grid.grid_error = false, one_grid.progress = {};
+        const auto both = truth(map_, modulus_, std::array{below, above}, one_grid);
+        const T slope = (above - below) / (both[0].state.mean_gap - both[1].state.mean_gap);
+        return std::clamp(slope, T(0), at.stiffness);
     }
 
     T modulus_, rms_height_, area_;

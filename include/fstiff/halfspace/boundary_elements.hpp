@@ -4,7 +4,8 @@
 /// Contact of one map with a flat, solved by boundary elements on the map itself, and its stiffness.
 ///
 ///     g = u[p] - h + d >= 0,   p >= 0,   p g = 0 at every point,   mean p = the nominal pressure
-///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1       with a hardness: p <= H, and K is that of unloading
+///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1       with a hardness: p <= H, K of unloading
+///     u[t] = 1/K_loading where 0 < p < H, t = 0 elsewhere          K_loading is -dp/dd on loading: of fewer points, <= K
 ///
 /// u[p] is that of an elastic half space that repeats or mirrors the map. Derivation: docs/theory.md, section 11.
 /// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206;
@@ -46,13 +47,15 @@ struct BoundaryElementOptions {
 /// One solution.
 template <Real T = double>
 struct BoundaryElementState {
-    T pressure{};          ///< nominal [Pa]
-    T stiffness{};         ///< K of the contact held together [Pa/m]; infinite where all points touch
-    T contact_fraction{};  ///< share of the points in contact
-    T mean_gap{};          ///< mean distance of the two faces, the separation of their mean planes [m]
-    T max_pressure{};      ///< [Pa]
-    Eigen::Index spots{};  ///< contacts, joined through edges and corners
-    T residual{};          ///< change of the pressures by the last iteration, over their sum
+    T pressure{};                   ///< nominal [Pa]
+    T stiffness{};                  ///< K of the contact held together [Pa/m]; infinite where all points touch
+    T loading_stiffness{};          ///< -dp/dd [Pa/m]: K of the points below H held together; 0 where there are none
+    T contact_fraction{};           ///< share of the points in contact
+    T mean_gap{};                   ///< mean distance of the two faces, the separation of their mean planes [m]
+    T max_pressure{};               ///< [Pa]
+    Eigen::Index below_hardness{};  ///< points in contact with p < H
+    Eigen::Index spots{};           ///< contacts, joined through edges and corners
+    T residual{};                   ///< change of the pressures by the last iteration, over their sum
     int iterations{};
     bool converged = false;  ///< residual and that of the stiffness are below the tolerance
 };
@@ -91,18 +94,23 @@ private:
     Found approach(T nominal, T tolerance);
     /// The contact from the pressures that there are.
     Found solve(T nominal, T tolerance);
-    /// Sets and conjugate gradients for p of the mean \p nominal (over E).
-    Found solve_sets(T nominal, T tolerance);
-    /// Lets points leave and join the set. \return true if none did.
+    /// Sets and conjugate gradients for p of the mean \p nominal (over E); with more than \p most iterations given up.
+    Found solve_sets(T nominal, T tolerance, int most);
+    /// Lets points leave and join the set of those between 0 and H. \return true if none did.
     [[nodiscard]] bool is_set_kept(parts::SetGradients<T>& gradients, T nominal);
-    /// The same with p <= H, by projected gradients with the step of Barzilai and Borwein: most points in contact are
-    /// bound then.
+    /// Puts p between 0 and H, and scales those in between to the mean \p nominal. \return false if they cannot.
+    [[nodiscard]] bool bound(T nominal);
+    /// The same by projected gradients with the step of Barzilai and Borwein, where sets go round in circles.
     Found solve_cut(T nominal, T tolerance);
     [[nodiscard]] parts::BoundaryElementState<T> state(T pressure, const Found& found) const;
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
     static void project(Field& p, T nominal, T hard);
-    /// Conjugate gradients for t on the contact: value is 1/K.
-    [[nodiscard]] Found held() const;
+    /// Conjugate gradients for t on the points of the contact with p below \p most: value is 1/K.
+    [[nodiscard]] Found held(T most) const;
+    /// H over E; infinite: elastic.
+    [[nodiscard]] T hard() const {
+        return options_.hardness > 0 ? options_.hardness / modulus_ : std::numeric_limits<T>::infinity();
+    }
     [[nodiscard]] Eigen::Index count_spots() const;
     void tell(int iteration) const {
         if (options_.progress)
@@ -113,6 +121,8 @@ private:
     static constexpr T held_tolerance = T(1e-5);    ///< scatter of u on the contact over its value: K to 1e-9
     static constexpr T coarse_tolerance = T(1e-4);  ///< of a solution that is a start alone
     static constexpr T enough = T(0.3);  ///< rest of the first change of the pressures at which a set is tried
+    static constexpr T rough_tolerance = T(1e-3);  ///< of projected gradients before sets
+    static constexpr int most_of_cut = 100;        ///< iterations of sets that are cut at H, before projected gradients
     static constexpr Eigen::Index least_side = 16;  ///< of a grid that has a coarser one
 
     T modulus_;
@@ -184,7 +194,12 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal, T tole
     p_ *= nominal / p_.mean();
     u_ = p_;
     compliance_.deflect(u_);
-    return options_.hardness > 0 ? solve_cut(nominal, tolerance) : solve_sets(nominal, tolerance);
+    if (!(options_.hardness > 0)) return solve_sets(nominal, tolerance, options_.max_iterations);
+    const Found rough = solve_cut(nominal, (std::max)(tolerance, rough_tolerance));
+    if (rough.residual <= tolerance) return rough;
+    Found found = solve_sets(nominal, tolerance, most_of_cut);
+    found.iterations += rough.iterations;
+    return found.residual <= tolerance ? found : solve_cut(nominal, tolerance);
 }
 
 template <Real T>
@@ -194,6 +209,7 @@ parts::BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Foun
     const auto contact = p_ > T(0);
     const Eigen::Index count = contact.count();
     state.contact_fraction = T(count) / T(p_.size());
+    state.below_hardness = (contact && p_ < hard()).count();
     state.max_pressure = p_.maxCoeff() * modulus_;
     state.mean_gap = -found.value;  // the mean of u and h is 0
     state.residual = found.residual;
@@ -203,8 +219,10 @@ parts::BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Foun
     if (count == p_.size()) {
         state.stiffness = std::numeric_limits<T>::infinity();
     } else {
-        const Found unit = held();
-        state.stiffness = modulus_ / unit.value;
+        const Found unit = held(std::numeric_limits<T>::infinity());
+        state.stiffness = state.loading_stiffness = modulus_ / unit.value;
+        if (state.below_hardness < count)
+            state.loading_stiffness = state.below_hardness > 0 ? modulus_ / held(hard()).value : T(0);
         state.iterations += unit.iterations;
         state.converged = state.converged && unit.residual <= held_tolerance;
     }
@@ -212,13 +230,13 @@ parts::BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Foun
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T tolerance) {
+typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T tolerance, int most) {
     const T total = nominal * T(p_.size());
     parts::SetGradients<T> gradients(compliance_, inverse_, height_);
-    gradients.start(parts::points_of(p_), u_);
+    gradients.start(parts::points_of<T>((p_ < hard()).select(p_, T(0))), u_);
     int iteration = 0, quiet = 0;
-    T sum = 0;
-    while (iteration < options_.max_iterations) {
+    T sum = std::numeric_limits<T>::infinity();
+    while (iteration < most && !gradients.points().empty()) {
         T change = 0, first = 0;
         sum = 0;
         do {
@@ -226,12 +244,13 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T
             change = gradients.step(p_, u_) / total;
             sum += change;
             first = (std::max)(first, change);
-        } while (change > tolerance && change > enough * first && iteration < options_.max_iterations);
+        } while (change > tolerance && change > enough * first && iteration < most);
         const T level = gradients.level();
         const bool kept = is_set_kept(gradients, nominal);
         quiet = sum <= tolerance ? quiet + 1 : 0;  // twice: points at the edge of rounding
         if ((kept && change <= tolerance) || quiet == 2) return {level, change, iteration};
     }
+    if (gradients.points().empty()) sum = std::numeric_limits<T>::infinity();
     return {gradients.level(), sum, iteration};
 }
 
@@ -239,34 +258,52 @@ template <Real T>
 bool BoundaryElements<T>::is_set_kept(parts::SetGradients<T>& gradients, T nominal) {
     const auto& points = gradients.points();
     const T level = gradients.level();
-    std::vector<Eigen::Index> next;
+    const auto is_inside = [&](Eigen::Index k) { return p_.data()[k] > 0 && p_.data()[k] < hard(); };
+    std::vector<Eigen::Index> joined, next;
     auto on = points.begin();
-    bool pulled = false, joined = false;
+    bool bounded = false;
     for (Eigen::Index k = 0; k < p_.size(); ++k) {
+        const T gap = u_.data()[k] - height_.data()[k];
         if (on != points.end() && *on == k) {
             ++on;
-            if (p_.data()[k] > 0)
-                next.push_back(k);
-            else
-                pulled = true;
-        } else if (u_.data()[k] - height_.data()[k] < level) {
-            next.push_back(k);
-            joined = true;
+            bounded = bounded || !is_inside(k);
+        } else if (p_.data()[k] > 0 ? gap > level : gap < level) {
+            joined.push_back(k);
         }
     }
-    if (pulled) {
-        p_ = (p_.max)(T(0));
-        p_ *= nominal / p_.mean();
+    if (!bounded && joined.empty()) return true;
+    if (bounded) {
+        if (!bound(nominal)) return gradients.start({}, u_), false;
         u_ = p_;
         compliance_.deflect(u_);
     }
-    if (pulled || joined) gradients.start(std::move(next), u_);
-    return !pulled && !joined;
+    auto more = joined.begin();
+    for (Eigen::Index k = 0; k < p_.size(); ++k) {
+        const bool joins = more != joined.end() && *more == k;
+        if (joins) ++more;
+        if (joins || is_inside(k)) next.push_back(k);
+    }
+    gradients.start(std::move(next), u_);
+    return false;
+}
+
+template <Real T>
+bool BoundaryElements<T>::bound(T nominal) {
+    p_ = ((p_.max)(T(0)).min)(hard());
+    for (int i = 0; i < 20; ++i) {
+        const auto inside = p_ < hard();
+        const T flowed = inside.select(T(0), p_).sum(),
+                factor = (nominal * T(p_.size()) - flowed) / (p_.sum() - flowed);
+        if (!(factor > 0 && std::isfinite(factor))) return false;
+        p_ = inside.select(((p_ * factor).min)(hard()), p_).eval();
+        if (std::abs(p_.mean() - nominal) <= 64 * std::numeric_limits<T>::epsilon() * nominal) return true;
+    }
+    return false;
 }
 
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal, T tolerance) {
-    const T hard = options_.hardness / modulus_;
+    const T hard = this->hard();
     project(p_, nominal, hard);
     u_ = p_;
     compliance_.deflect(u_);
@@ -319,10 +356,10 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::held() const {
-    const Field on = (p_ > T(0)).template cast<T>();
+typename BoundaryElements<T>::Found BoundaryElements<T>::held(T most) const {
+    const Field start = (p_ < most).select(p_, T(0)), on = (start > T(0)).template cast<T>();
     const parts::HeldContact<T> found =
-        parts::held_together(compliance_, inverse_, on, p_, held_tolerance, options_.max_iterations);
+        parts::held_together(compliance_, inverse_, on, start, held_tolerance, options_.max_iterations);
     return {found.compliance, found.residual, found.iterations};
 }
 
