@@ -32,8 +32,8 @@ std::string_view words_of(parts::Cause cause) {
 }
 
 /// Whether yielded peaks change no K by more than a hundredth.
-bool is_nearly_elastic(const StiffnessAnswer& answer) {
-    bool nearly = answer.flows;
+bool is_nearly_elastic(const Scene& scene, const StiffnessAnswer& answer) {
+    bool nearly = answer.flows && !scene.hardness_range;  // it may be softer
     for (std::size_t i = 0; i < answer.reasons.size(); ++i)
         nearly =
             nearly && answer.reasons[i].loading_stiffness.value_or(0) > 0.99 * answer.curve.states[i].stiffness.value;
@@ -47,7 +47,7 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const std::string number = ratio ? " (H/(E g) = " + rounded(*ratio, 2) + ")" : "";
     const bool loads = std::any_of(answer.reasons.begin(), answer.reasons.end(),
                                    [](const AnswerReason& one) { return one.loading_stiffness.has_value(); });
-    if (is_nearly_elastic(answer))
+    if (is_nearly_elastic(scene, answer))
         return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves."};
     if (answer.flows)
         return {"The peaks yield at first loading" + number + ": K is the unloading stiffness.",
@@ -174,7 +174,7 @@ Explanation explanation(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     Explanation all{nature(scene, results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
-    all.shorter = {is_nearly_elastic(answer)   ? std::string("The contact is nearly elastic.")
+    all.shorter = {is_nearly_elastic(scene, answer)   ? std::string("The contact is nearly elastic.")
                    : answer.flows              ? "The peaks yield: K is that of unloading."
                    : !answer.relative_hardness ? "Taken as elastic."
                                                : "K is that of an elastic contact; peaks may yield."};

@@ -92,23 +92,23 @@ TEST_CASE("A pressure without a K keeps its row in the summary") {
     CHECK(table[3][0] == "100 MPa");
 }
 
-TEST_CASE("Law plastic is doubtful beyond a quarter of the hardness, and gives no separation that it lacks") {
-    // half space of a map of this sigma and gradient with pressures cut at H: 2.63, 6.1, 11.1 GPa/um at 0.33, 0.53,
-    // 0.67 H, where the band holds 1.6-2.4, 2.5-4.1, 3-5.3
+TEST_CASE("Law plastic is right up to the hardness, with a negative separation above half of it, and doubtful last") {
+    // half space of a map of this sigma and gradient with pressures cut at H: at 0.33, 0.53, 0.67 H
+    constexpr double truth[] = {2.63e15, 6.1e15, 11.1e15};
     const std::string upper = "hardness = \"3 GPa\"\n",
-                      all = "[output]\nquantities = [\"stiffness\", \"separation\", \"loading_stiffness\"]\n";
-    const auto results =
-        test::results_of(text_of(0.1312, upper, "pressures = [\"0.7 GPa\", \"1 GPa\", \"2 GPa\"]\n", all));
+                      all = "[output]\nquantities = [\"stiffness\", \"separation\", \"loading_stiffness\"]\n",
+                      up_to = "pressures = [\"1 GPa\", \"1.6 GPa\", \"2 GPa\"";
+    const auto results = test::results_of(text_of(0.1312, upper, up_to + ", \"2.9 GPa\"]\n", all));
     INFO(warned(results));
     CHECK(results.doubtful);
     CHECK(contains(warned(results),
-                   "law plastic was compared up to 750 MPa, a quarter of the hardness: K at 1 GPa may be far off"));
-    CHECK_FALSE(test::results_of(text_of(0.1312, upper, "pressures = [\"0.7 GPa\"]\n")).doubtful);
-    for (const char* column : {"eta", "separation_m", "loading_stiffness_Pa_per_m"}) {
-        CHECK(std::stod(cell(results, column, 0)) > 0);
-        CHECK(cell(results, column, 2).empty());
+                   "law plastic was compared up to 2.85 GPa, 95 % of the hardness: K at 2.9 GPa may be far off"));
+    CHECK_FALSE(test::results_of(text_of(0.1312, upper, up_to + "]\n")).doubtful);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(std::abs(std::stod(cell(results, "stiffness_Pa_per_m", i)) / truth[i] - 1) < 0.2);
+        CHECK(std::stod(cell(results, "loading_stiffness_Pa_per_m", i)) > 0);
+        CHECK((std::stod(cell(results, "separation_m", i)) > 0) == (i == 0));
     }
-    CHECK(std::stod(cell(results, "stiffness_Pa_per_m", 2)) > 0);
 }
 
 TEST_CASE("No loading stiffness is above that of unloading") {
@@ -146,7 +146,7 @@ TEST_CASE("Where one body alone has a hardness that of the other is assumed, and
             INFO(bodies << said(bodies));
             CHECK(contains(said(bodies), "of the softer of "));
             CHECK(contains(said(bodies), other));
-            CHECK_FALSE(contains(said(bodies), "The contact is elastic"));
+            CHECK_FALSE(contains(said(bodies), "nearly elastic"));
         }
         // the softer one is no harder than 1 GPa: peaks flow in any case
         const std::string bodies =
@@ -155,7 +155,6 @@ TEST_CASE("Where one body alone has a hardness that of the other is assumed, and
     }
     const std::string both =
         said("upper = { name = \"steel\", hardness = \"12 GPa\" }\n");  // the lower is as the upper
-    CHECK(contains(both, "The contact is elastic"));
     CHECK_FALSE(contains(both, "hardness"));
 }
 
