@@ -100,12 +100,6 @@ FSTIFF_INLINE parts::CauseSpread<double> toward(const parts::CauseSpread<double>
     return {std::lerp(from.low, to.low, weight), std::lerp(from.high, to.high, weight)};
 }
 
-/// \p from with the weight 1 - \p weight, and \p to.
-FSTIFF_INLINE parts::CauseSpread<double> toward(const parts::CauseSpread<double>& from,
-                                                const parts::CauseSpread<double>& to, double weight) {
-    return {std::lerp(from.low, to.low, weight), std::lerp(from.high, to.high, weight)};
-}
-
 /// Takes \p to with its weight into the state \p i of \p curve, K and the loading stiffness by their logarithms, and
 /// its causes into \p reason.
 FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size_t i, LawCurve& curve,
