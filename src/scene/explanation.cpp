@@ -174,10 +174,10 @@ Explanation explanation(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     Explanation all{nature(scene, results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
-    all.shorter = {is_nearly_elastic(scene, answer)   ? std::string("The contact is nearly elastic.")
-                   : answer.flows              ? "The peaks yield: K is that of unloading."
-                   : !answer.relative_hardness ? "Taken as elastic."
-                                               : "K is that of an elastic contact; peaks may yield."};
+    all.shorter = {is_nearly_elastic(scene, answer) ? std::string("The contact is nearly elastic.")
+                   : answer.flows                   ? "The peaks yield: K is that of unloading."
+                   : !answer.relative_hardness      ? "Taken as elastic."
+                                                    : "K is that of an elastic contact; peaks may yield."};
     if (has_lay(scene)) all.shorter = {"A profile across a lay does not determine K."};
     return all;
 }

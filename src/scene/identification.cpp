@@ -10,6 +10,7 @@
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/answer/elements.hpp>
+#include <fstiff/answer/unknowns.hpp>
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 
@@ -25,17 +26,15 @@ namespace {
 /// "a, b and c", with \p last before the last one.
 std::string joined(const std::vector<std::string_view>& words, std::string_view last) {
     std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? last : ", ";
-        text += words[i];
-    }
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text.append(i == 0 ? "" : i + 1 == words.size() ? last : ", ").append(words[i]);
     return text;
 }
 
 /// "sigma and Dp", in the order of --fit.
 std::string names_of(const std::vector<Parameter>& parameters) {
     std::vector<std::string_view> names;
-    for (const Parameter parameter : parameters) names.push_back(parts::row_of(parameter).short_name);
+    for (const Parameter one : parameters) names.push_back(parts::row_of(one).short_name);
     return joined(names, " and ");
 }
 
@@ -65,19 +64,17 @@ bool of_spectrum(const std::vector<Parameter>& wanted) {
 ContactParameters<double> start_of(const Problem& problem, const Peaks* peaks) {
     ContactParameters<double> start;
     const SpectralMoments<double> moments = spectral_moments(problem.face);
-    start.rms_height = problem.face.parameters.rms_height.value;
-    start.peak_radius = problem.face.parameters.peak_radius.value;
-    start.peak_density = problem.face.parameters.peak_density.value;
+    const Roughness<double> of = problem.face.roughness();
+    start.rms_height = of.rms_height, start.peak_radius = of.peak_radius, start.peak_density = of.peak_density;
     start.fractal_dimension = problem.face.dimension().value_or(1.5);
     start.effective_modulus = problem.effective_modulus;
     start.rms_gradient = std::sqrt(2 * moments.m2);
     start.alpha = moments.bandwidth();
-    start.hardness = hardness_of(problem);
-    if (peaks) {
-        const PeakDistribution<double> density = peak_density(*peaks);
-        start.r = density.r();
-        start.theta = density.theta();
-    }
+    const double hardness = hardness_of(problem);
+    start.hardness = std::isfinite(hardness) ? hardness : 0;
+    if (!peaks) return start;
+    const PeakDistribution<double> density = peak_density(*peaks);
+    start.r = density.r(), start.theta = density.theta();
     return start;
 }
 
@@ -126,7 +123,7 @@ Face with_parameters(Face face, const ContactParameters<double>& x, const std::v
 std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, const ContactParameters<double>& x,
                                               const std::vector<Parameter>& wanted, std::span<const double> pressures) {
     lean.face = with_parameters(std::move(lean.face), x, wanted);
-    if (has(wanted, Parameter::hardness)) lean.hardness = x.hardness;
+    if (has(wanted, Parameter::hardness)) lean = with_hardness(std::move(lean), x.hardness);
     const bool own_peaks = has(wanted, Parameter::r) || has(wanted, Parameter::theta);
     if (own_peaks) lean.peaks = {{.theta = x.theta, .r = x.r}};
     lean.default_peaks = lean.default_peaks && of_spectrum(wanted) && !own_peaks;  // r follows alpha
@@ -142,8 +139,8 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
 template <class More>
 Identification<double> found_by_differences(const Problem& problem, const Fit& fit, const FitInputs& inputs,
                                             const More& more) {
-    const Problem lean = lean_problem(problem, fit);
-    return fit_curve(inputs, [&](const ContactParameters<double>& x, std::span<const double> pressures) {
+    return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
+                                                                    std::span<const double> pressures) {
         std::vector<double> stiffness;
         for (const auto& point : points_with(lean, *fit.law, x, inputs.wanted, pressures))
             stiffness.push_back(point.ok() ? point.state.stiffness.value * std::exp(more(point.state.pressure.value))
