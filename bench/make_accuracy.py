@@ -188,6 +188,8 @@ def face_tables(rows):
     lines = []
     for half, title in (("unseen", "Kinds that the bands were not set on"), ("calibrated", "Kinds that the bands were set on")):
         mine = [row for row in rows if row["half"] == half]
+        if not mine:
+            continue
         known = [word for word in KNOWN if any(row["known"] == word for row in mine)]
 
         def cell(group, word):

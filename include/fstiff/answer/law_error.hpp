@@ -11,7 +11,7 @@
 /// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*, and by
 /// squares ever more of hybrid as H/(E g) rises. Other terms: docs/theory.md, section 15.
 ///
-/// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13; of traces and numbers 13 more
+/// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13, and of 13 kinds of faces
 /// Units       p* = p/(E g_rms), ln K
 /// Valid       any p*; the widest of the table where it is NaN
 /// Accuracy    coverage on other kinds and seeds: docs/accuracy.md
@@ -65,7 +65,7 @@ struct LawErrorRow { LawErrorTable low, high; };
 /// Of heights that are far from Gaussian: faces of one skewness and kurtosis differ where few points carry and, by
 /// their patches, where many do.
 inline constexpr LawErrorRow shape_errors_of_traces{{50, 50, 50, 50, 50, 50, 50}, {50, 50, 50, 50, 50, 50, 50}},
-    shape_errors_of_numbers{{180, 150, 110, 55, 33, 33, 25}, {120, 90, 50, 33, 20, 50, 42}};
+    shape_errors_of_numbers{{120, 120, 110, 55, 33, 33, 25}, {75, 75, 50, 33, 20, 50, 42}};
 // clang-format on
 
 /// The row of \p law.
@@ -126,7 +126,9 @@ template <Real T>
     if (question.known != KnownAs::map && question.skewness && question.kurtosis) {
         const auto& of = question.known == KnownAs::trace ? shape_errors_of_traces : shape_errors_of_numbers;
         const T m = (std::min)(std::hypot(question.skewness->value, question.kurtosis->value - 3), T(1));
-        low = std::hypot(low, m * at(of.low)), high = std::hypot(high, m * at(of.high));
+        const T first = T(law_error_pressures.front()), within = (std::max)(place, first);  // it does not grow below
+        low = std::hypot(low, m * at_pressure(of.low, within));
+        high = std::hypot(high, m * at_pressure(of.high, within));
     }
     return {-(std::min)(low, T(3)), (std::min)(high, T(3))};
 }
