@@ -68,8 +68,7 @@ ContactParameters<double> start_of(const Problem& problem, const Peaks* peaks) {
     start.rms_height = of.rms_height, start.peak_radius = of.peak_radius, start.peak_density = of.peak_density;
     start.fractal_dimension = problem.face.dimension().value_or(1.5);
     start.effective_modulus = problem.effective_modulus;
-    start.rms_gradient = std::sqrt(2 * moments.m2);
-    start.alpha = moments.bandwidth();
+    start.rms_gradient = std::sqrt(2 * moments.m2), start.alpha = moments.bandwidth();
     const double hardness = hardness_of(problem);
     start.hardness = std::isfinite(hardness) ? hardness : 0;
     if (!peaks) return start;
@@ -136,9 +135,8 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
 }
 
 /// The fit by differences of the law of \p fit, with ln K more by \p more(p).
-template <class More>
 Identification<double> found_by_differences(const Problem& problem, const Fit& fit, const FitInputs& inputs,
-                                            const More& more) {
+                                            const auto& more) {
     return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
                                                                     std::span<const double> pressures) {
         std::vector<double> stiffness;

@@ -5,7 +5,7 @@
 ///
 ///     g = u[p] - h + d >= 0,   p >= 0,   p g = 0 at every point,   mean p = the nominal pressure
 ///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1       with a hardness: p <= H, K of unloading
-///     u[t] = 1/K_loading where 0 < p < H, t = 0 elsewhere          K_loading is -dp/dd on loading: of fewer points, <= K
+///     u[t] = 1/K_loading where 0 < p < H, t = 0 elsewhere          K_loading is -dp/dd on loading, K or less
 ///
 /// u[p] is that of an elastic half space that repeats or mirrors the map. Derivation: docs/theory.md, section 11.
 /// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206;
