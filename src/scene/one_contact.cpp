@@ -3,6 +3,8 @@
 
 #include "document/file.hpp"
 
+#include <fstiff/answer/unknowns.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -90,6 +92,8 @@ OneContact contact_of(const std::string& law, Joint joint, const ProgressHook& p
         throw domain_error(name + "r and theta" +
                            (joint.face.measured ? " of the surface: " + joint.face.measured->why_no_peaks : ""));
     (void)possible_law(found->which, *problem);
+    if (problem->hardness_range && feels_hardness(*problem, {found}))
+        throw domain_error(name + "hardness or yield_strength");
     return only_contact(std::move(problem), *found, 0, progress);
 }
 

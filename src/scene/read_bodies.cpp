@@ -63,26 +63,22 @@ std::optional<double> read_hardness(Source& source, const Section& body, double 
     if (!node) return std::nullopt;
     const std::string text = node->value_or(std::string()), key = body.key("hardness");
     if (text == "infinite") {
-        source.record(key, text, std::numeric_limits<double>::infinity(), "Pa");
+        source.record(key, text);
         return std::numeric_limits<double>::infinity();
     }
+    std::optional<double> pressure;
     try {
-        const std::optional<double> pressure = indentation_pressure(text, modulus, key);
-        if (!pressure) return body.positive("hardness", Dimension::pressure);
-        if (!(*pressure > 0)) source.refuse(*node, key, "must be greater than 0");
-        source.record(key, text, *pressure, "Pa");
-        return pressure;
-    } catch (const domain_error& error) {
-        if (!error.parameter().empty() && error.parameter() != "HRC") throw;
-        source.refuse(*node, key,
-                      "must be a pressure such as \"2 GPa\", \"200 HV\", \"190 HBW\", HRC from 20 to 68, or "
-                      "\"infinite\" for a body that never yields");
+        pressure = indentation_pressure(text, modulus, key);
+        if (pressure && !(*pressure > 0)) throw domain_error("must be greater than 0");
+    } catch (const domain_error&) {
+        source.refuse(
+            *node, key,
+            "must be a pressure such as \"2 GPa\", \"200 HV\", \"190 HBW\", HRC from 20 to 68, or \"infinite\" "
+            "for a body that never yields");
     }
-}
-
-void record_of_name(Source& source, const std::string& key, const parts::NamedMaterial& name, double value,
-                    std::string_view unit) {
-    source.record_default(key, "of " + std::string(name.name), value, unit);
+    if (!pressure) return body.positive("hardness", Dimension::pressure);
+    source.record(key, text, *pressure, "Pa");
+    return pressure;
 }
 
 /// A name, or a section that may begin from one: what else it holds replaces the values of the name.

@@ -804,6 +804,7 @@ static void test_refusals(void) {
     for (size_t i = 0; i < sizeof fields / sizeof *fields; ++i)
         for (size_t j = 0; j < 4; ++j) {
             const double good = *fields[i];
+            if (fields[i] == &body.hardness && j == 2) continue;  // a body that never yields
             *fields[i] = bad[j];
             REFUSES(FSTIFF_REFUSED, "must be", fstiff_contact_make("fractal", &fine, &body, &none));
             CHECK(none == NULL);

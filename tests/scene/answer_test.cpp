@@ -21,8 +21,9 @@ const std::string wide = "pressures = { from = \"1 MPa\", to = \"100 MPa\", coun
 
 /// A scene of \p surface on a body of E* = 100 GPa, with \p material, \p contact and 20 samples.
 std::string text_of(const std::string& surface, const std::string& contact, const std::string& material = "") {
-    return surface + "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" + material + "[contact]\n" +
-           contact + "[uncertainty]\nsamples = 20\n";
+    return surface + "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n" +
+           (material.empty() ? "hardness = \"infinite\"\n" : material) + "[contact]\n" + contact +
+           "[uncertainty]\nsamples = 20\n";
 }
 
 /// A map of \p points a side, every 1 um and 0.3 um high, in a file of \p folder, after \p change of its heights.

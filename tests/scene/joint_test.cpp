@@ -262,7 +262,7 @@ TEST_CASE("What does not hold of an answer, and what to measure next, are values
     CHECK(kinds(steep) == std::set{parts::Concern::implausible_gradient});
     CHECK(steep.concerns.front().greatest == 100);
     CHECK(steep.doubtful);
-    joint.face.rms_gradient = 0.1, joint.upper.hardness = joint.lower.hardness = 30e6;
+    joint.face.rms_gradient = 0.1, joint.upper.hardness = joint.lower.hardness = 10.3e6;
     const Answer flowed = answer(joint, pressures);
     CHECK(kinds(flowed) == std::set{parts::Concern::no_state, parts::Concern::beyond_comparison});
     CHECK(std::any_of(flowed.concerns.begin(), flowed.concerns.end(), [](const auto& one) {
@@ -298,7 +298,7 @@ TEST_CASE("The law of an answer and of the ends of its band is a table of K with
         for (const AnswerPoint& point : found.points)
             CHECK(test::relative_error(law.stiffness(point.pressure), point.stiffness.*end) <
                   (std::max)(1e-3, 2 * law.relative_error()));
-        CHECK(law.relative_error() < 1e-3);
+        CHECK(law.relative_error() < (quantile == 0.5 ? 1e-3 : 2e-3));  // an end bends where its causes change places
     }
     // hybrid, whose K is its slope: K between the points, and the approach, are those of the law itself
     const ContactLaw<double> law = found.law_at(0.5, {.min_pressure = 1e5, .max_pressure = 1e9});

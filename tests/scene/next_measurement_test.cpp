@@ -48,7 +48,9 @@ std::map<std::string, std::string> followed(const Case& one) {
     if (face.is_open(Unknown::hurst)) all["D or H"] = one.text(line("hurst", hurst_exponent(face)));
     if (face.is_open(Unknown::skewness))
         all["skewness"] = one.text(line("skewness", face.shape.skewness) + line("kurtosis", face.shape.kurtosis));
-    if (read.hardness_range) all["the hardness"] = one.text(line("hardness", read.hardness_range->middle, " Pa"));
+    if (read.hardness_range)
+        all["the hardness"] =
+            Case{one.surface, line("hardness", read.hardness_range->middle, " Pa") + one.contact}.text();
     if (face.is_open(Unknown::height)) {
         Case by = one;
         by.surface.erase(0, by.surface.find('\n') + 1);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace one_curve_test {
@@ -24,7 +25,7 @@ Joint joint_of(const HeightMap<double>& map, double hardness) {
     Joint joint{.face = {.measured = std::make_shared<const Surface<double>>(measure(map))},
                 .effective_modulus = 100e9,
                 .nominal_area = map.area()};
-    if (hardness > 0) joint.upper.hardness = hardness;
+    joint.upper.hardness = hardness > 0 ? hardness : std::numeric_limits<double>::infinity();
     return joint;
 }
 

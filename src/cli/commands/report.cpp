@@ -74,6 +74,7 @@ void validity_section(Page& page, const Problem& problem, const Results& results
                     : plastic->holds() ? "holds"
                                        : std::string(scene::yielding_peaks)});
     const double hardness = hardness_of(problem);
+    const bool known = hardness > 0 && std::isfinite(hardness);
     for (const Curve& curve : results.curves) {
         const std::string name = legend_of(curve);
         if (const auto* pressure = parts::find_check(curve.checks, parts::Concern::interacting_asperities))
@@ -84,8 +85,8 @@ void validity_section(Page& page, const Problem& problem, const Results& results
         if (const auto* pressure = parts::find_check(curve.checks, parts::Concern::above_hardness))
             rows.push_back({"mean contact pressure [GPa], " + name,
                             range_of(pressure->least / 1e9, pressure->greatest / 1e9),
-                            "below the hardness" + (hardness > 0 ? ", " + with_unit(hardness, "Pa", 3) : ""),
-                            !(hardness > 0)                  ? "not known"
+                            "below the hardness" + (known ? ", " + with_unit(hardness, "Pa", 3) : ""),
+                            !known                           ? "not known"
                             : pressure->greatest <= hardness ? "holds"
                                                              : "does not hold"});
     }

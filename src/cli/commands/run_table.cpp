@@ -174,7 +174,8 @@ std::string introduction(const Scene& scene, const Results& results) {
         parts.insert(parts.begin(), printable(measured.file) + " (" + measured.kind + ")");
         const auto& cut_offs = measured.found.cut_offs;
         if (cut_offs.any() && !scene.best) parts.push_back(sentence_of(cut_offs));
-        if (scene.best && cut_offs.lambda_s) parts.push_back("lambda_s " + shown_length(*cut_offs.lambda_s, 3));
+        if (scene.best && cut_offs.lambda_s && !face->filtered)
+            parts.push_back("lambda_s " + shown_length(*cut_offs.lambda_s, 3));
         if (scene.best && cut_offs.lambda_c) parts.push_back("lambda_c " + shown_length(*cut_offs.lambda_c, 3));
         text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
     }
