@@ -30,7 +30,7 @@ std::string gaussian(const std::vector<double>& stars, const char* laws = "") {
     for (const double star : stars) list += (list.empty() ? "" : ", ") + quoted(star * 0.276597, "GPa");
     return "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.276597\nalpha = 139.79\nhurst = 0.8\nskewness = "
            "0\nkurtosis = 3\n"
-           "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\n[contact]\npressures = [" +
+           "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\nhardness = \"infinite\"\n[contact]\npressures = [" +
            list + "]\n" + laws + "[output]\nquantities = [\"stiffness\", \"separation\", \"real_area\"]\n";
 }
 
