@@ -162,9 +162,10 @@ std::pair<std::string_view, double> key_and_value(const Face& face, parts::Unkno
 /// Puts on record the numbers that \p scene does not give, and that a law of it depends on.
 void take_assumed_numbers(Source& source, Scene& scene) {
     const bool one_face = scene.faces.empty();
+    const std::vector<NamedFace> faces = named_faces(scene);
     for (const auto& [place, prior] : felt_priors(scene, scene.laws)) {
         if (prior->origin == Origin::measurement) continue;
-        const NamedFace of = named_faces(scene)[place];
+        const NamedFace& of = faces[place];
         const auto [end, value] = key_and_value(*of.face, prior->which);
         const std::string key = "surface." + (one_face ? "" : std::string(of.name) + ".") + std::string(end);
         if (std::none_of(source.inputs.begin(), source.inputs.end(),
