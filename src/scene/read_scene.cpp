@@ -167,9 +167,10 @@ void take_assumed_numbers(Source& source, Scene& scene) {
         scene.assumptions.push_back(phrase_of_hardness(scene));
     }
     const bool one_face = scene.faces.empty();
+    const std::vector<NamedFace> faces = named_faces(scene);
     for (const auto& [place, prior] : felt_priors(scene, scene.laws)) {
         if (prior->origin == Origin::measurement) continue;
-        const NamedFace of = named_faces(scene)[place];
+        const NamedFace& of = faces[place];
         const auto [end, value] = key_and_value(*of.face, prior->which);
         const std::string key = "surface." + (one_face ? "" : std::string(of.name) + ".") + std::string(end);
         if (std::none_of(source.inputs.begin(), source.inputs.end(),

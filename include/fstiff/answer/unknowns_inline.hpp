@@ -142,10 +142,9 @@ FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, cons
     std::vector<Alternative> all;
     for (const auto& [place, prior] : felt_priors(problem, laws)) {
         const auto with = [&, i = place, which = prior->which](double value) {
-            if (problem.faces.empty()) return with_value(problem.face, which, value);
-            std::vector<Face> faces = problem.faces;
-            faces[i] = with_value(std::move(faces[i]), which, value);
-            return sum_of_faces(faces[0], faces[1]);
+            const Face changed = with_value(*rough_faces(problem)[i], which, value);
+            if (problem.faces.empty()) return changed;
+            return i == 0 ? sum_of_faces(changed, problem.faces[1]) : sum_of_faces(problem.faces[0], changed);
         };
         all.push_back({prior->which, with(prior->low), with(prior->high)});
     }

@@ -106,9 +106,7 @@ std::string material_sentence(const Scene& scene) {
                        scene.upper.poisson_ratio == scene.lower.poisson_ratio;
     std::string text = assumed ? "Material assumed, not given: steel of the built-in scene, " : "Material: ";
     text += alike ? body(scene.upper) + " of both bodies" : body(scene.upper) + " on " + body(scene.lower);
-    const auto same = [](const Input& input) {
-        return input.key == "material.lower" && input.written.ends_with("(default)");
-    };
+    const auto same = [](const Input& input) { return input.key == "material.lower" && !input.given; };
     if (std::any_of(scene.inputs.begin(), scene.inputs.end(), same))
         text += " (the lower is assumed to be as the upper)";
     if (scene.hardness)
