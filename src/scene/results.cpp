@@ -120,7 +120,7 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
     return with_columns(scene, std::move(curves));
 }
 
-Results compute(const Scene& scene, const ProgressHook& progress) {
+Results compute(const Scene& scene, const ProgressHook& progress, const ParallelHook& parallel) {
     Results results;
     results.modulus = scene.effective_modulus;
     results.warnings = scene.warnings;
@@ -133,6 +133,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         results.surface_checks =
             parts::check_surface(scene.face.roughness(), scene.effective_modulus, scene.yield_strength);
     Request request = request_of(scene);
+    request.parallel = parallel;
     // warnings and the explanation need the contacts and the area, whichever columns are shown
     request.quantities = request.quantities | Quantity::contact_density | Quantity::real_area_fraction;
     Curves found = curves_of(scene, request, progress);

@@ -11,6 +11,7 @@
 #include "scene/joint.hpp"
 #include "scene/scene.hpp"
 
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/core/progress.hpp>
 
 #include <cstddef>
@@ -61,9 +62,9 @@ struct Results {
 [[nodiscard]] bool has_band(const Results& results);
 
 /// Everything the scene asks for. A point that a law does not reach leaves the others alone, with a warning. \p
-/// progress is called while a band is sampled.
+/// progress is called while a band is sampled; \p parallel runs what takes long.
 /// \throws domain_error where the model cannot give it, or no law reaches any point, naming the place in the scene.
-[[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {});
+[[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {}, const ParallelHook& parallel = {});
 /// The curves of compute() with their states, bands and columns, but without checks, means and warnings.
 /// \p contacts are those of the scene, or of one with other points. \throws domain_error as compute().
 [[nodiscard]] std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>& contacts);

@@ -27,7 +27,7 @@ TEST_CASE("Long work shows a bar with the time left on a terminal, and nothing i
                                    "' --format csv -o '" + folder / "out.csv" + "'\" /dev/null");
     INFO(shown.out << shown.err);
     CHECK(shown.status == 0);
-    CHECK(test::contains(shown.out, "surfaces ["));
+    CHECK(test::contains(shown.out, "pieces ["));
     CHECK(test::contains(shown.out, " s left"));
     CHECK(shown.out.ends_with("\r\x1b[K"));  // wiped at the end
     CHECK(test::read(folder / "out.csv") == piped.out);
@@ -64,8 +64,7 @@ TEST_CASE("Boundary elements of an answer show a bar") {
                                    "' --format csv -o '" + folder / "run.csv" + "'\" /dev/null");
     INFO(shown.out);
     CHECK(shown.status == 0);
-    CHECK(test::contains(shown.out, "points ["));
-    CHECK(test::contains(shown.out, "pressures ["));
+    CHECK(test::contains(shown.out, "pieces ["));
 }
 
 }  // namespace progress_test

@@ -5,6 +5,7 @@
 #include "commands/scales.hpp"
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
+#include "input/computed.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
@@ -331,7 +332,7 @@ Report execute(const Options& options) {
         scene.reflection = true;
         scene.shear_reflection = scene.ultrasound->shear.has_value();
     }
-    const Results results = compute(scene, progress_bar());
+    const Results results = computed(scene);
     const std::string document = page_of(scene, results);
     deliver({{file, page_mark + document}}, folder.empty() ? "." : folder);
     return report({.table =

@@ -3,7 +3,7 @@
 #include "commands/commands.hpp"
 #include "commands/run_table.hpp"
 #include "document/document.hpp"
-#include "input/progress.hpp"
+#include "input/computed.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/panels.hpp"
@@ -54,7 +54,7 @@ Report execute(const Options& options) {
     }
     if (!options.picture.empty()) keep_for_picture(options.picture);
     const Scene scene = read_scene(options.scene);
-    const Results results = compute(scene, progress_bar());
+    const Results results = computed(scene);
     std::vector<std::string> files;
     if (!options.picture.empty()) files = write_figure(results_figure(scene, results), options.picture);
     Report made = report({.table = [&] { return run_table(scene, results, options.full); },
