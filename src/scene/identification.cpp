@@ -3,12 +3,10 @@
 
 #include "surface/request.hpp"
 
-#include "document/file.hpp"
 #include "document/shown_unit.hpp"
 #include "scene/results.hpp"
 
-#include <fstiff/answer/causes.hpp>
-#include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/elements.hpp>
 #include <fstiff/answer/unknowns.hpp>
 #include <fstiff/asperity/mindlin.hpp>
@@ -134,40 +132,43 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
     return points;
 }
 
-/// The fit by differences of the law of \p fit, with ln K more by \p more(p).
-Identification<double> found_by_differences(const Problem& problem, const Fit& fit, const FitInputs& inputs,
-                                            const auto& more) {
+Identification<double> found_by(const Problem& problem, const Fit& fit, const FitInputs& inputs) {
+    const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
+    if (fit.law->fit && exact) return fit.law->fit(inputs);
     return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
                                                                     std::span<const double> pressures) {
         std::vector<double> stiffness;
         for (const auto& point : points_with(lean, *fit.law, x, inputs.wanted, pressures))
-            stiffness.push_back(point.ok() ? point.state.stiffness.value * std::exp(more(point.state.pressure.value))
-                                           : std::numeric_limits<double>::quiet_NaN());
+            stiffness.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         return stiffness;
     });
 }
 
-Identification<double> found_by(const Problem& problem, const Fit& fit, const FitInputs& inputs) {
-    const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
-    if (fit.law->fit && exact) return fit.law->fit(inputs);
-    return found_by_differences(problem, fit, inputs, [](double) { return 0.0; });
+/// \p one with K times \p factor, and the reflection of that.
+Observation<double> scaled(Observation<double> one, double factor, const std::optional<Wave<double>>& wave) try {
+    if (!wave) return {one.pressure, factor * one.value, factor * one.error};
+    const double K = stiffness_from_reflection(one.value, wave->media, wave->angular_frequency);
+    return {one.pressure, reflection(factor * K, wave->media, wave->angular_frequency), one.error};
+} catch (const domain_error&) {  // noise: no K reflects so
+    return one;
 }
 
-/// Puts into \p fit the intervals that are widened by squares by what the fits find of K at either end of the error of
-/// the law, which is on one side of K at all pressures.
+/// Puts into \p fit the intervals that are widened by squares by what the fits find where K of the law is at either end
+/// of its error, which is on one side of K at all pressures.
 void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
-    if (fit.found.covariance.size() == 0 || fit.law->needs_yield) return;  // whose fits by differences take minutes
     constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
     inputs.start = fit.found.all;
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.wanted);
     const std::optional<double> g = gradient(fitted);
     const auto shifted = [&](double parts::LawError<double>::*end) {
-        return found_by_differences(problem, fit, inputs, [&](double pressure) {
+        std::vector<Observation<double>> data = inputs.data;
+        for (Observation<double>& one : data) {
             AnswerReason reason;
-            if (g) reason.p_star = parts::dimensionless_pressure(pressure, inputs.start.effective_modulus, *g);
-            return wider * law_error(problem, fit.law->which, reason).*end;
-        });
+            if (g) reason.p_star = parts::dimensionless_pressure(one.pressure, inputs.start.effective_modulus, *g);
+            one = scaled(one, std::exp(-wider * law_error(problem, fit.law->which, reason).*end), inputs.options.wave);
+        }
+        return found_by(problem, fit, {data, inputs.wanted, inputs.start, inputs.options});
     };
     const auto low = shifted(&parts::LawError<double>::low), high = shifted(&parts::LawError<double>::high);
     if (low.status != math::FitStatus::converged || high.status != math::FitStatus::converged) return;
@@ -179,7 +180,8 @@ void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
             const double moved = scale.variable(one->parameters[i].value) - u;
             (moved < 0 ? below : above) = std::hypot(moved < 0 ? below : above, moved);
         }
-        own.low_with_law = scale.value(u - below), own.high_with_law = scale.value(u + above);
+        if (std::max(below, above) < 7)  // three decades, or all between two bounds
+            own.low_with_law = scale.value(u - below), own.high_with_law = scale.value(u + above);
     }
 } catch (const domain_error&) {  // no surface has K so far from the data
 }
@@ -310,8 +312,7 @@ void require_known(const Scene& scene, const FitRequest& request) {
 
 /// Whether K of the elastic law of \p fit would be 5 % higher where its peaks yield, under its greatest pressure.
 bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, double rms_gradient) {
-    double most = 0;
-    for (const MeasuredPoint& point : fit.points) most = std::max(most, point.pressure);
+    const double most = std::ranges::max(fit.points, {}, &MeasuredPoint::pressure).pressure;
     const double share = most / hardness;
     if (!(share < 1)) return true;
     const parts::GaussianCut<double> cut(fit.found.all.rms_height, rms_gradient, fit.found.all.effective_modulus);
@@ -375,8 +376,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
             widen_by_law(scene, fit, inputs);
         });
     }
-    for (const Parameter unknown :
-         unknown_parameters(scene, scene.best))  // of the surface, and held at an assumed value
+    for (const Parameter unknown : unknown_parameters(scene, scene.best))  // held at an assumed value
         if (!has(request.wanted, unknown)) all.doubtful = true;
     if (scene.implausible) all.doubtful = true;
     std::size_t sound = 0;

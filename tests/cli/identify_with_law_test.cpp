@@ -41,8 +41,8 @@ TEST_CASE("the interval of sigma holds that of a face whose K is known once it h
         CHECK(sigma["interval_with_law"]["high"] > sigma["interval"]["high"]);
     }
     CAPTURE(faces, by_data, with_law);
-    CHECK(faces == 13);
-    CHECK(with_law >= 12);
+    CHECK(faces == 19);
+    CHECK(with_law >= 17);
     CHECK(with_law > by_data);
 }
 
