@@ -63,7 +63,7 @@ class Judge:
         """The answer and the laws by name at each p*; E = 1 GPa."""
         pressures = ", ".join(f'"{float(star) * 0.276597:.8g} GPa"' for star in stars)
         surface = 'rms_height = "6 um"\nrms_gradient = 0.276597\nalpha = 139.79\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n'
-        scene = (f'[surface]\n{surface}[material.upper]\nyoungs_modulus = "2 GPa"\npoisson_ratio = 0\n[contact]\n'
+        scene = (f'[surface]\n{surface}[material.upper]\nyoungs_modulus = "2 GPa"\npoisson_ratio = 0\nhardness = "infinite"\n[contact]\n'
                  f'laws = ["hybrid", "persson", "hertz"]\npressures = [{pressures}]\n'
                  '[output]\nquantities = ["stiffness", "separation", "real_area"]\n')
         answer, laws = self.run(scene)
@@ -92,17 +92,18 @@ class Judge:
         return [(row["thermal_conductance_gap_W_per_m2K"], *(row[f"thermal_conductance{end}_W_per_m2K"] for end in ("", "_p05", "_p95")))
                 for row in answer]
 
-    def joint(self, upper, lower, process, height, pressure, gap):
+    def joint(self, upper, lower, process, height, pressure, gap, hardness=""):
+        body = lambda name: f'{{ name = "{name}"{hardness} }}'
         face = f'{{ rms_height = "{height:.6g} um", process = "{process}" }}'
-        return self.conductance(f'material = {{ upper = "{upper}", lower = "{lower}" }}\n[surface]\nupper = {face}\nlower = {face}\n'
+        return self.conductance(f'material = {{ upper = {body(upper)}, lower = {body(lower)} }}\n[surface]\nupper = {face}\nlower = {face}\n'
                                 f'[contact]\npressures = ["{pressure:.6g} MPa"]\n[gap]\n{gap}\n')[0]
 
-    def joints(self):
+    def joints(self, hardness=""):
         for row in rows("joints.csv"):
             ends = lambda key, unit: [float(row[f"{key}_{end}_{unit}"]) for end in ("from", "to")]
             height, pressure = (math.sqrt(math.prod(ends(*of))) for of in (("roughness", "um"), ("pressure", "MPa")))
             of_row, h = (row["upper"], row["lower"], row["process"]), float(row["h_W_per_m2K"])
-            gap, value, low, high = self.joint(*of_row, height, pressure, f'medium = "{row["medium"]}"')
+            gap, value, low, high = self.joint(*of_row, height, pressure, f'medium = "{row["medium"]}"', hardness)
             yield row, height, pressure, h, gap, [(gap + one) / h for one in (value, low, high)]
 
     def filled(self, medium, height):
@@ -133,7 +134,7 @@ class Judge:
     # Rock: sigma of two faces that do not mate, from chords of the loading curve with errors of 5 %.
     def identified(self, curve):
         scene = ('surface = { rms_height = "100 um", rms_gradient = 0.3, alpha = 20 }\ncontact.pressures = ["1 MPa"]\n'
-                 'material.upper = { youngs_modulus = "11 GPa", poisson_ratio = 0.33 }\n')
+                 'material.upper = { youngs_modulus = "11 GPa", poisson_ratio = 0.33, hardness = "infinite" }\n')
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
             file.write("pressure [MPa],stiffness [MPa/um],error [MPa/um]\n")
             for (p0, d0), (p1, d1) in zip(curve, curve[1:]):
@@ -168,10 +169,11 @@ def tables_of_joints(judge):
         inside += covers
         lines.append([joint_of(row), number(height), number(pressure), number(h), number(gap), f"{value:.2f}", span(low, high),
                       "yes" if covers else "no"])
+    elastic = sum(low <= 1 <= high for *_, (_, low, high) in judge.joints(', hardness = "infinite"'))
     head = ["joint", "roughness [µm]", "p [MPa]", "h measured", "of it the gap", "answer ÷ measured", "90 % band", "covers"]
     fluids = [[medium, number(h), number(gap), f"{value:.2f}", span(low, high), "yes" if low <= 1 <= high else "no", told]
               for medium, h, gap, (value, low, high), told in judge.media()]
-    return "\n".join(table(head, lines) + [f"The band covers {inside} of {len(lines)}.", ""] +
+    return "\n".join(table(head, lines) + [f"The band covers {inside} of {len(lines)}; of metals that never yield it would cover {elastic}.", ""] +
                      table(["between aluminium faces", *head[3:], "more than air, over that of the gap of helium"], fluids) +
                      [f"Helium less air is what a gap of {judge.width * 1e6:.0f} µm conducts more."]).rstrip()
 
