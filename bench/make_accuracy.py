@@ -10,8 +10,8 @@
 
 K by boundary elements is kept in bench/answer_truth.csv and solved where it is not there: some ten minutes of one core. The maps
 repeat themselves, have 256 points a side every 0.5 um (those of a broad spectrum 512), and an rms gradient of 0.1; traces of 1,024
-points are of maps four times as wide (of a broad spectrum twice). The command gets files and its defaults: steel on steel, no
-yield, or a hardness where peaks flow. The faces of bench/make_faces.py, whose truth is bench/face_truth.csv, have no nominal area.
+points are of maps four times as wide (of a broad spectrum twice). The command gets files and its defaults, E and nu of steel, and
+an infinite hardness where the truth is elastic, or the one with which it was solved. The faces of bench/make_faces.py, whose truth is bench/face_truth.csv, have no nominal area.
 """
 import argparse
 import array
@@ -75,7 +75,7 @@ class Answers:
 
     def run(self, surface, pressures, area=None, hardness=0):
         lines = ["[surface]", *surface, "[material.upper]", 'youngs_modulus = "205 GPa"', "poisson_ratio = 0.3",
-                 *([f'hardness = "{hardness * GRADIENT * MODULUS:.8g} Pa"'] if hardness else []), "[contact]",
+                 f'hardness = "{hardness * GRADIENT * MODULUS:.8g} Pa"' if hardness else 'hardness = "infinite"', "[contact]",
                  "pressures = [" + ", ".join(f'"{p:.6g} Pa"' for p in pressures) + "]"]
         if area:
             lines.append(f'nominal_area = "{area:.6g} m^2"')

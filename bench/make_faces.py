@@ -251,6 +251,57 @@ def turned(rng):
     return smooth(unit(z) + 0.25 * gaussian(rng, 12, 48, 0.7))
 
 
+def milled(rng):
+    """Arcs of a face mill, of a feed that the teeth share unevenly."""
+    place = 14 * np.hypot(X - 0.5, Y + 1.4)
+    teeth = 0.15 * rng.standard_normal(3)
+    z = (place % 1 - 0.5) ** 2 + np.take(teeth, place.astype(int) % 3)
+    edge = np.minimum(np.minimum(X, 1 - X), np.minimum(Y, 1 - Y))
+    return smooth(unit(z) * np.minimum(1, edge / 0.06) + 0.2 * gaussian(rng, 10, 48, 0.7))
+
+
+def eroded(rng, count=900):
+    """Small craters of sparks, each through what was there, with molten rims."""
+    z = np.zeros((POINTS, POINTS))
+    for x, y in places(rng, count):
+        radius = 0.025 + 0.02 * rng.random()
+        r = np.hypot(*away(x, y)) / radius
+        z += radius * (0.5 + rng.random()) * (0.7 * np.exp(-(((r - 1) / 0.3) ** 2)) - np.exp(-((r / 0.8) ** 2)))
+    return smooth(z)
+
+
+def cast(rng):
+    """A sand casting: lumps whose heights have a wide tail on both sides."""
+    z = gaussian(rng, 5, 36, 0.7)
+    return smooth(z * np.abs(z) + 0.3 * gaussian(rng, 10, 48, 0.6))
+
+
+def etched(rng):
+    """A face etched at rates that vary as a log-normal field."""
+    return smooth(-np.exp(0.6 * gaussian(rng, 6, 40, 0.7)))
+
+
+def printed(rng, layers=9):
+    """Beads side by side, whose heights and places vary along them, with splashes."""
+    z = np.full((POINTS, POINTS), -1.0)
+    for i in range(layers):
+        wander = 0.01 * gaussian(rng, 2, 8, 0.8)[:1]
+        dy = (Y - (i + 0.5) / layers + wander + 0.5) % 1 - 0.5
+        z = np.maximum(z, (1 + 0.15 * rng.standard_normal()) * np.sqrt(np.maximum(0.07**2 - dy**2, 0)) / 0.07)
+    for x, y in places(rng, 12):
+        r = np.hypot(*away(x, y)) / (0.02 + 0.02 * rng.random())
+        z += 0.5 * np.sqrt(np.maximum(1 - r**2, 0))
+    return smooth(z + 0.05 * gaussian(rng, 12, 48, 0.6))
+
+
+def lapped(rng):
+    """A ground face lapped flat, with lapping grains pressed into it here and there."""
+    z = np.minimum(gaussian(rng, 6, 40, 0.6, 6), 0.2) + 0.15 * gaussian(rng, 12, 48, 0.5)
+    for x, y in places(rng, 40):
+        z -= 1.5 * rng.random() * np.exp(-((np.hypot(*away(x, y)) / 0.012) ** 2))
+    return smooth(z)
+
+
 def of_gaussian(*how):
     return lambda rng: gaussian(rng, *how)
 
@@ -283,6 +334,13 @@ KINDS = {
     "cascade": ("uneven", False, cascade),
     "pulses": ("uneven", True, pulses),
     "sharp pulses": ("uneven", False, lambda rng: pulses(rng, 150)),
+    # made when the bands were finished
+    "milled": ("one lay", False, milled),
+    "spark eroded": ("dents and grit", False, eroded),
+    "cast": ("uneven", False, cast),
+    "etched": ("plateau with valleys", False, etched),
+    "printed": ("grains", False, printed),
+    "lapped": ("plateau with valleys", False, lapped),
 }
 
 

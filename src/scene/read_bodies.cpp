@@ -81,6 +81,11 @@ std::optional<double> read_hardness(Source& source, const Section& body, double 
     return pressure;
 }
 
+void record_of_name(Source& source, const std::string& key, const parts::NamedMaterial& name, double value,
+                    std::string_view unit) {
+    source.record_default(key, "of " + std::string(name.name), value, unit);
+}
+
 /// A name, or a section that may begin from one: what else it holds replaces the values of the name.
 ReadBody read_material(Source& source, const toml::node& node, const std::string& key) {
     static const toml::table empty;

@@ -2,12 +2,12 @@
 // The bands of answers from numbers and from short traces against boundary elements of faces that they were not set on
 // (bench/face_truth.csv and face_traces.f32 by bench/make_faces.py).
 #include <fstiff/answer/answer.hpp>
+#include <fstiff/math/tukey.hpp>
 #include <fstiff/measured/measure.hpp>
 
 #include "support/catch.hpp"
 #include "support/table.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -77,11 +77,10 @@ public:
             CHECK(counts.first >= share_of_group * counts.second);
             inside += counts.first, all += counts.second;
         }
-        std::nth_element(widths_.begin(), widths_.begin() + static_cast<std::ptrdiff_t>(widths_.size() / 2),
-                         widths_.end());
-        CAPTURE(inside, all, widths_[widths_.size() / 2]);
+        const double middle = math::median(widths_);
+        CAPTURE(inside, all, middle);
         CHECK(inside >= share * all);
-        CHECK(widths_[widths_.size() / 2] <= width);
+        CHECK(middle <= width);
     }
 
 private:

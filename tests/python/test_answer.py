@@ -27,8 +27,8 @@ def test_numbers():
     assert_same(found, {"surface": {"rms_height": "0.8 um", "rms_gradient": 0.1}, "material": {"upper": "steel"}})
     assert found.stiffness.shape == (3,) and found.doubtful.shape == () and not found.doubtful
     assert (found.low < found.stiffness).all() and (found.stiffness < found.high).all()
-    assert "hybrid" in repr(found) and "MPa/µm" in repr(found)
-    assert list(found.to_dataframe()["law"]) == ["hybrid"] * 3 if pytest.importorskip("pandas") else True
+    assert "plastic" in repr(found) and "MPa/µm" in repr(found)
+    assert list(found.to_dataframe()["law"]) == ["plastic"] * 3 if pytest.importorskip("pandas") else True
 
 
 def test_two_faces_and_metals_that_yield():

@@ -156,8 +156,8 @@ TEST_CASE("K of a map is that of all its waves, unless a lambda_s is given") {
     for (std::size_t i = 1; i < 3; ++i) {  // at the first one fewer than 20 points touch
         CHECK(test::relative_error(points_of(all)[i].value, truth[i].state.stiffness) < 1e-9);
         CHECK(points_of(all)[i].value == points_of(none)[i].value);
-        CHECK(points_of(given)[i].value > 1.1 * points_of(all)[i].value);
     }
+    CHECK(points_of(given)[1].value > 1.1 * points_of(all)[1].value);  // the more the fewer points touch
     CHECK(test::scene_of(text("")).face.parameters.peak_radius.value >
           1.2 * test::scene_of(text("lambda_s = \"none\"\n")).face.parameters.peak_radius.value);
 }

@@ -59,7 +59,7 @@ TEST_CASE("K of a map and both ends of its band rise with the pressure, over the
         for (const std::uint64_t seed : {4u, 5u, 6u}) {
             CAPTURE(hardness, seed);
             const Joint joint = joint_of(map_of(seed == 5 ? 0.5 : 0.8, seed), hardness);
-            const Answer found = answer(joint, pressures_of(2e4, hardness > 0 ? 1.5e9 : 6e9, 50), {.samples = 50});
+            const Answer found = answer(joint, pressures_of(2e4, hardness > 0 ? 1e9 : 6e9, 50), {.samples = 50});
             int of_summits = 0, solved = 0;
             const AnswerPoint* last = nullptr;
             for (const AnswerPoint& at : found.points) {
@@ -82,13 +82,13 @@ TEST_CASE("K of a map and both ends of its band rise with the pressure, over the
 TEST_CASE("K of many pressures is within 1 % of boundary elements at each of them alone") {
     for (const double hardness : {0.0, 2e9}) {
         CAPTURE(hardness);
-        const HeightMap<double> map = map_of(0.8, 8);
-        const Answer found = answer(joint_of(map, hardness), pressures_of(3e7, 1.6e9, 75), {.samples = 0});
-        const BoundaryElementContact<double> alone(map, 100e9, {.hardness = hardness});
+        const Joint joint = joint_of(map_of(0.8, 8), hardness);
+        const Answer found = answer(joint, pressures_of(3e7, 1.6e9, 75), {.samples = 0});
         for (std::size_t i = 4; i < found.points.size(); i += 7) {
             const auto& at = found.points[i];
-            if (at.law != LawName::boundary_elements || *at.p_star < 0.02) continue;  // where both laws count
-            CHECK(test::relative_error(at.stiffness.value, alone.at_pressure(at.pressure).stiffness.value) < 0.01);
+            if (at.law != LawName::boundary_elements || *at.p_star < 0.02) continue;  // a smooth K from here
+            const Answer alone = answer(joint, std::vector<double>{at.pressure}, {.samples = 0});
+            CHECK(test::relative_error(at.stiffness.value, alone.points[0].stiffness.value) < 0.01);
         }
     }
 }

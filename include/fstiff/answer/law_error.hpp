@@ -64,13 +64,13 @@ using LawErrorTable = std::array<int, law_error_pressures.size()>;
 struct LawErrorRow { LawErrorTable low, high; };
 /// Of heights that are far from Gaussian: faces of one skewness and kurtosis differ where few points carry and, by
 /// their patches, where many do.
-inline constexpr LawErrorRow shape_errors_of_traces{{50, 50, 50, 50, 50, 50, 50}, {50, 50, 50, 50, 50, 50, 50}},
+inline constexpr LawErrorRow shape_errors_of_traces{{60, 60, 60, 60, 60, 60, 60}, {60, 60, 60, 60, 60, 60, 60}},
     shape_errors_of_numbers{{120, 120, 110, 55, 33, 33, 25}, {75, 75, 50, 33, 20, 50, 42}};
 // clang-format on
 
 /// The row of \p law.
 [[nodiscard]] constexpr LawErrorRow law_error_row(LawName law, KnownAs known) {
-    if (known == KnownAs::height) return {{35, 35, 35, 35, 30, 25, 20}, {80, 70, 60, 55, 45, 40, 30}};
+    if (known == KnownAs::height) return {{35, 35, 35, 55, 73, 35, 25}, {80, 70, 60, 60, 64, 50, 35}};
     switch (law) {
         case LawName::boundary_elements: return {{12, 9, 7, 7, 7, 5, 7}, {8, 6, 5, 4, 3, 3, 3}};
         case LawName::hybrid:
@@ -105,30 +105,26 @@ template <Real T>
 /// The error of the law of \p question.
 template <Real T>
 [[nodiscard]] LawError<T> law_error(const LawErrorQuestion<T>& question) {
-    const LawErrorRow row = law_error_row(question.law, question.known);
     const T H = question.hardness;
     const bool yields = question.law == LawName::plastic && H > T(0);
-    const T place = yields ? std::clamp(question.p_star / H, T(1.5e-4), T(law_error_pressures.back()))
-                           : question.p_star;  // K goes as p/H below the least that was compared
-    const auto at = [&](const LawErrorTable& table) { return at_pressure(table, place); };
+    const LawErrorRow flowed = law_error_row(question.law, question.known),
+                      elastic = yields ? law_error_row(LawName::hybrid, question.known) : flowed;
+    const T share = std::clamp(question.p_star / H, T(1.5e-4), T(law_error_pressures.back())),  // K goes as p/H below
+        of_elastic = H * H / (H * H + T(0.25));
+    const auto at = [&](const LawErrorTable& of_flowed, const LawErrorTable& of_elastic_peaks, T least) {
+        const T alone = at_pressure(of_elastic_peaks, (std::max)(question.p_star, least));
+        if (!yields) return alone;
+        return std::hypot(std::sqrt(1 - of_elastic) * at_pressure(of_flowed, (std::max)(share, least)),
+                          std::sqrt(of_elastic) * alone);
+    };
     const T waves = question.known == KnownAs::map ? T(0.8) * question.long_waves : T(0);
-    T low = at(row.low), high = at(row.high);
-    if (yields) {
-        const LawErrorRow elastic = law_error_row(LawName::hybrid, question.known);
-        const T of_elastic = H * H / (H * H + T(0.25));
-        const auto join = [&](T flowed, const LawErrorTable& table) {
-            return std::hypot(std::sqrt(1 - of_elastic) * flowed,
-                              std::sqrt(of_elastic) * at_pressure(table, question.p_star));
-        };
-        low = join(low, elastic.low), high = join(high, elastic.high);
-    }
-    low = std::hypot(low, waves), high = std::hypot(high, waves);
+    T low = std::hypot(at(flowed.low, elastic.low, 0), waves),
+      high = std::hypot(at(flowed.high, elastic.high, 0), waves);
     if (question.known != KnownAs::map && question.skewness && question.kurtosis) {
         const auto& of = question.known == KnownAs::trace ? shape_errors_of_traces : shape_errors_of_numbers;
         const T m = (std::min)(std::hypot(question.skewness->value, question.kurtosis->value - 3), T(1));
-        const T first = T(law_error_pressures.front()), within = (std::max)(place, first);  // it does not grow below
-        low = std::hypot(low, m * at_pressure(of.low, within));
-        high = std::hypot(high, m * at_pressure(of.high, within));
+        const T first = T(law_error_pressures.front());  // it does not grow below
+        low = std::hypot(low, m * at(of.low, of.low, first)), high = std::hypot(high, m * at(of.high, of.high, first));
     }
     return {-(std::min)(low, T(3)), (std::min)(high, T(3))};
 }

@@ -223,7 +223,8 @@ FSTIFF_INLINE void require_surroundings(const Joint& joint) {
 FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) {
     for (const Body* body : {&joint.upper, &joint.lower}) {
         require_between("yield_strength", body->yield_strength, 0);
-        if (!body->hardness || !std::isinf(*body->hardness)) require_between("hardness", body->hardness, 0);
+        if (!body->hardness || *body->hardness != std::numeric_limits<double>::infinity())
+            require_between("hardness", body->hardness, 0);
         if (const auto& range = body->hardness_range)
             require(range->low > 0 && range->low <= range->middle && range->middle <= range->high, "hardness_range",
                     range->middle, "between its ends, which are above 0");

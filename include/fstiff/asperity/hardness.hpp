@@ -65,15 +65,15 @@ inline constexpr double vickers_pressure = 9.80665e6 / 0.9271838545667874;
 /// Range of the hardness [Pa] of a body of which nothing but \p elastic is known: of metals, of glass and ceramics (nu
 /// below 0.25), of polymers (E below 15 GPa). Rubber, E below 0.1 GPa, does not flow: infinite.
 [[nodiscard]] inline PriorRange hardness_of_elastic(const Material<double>& elastic) {
-    const double E = elastic.youngs_modulus;
-    if (!(E >= 0.1e9)) {
+    const double modulus = elastic.youngs_modulus;
+    if (!(modulus >= 0.1e9)) {
         constexpr double none = std::numeric_limits<double>::infinity();
         return {none, none, none};
     }
-    const PriorRange share = E < 15e9                       ? PriorRange{0.02, 0.05, 0.09}
+    const PriorRange share = modulus < 15e9                 ? PriorRange{0.02, 0.05, 0.09}
                              : elastic.poisson_ratio < 0.25 ? PriorRange{0.02, 0.07, 0.14}
                                                             : PriorRange{0.0045, 0.013, 0.055};
-    return {share.low * E, share.middle * E, share.high * E};
+    return {share.low * modulus, share.middle * modulus, share.high * modulus};
 }
 
 /// Range of the lesser of two independent numbers with the ranges \p a and \p b; the logarithm of each is normal below

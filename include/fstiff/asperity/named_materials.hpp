@@ -156,15 +156,15 @@ template <class Test>
 
 /// Materials with a name that \p name or one of its words is, begins, or begins with.
 [[nodiscard]] inline std::vector<std::string_view> near_materials(std::string_view name) {
-    std::vector<std::string_view> near;
+    std::vector<std::string_view> found;
     const auto consider = [&](std::string_view word) {
         const auto is_near = [&](std::string_view other) {
             const std::size_t least = (std::min)(word.size(), other.size());
             return least > 2 && is_same_name(word.substr(0, least), other.substr(0, least));
         };
         for (const NamedMaterial& one : named_materials)
-            if (any_name(one, is_near) && std::find(near.begin(), near.end(), one.name) == near.end())
-                near.push_back(one.name);
+            if (any_name(one, is_near) && std::find(found.begin(), found.end(), one.name) == found.end())
+                found.push_back(one.name);
     };
     consider(name);
     while (!name.empty()) {
@@ -172,7 +172,7 @@ template <class Test>
         consider(name.substr(0, end + (end + 1 == name.size() ? 1 : 0)));
         name.remove_prefix(end + 1);
     }
-    return near;
+    return found;
 }
 
 }  // namespace fstiff::inline v0_1::parts

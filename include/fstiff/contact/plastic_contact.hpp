@@ -76,7 +76,7 @@ public:
                std::hypot(T(0.55), T(0.28) * (-math::normal_quantile(share) - T(0.65)));
     }
     [[nodiscard]] std::pair<T, T> level(T share) const {
-        const T z = -math::normal_quantile(share);
+        const T z = 0 - math::normal_quantile(share);  // no -0 at the half
         return {rms_height_ * z, rms_height_ / math::normal_density(z)};
     }
 
