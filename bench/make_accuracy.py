@@ -10,8 +10,9 @@
 
 K by boundary elements is kept in bench/answer_truth.csv and solved where it is not there: some ten minutes of one core. The maps
 repeat themselves, have 256 points a side every 0.5 um (those of a broad spectrum 512), and an rms gradient of 0.1; traces of 1,024
-points are of maps four times as wide (of a broad spectrum twice). The command gets files and its defaults, E and nu of steel, and
-an infinite hardness where the truth is elastic, or the one with which it was solved. The faces of bench/make_faces.py, whose truth is bench/face_truth.csv, have no nominal area.
+points are of maps four times as wide (of a broad spectrum twice). The command gets files and its defaults, E and nu of steel,
+edges = "periodic" with a map, and an infinite hardness where the truth is elastic, or the one with which it was solved. The faces of
+bench/make_faces.py, whose truth is bench/face_truth.csv, have no nominal area.
 """
 import argparse
 import array
@@ -34,7 +35,7 @@ FACE_ROWS = ROOT / "bench/face_coverage.csv"
 MODULUS = 205e9 / (2 * (1 - 0.3**2))  # effective, [Pa]
 GRADIENT, STEP = 0.1, 0.5e-6
 P_STARS = {1: (3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.25), 4: (1e-3, 1e-2, 0.1)}
-FLOWED = {hardness: (0.003, 0.01, 0.03, 0.1) for hardness in (0.02, 0.05, 0.1, 0.2, 0.5)}  # p/H at each H/(E g)
+FLOWED = {hardness: (0.003, 0.01, 0.03, 0.1, 0.3, 0.6, 0.9) for hardness in (0.02, 0.05, 0.1, 0.2, 0.5)}  # p/H at each H/(E g)
 FLOWED_KINDS = ("H 0.2, 8 to 32 waves", "H 0.8, 8 to 32 waves", "H 0.8, 4 to 32 waves", "skewness 0.5", "kurtosis 5", "honed",
                 "stretched 2:1", "turned", "H 0.5, 8 to 32 waves", "H 0.5, 3 to 32 waves", "skewness -0.5", "squared", "patchy", "worn",
                 "stretched 4:1", "ground")
@@ -64,8 +65,8 @@ class Answers:
 
     def solve(self, kind, group, seed, size, hardness):
         """K of boundary elements in periods of the map, where they are not known."""
-        shares = pressures_of(size, hardness)
-        if (kind, seed, size, hardness, shares[0]) in self.truth:
+        shares = [p for p in pressures_of(size, hardness) if (kind, seed, size, hardness, p) not in self.truth]
+        if not shares:
             return
         width = 2 if size == 4 and group == "broad" else size
         how = ["flowed", kind, str(seed), str(hardness)] if hardness else ["one", kind, str(seed), str(width)]
@@ -73,12 +74,14 @@ class Answers:
         for p, row in zip(shares, csv.reader(found.splitlines())):  # an area below p/H is no solution: 0
             self.truth[kind, seed, size, hardness, p] = float(row[3]) if not hardness or float(row[4]) > (1 - 1e-4) * p else 0
 
-    def run(self, surface, pressures, area=None, hardness=0):
+    def run(self, surface, pressures, area=None, hardness=0, periodic=False):
         lines = ["[surface]", *surface, "[material.upper]", 'youngs_modulus = "205 GPa"', "poisson_ratio = 0.3",
                  f'hardness = "{hardness * GRADIENT * MODULUS:.8g} Pa"' if hardness else 'hardness = "infinite"', "[contact]",
                  "pressures = [" + ", ".join(f'"{p:.6g} Pa"' for p in pressures) + "]"]
         if area:
             lines.append(f'nominal_area = "{area:.6g} m^2"')
+        if periodic:
+            lines += ["[contact.boundary_elements]", 'edges = "periodic"']
         found = subprocess.run([self.fstiff, "run", "-", "--format", "json"], input="\n".join(lines), capture_output=True, text=True)
         if not found.stdout:
             raise RuntimeError(found.stderr)
@@ -96,7 +99,7 @@ class Answers:
             pressures = [p * (hardness or 1) * GRADIENT * MODULUS for p in shares]
             for known, surface, area in self.surfaces(kind, heights, points, size, file, folder):
                 try:
-                    answers = self.run(surface, pressures, area, hardness)
+                    answers = self.run(surface, pressures, area, hardness, known == "map")
                 except RuntimeError as error:
                     print(kind, seed, known, str(error)[:200], file=sys.stderr)
                     continue
@@ -162,7 +165,7 @@ def measure_faces(build):
             pressures, side = [p * GRADIENT * MODULUS for p in faces.P_STARS], faces.POINTS * STEP
             return [["calibrated" if calibrated else "unseen", group, word, p]
                     + [answer[f"stiffness_{end}_Pa_per_m"] / (K * MODULUS / side) for end in ("p05", "p95")]
-                    for word, surface in known for answer in answers.run(surface, pressures)
+                    for word, surface in known for answer in answers.run(surface, pressures, periodic=word == "map")
                     for p, K in [nearest(answer["pressure_Pa"], pressures, faces.P_STARS, true)]]
 
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
