@@ -71,7 +71,9 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     if (!missing.empty())
         text = "K is computed from the map's numbers: " + missing;
     else if (count > 0)
-        text = "Boundary elements solve the map itself" +
+        text = "Boundary elements solve " +
+               (map->maps.size() == 1 ? "the map itself"
+                                      : "the sum of both maps at " + std::to_string(map->maps.size()) + " shifts") +
                (count == curve.by.size() ? ""
                                          : " where " + least +
                                                " points touch; elsewhere K is computed from its summits and bearing "

@@ -8,6 +8,7 @@
 #include <fstiff/answer/unknowns.hpp>
 
 #include <fstiff/asperity/plastic_laws.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/band_parts.hpp>
 
 #include <algorithm>
@@ -113,6 +114,14 @@ FSTIFF_INLINE parts::CauseSpread<double> toward(const parts::CauseSpread<double>
     return {std::lerp(from.low, to.low, weight), std::lerp(from.high, to.high, weight)};
 }
 
+/// What one shift of two maps has over the mean of those that were computed, whose scatter is in \p K.
+FSTIFF_INLINE parts::CauseSpread<double> scatter_of_shifts(const Problem& problem, const Estimate<double>& K) {
+    const auto shifts = static_cast<double>(problem.face.map->maps.size());
+    const double t = math::student_quantile(math::normal_95<double>, static_cast<int>(shifts) - 1),
+                 scatter = t * std::sqrt(1 + 1 / shifts) * K.error / K.value;
+    return {-scatter, scatter};
+}
+
 /// Takes \p to with its weight into the state \p i of \p curve, K and the loading stiffness by their logarithms, and
 /// its causes into \p reason.
 FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size_t i, LawCurve& curve,
@@ -125,7 +134,8 @@ FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size
         one.value *= std::pow(other.value / one.value, to.weight);
         one.error = std::lerp(one.error, other.error, to.weight);
     };
-    const double grid = to.state.stiffness.error / to.state.stiffness.value;
+    const bool several = problem.face.map->maps.size() > 1;  // whose error is in scatter_of_shifts()
+    const double grid = several ? 0 : to.state.stiffness.error / to.state.stiffness.value;
     const auto error = law_error(problem, LawName::boundary_elements, reason, std::isfinite(grid) ? grid : 0);
     auto& law = reason.causes[static_cast<std::size_t>(parts::Cause::law)];
     auto& cut_offs = reason.causes[static_cast<std::size_t>(parts::Cause::cut_offs)];
@@ -188,6 +198,8 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         put(parts::Cause::law, law_error(problem, curve.law->which, reason, 0));
         const Solved& at = of_place[curve.places[i]];
         if (at.weight > 0) hand_over(problem, at, i, curve, reason);
+        if (is_map(problem.face) && problem.face.map->maps.size() > 1 && facts.of_map_itself)
+            put(parts::Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
         const double K = curve.states[i].stiffness.value;
         double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more
         loading = facts.flows ? (std::min)(loading, K) : K;

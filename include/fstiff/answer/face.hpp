@@ -141,8 +141,8 @@ struct Face {
 
 /// Why two faces have no sum of heights; empty where both are maps of one grid.
 [[nodiscard]] std::string no_sum_of_maps(const Face& upper, const Face& lower);
-/// Both faces as one; of maps of one grid the heights are added at \p shifts random shifts. Without shifts: of their
-/// numbers alone, without errors and neighbours.
+/// Both faces as one; of maps of one grid the heights are added at \p shifts random shifts of the one of less rms
+/// height, so that exchanged faces have the same sum. Without shifts: of numbers alone, without errors and neighbours.
 /// \throws domain_error where the sum is out of range.
 [[nodiscard]] Face sum_of_faces(const Face& upper, const Face& lower, int shifts = 0, std::uint64_t seed = 0);
 

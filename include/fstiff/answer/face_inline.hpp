@@ -266,7 +266,8 @@ FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const Spectral
     return face;
 }
 
-FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
+/// The sum of two faces, the lower of which is shifted.
+FSTIFF_INLINE Face sum_in_order(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
     const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
     const auto of_values = [&] {
         return parts::stated(
@@ -281,7 +282,7 @@ FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts
         const auto neighbour = [k](const Face& one) -> const Face& {
             return one.neighbours.empty() ? one : one.neighbours[(std::min)(k, one.neighbours.size() - 1)];
         };
-        face.neighbours.push_back(sum_of_faces(neighbour(upper), neighbour(lower), shifts, seed));
+        face.neighbours.push_back(sum_in_order(neighbour(upper), neighbour(lower), shifts, seed));
     }
     if (!no_sum_of_maps(upper, lower).empty()) return face;
     MapOfSurface of;
@@ -301,6 +302,11 @@ FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts
     of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
     face.map = std::make_shared<const MapOfSurface>(std::move(of));
     return face;
+}
+
+FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
+    const bool in_order = upper.parameters.rms_height.value >= lower.parameters.rms_height.value;
+    return in_order ? sum_in_order(upper, lower, shifts, seed) : sum_in_order(lower, upper, shifts, seed);
 }
 
 }  // namespace fstiff::inline v0_1::detail

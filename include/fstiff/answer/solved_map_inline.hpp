@@ -40,7 +40,7 @@ struct ElementPoint {
 FSTIFF_INLINE std::vector<ElementPoint> element_points(const Problem& problem, const Request& request,
                                                        const LawCurve& base, double hardness) {
     std::vector<ElementPoint> all;
-    if (!request.solves_map || !is_map(problem.face) || problem.face.map->maps.size() > 1 ||
+    if (!request.solves_map || !is_map(problem.face) ||
         lack_of(find_law(LawName::boundary_elements), problem, request.at_separations) != Lack::nothing)
         return all;
     const HeightMap<double>& map = *problem.face.map->maps.front();
