@@ -82,7 +82,7 @@ TEST_CASE(
             return of_shape(question, {skewness, 0.1}, {kurtosis, 0.2});
         };
         const bool trace = known == KnownAs::trace;
-        const double low = trace ? 0.5 : 0.55, high = trace ? 0.5 : 0.33;  // at this p*
+        const double low = trace ? 0.6 : 0.55, high = trace ? 0.6 : 0.33;  // at this p*
         const auto check = [&](double skewness, double kurtosis, double m) {
             CAPTURE(trace, skewness, kurtosis);
             const auto error = of(skewness, kurtosis);
