@@ -4,7 +4,7 @@
 
     bench/quarters.py build/release/bin/fstiff [FOLDER]        FOLDER holds the maps, ../shared/surfaces by default
 
-Steel on steel, p* = 0.001, 0.01 and 0.1 of the whole; the number stands in docs/accuracy.md.
+Steel that never yields on itself, p* = 0.001, 0.01 and 0.1 of the whole; the number stands in docs/accuracy.md.
 """
 import json
 import math
@@ -27,7 +27,7 @@ def fstiff(*arguments, text=None):
 
 
 def answers(surface, pressures, contact=()):
-    lines = ["[surface]", *surface, "[material.upper]", 'youngs_modulus = "205 GPa"', "poisson_ratio = 0.3", "[contact]", *contact,
+    lines = ["[surface]", *surface, "[material.upper]", 'youngs_modulus = "205 GPa"', "poisson_ratio = 0.3", 'hardness = "infinite"', "[contact]", *contact,
              "pressures = [" + ", ".join(f'"{p:.9g} Pa"' for p in pressures) + "]"]
     return fstiff("run", "-", text="\n".join(lines))
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What must hold of the answer of any joint of numbers: more pressure makes it stiffer and closer, and a small change of
-// what is known makes a small change of K.
+// What must hold of the answer of any joint of numbers: more pressure makes it stiffer and closer, and a small change
+// of what is known makes a small change of K.
 #include <fstiff/answer/answer.hpp>
 
 #include "support/catch.hpp"

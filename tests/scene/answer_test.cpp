@@ -216,7 +216,7 @@ TEST_CASE("The mean planes pass each other above half the hardness, and the appr
     CHECK(contains(test::joined(results.warnings), "at the hardness, 100 MPa"));
 }
 
-TEST_CASE("A contact that closes says so, and has neither rows nor numbers beyond") {
+TEST_CASE("A contact that closes is reported, and has neither rows nor numbers beyond") {
     const test::Folder folder;
     const Answered closing(text_of(map_of(folder, 32), "pressures = [\"1 GPa\", \"900 GPa\"]\n"));
     REQUIRE(closing.rows.size() == 1);
