@@ -6,6 +6,7 @@
 #include "scene/results.hpp"
 #include "surface/request.hpp"
 
+#include <fstiff/answer/derived.hpp>
 #include <fstiff/contact/contact_law.hpp>
 
 #include <algorithm>
