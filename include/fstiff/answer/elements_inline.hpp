@@ -134,8 +134,8 @@ FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size
         one.value *= std::pow(other.value / one.value, to.weight);
         one.error = std::lerp(one.error, other.error, to.weight);
     };
-    const bool several = problem.face.map->maps.size() > 1;  // whose error is in scatter_of_shifts()
-    const double grid = several ? 0 : to.state.stiffness.error / to.state.stiffness.value;
+    const bool scatters = is_map_itself(problem) && problem.face.map->maps.size() > 1;  // by scatter_of_shifts()
+    const double grid = scatters ? 0 : to.state.stiffness.error / to.state.stiffness.value;
     const auto error = law_error(problem, LawName::boundary_elements, reason, std::isfinite(grid) ? grid : 0);
     auto& law = reason.causes[static_cast<std::size_t>(parts::Cause::law)];
     auto& cut_offs = reason.causes[static_cast<std::size_t>(parts::Cause::cut_offs)];
@@ -198,7 +198,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         put(parts::Cause::law, law_error(problem, curve.law->which, reason, 0));
         const Solved& at = of_place[curve.places[i]];
         if (at.weight > 0) hand_over(problem, at, i, curve, reason);
-        if (is_map(problem.face) && problem.face.map->maps.size() > 1 && facts.of_map_itself)
+        if (facts.of_map_itself && problem.face.map->maps.size() > 1)
             put(parts::Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
         const double K = curve.states[i].stiffness.value;
         double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more
