@@ -177,7 +177,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     if (second) warn_of_strength(lower, "lower", scene);
     if (!assumed) return;
     for (Input& input : source.inputs)
-        if (input.key == "material.upper") input.written += " (default)", input.given = false;
+        if (input.key == "material.upper") input.given = false;
     scene.assumptions.push_back("both bodies steel, " + shown(scene.upper));
 }
 

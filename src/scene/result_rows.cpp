@@ -153,7 +153,7 @@ Json run_document(const Scene& scene, const Results& results) {
             {"samples", scene.samples}, {"seed", scene.seed}, {"quantiles", {0.05, 0.95}}, {"of", "stiffness"}};
     Json& inputs = document["inputs"] = Json::object();
     for (const Input& input : scene.inputs) {
-        Json& entry = inputs[input.key] = {{"written", input.written}};
+        Json& entry = inputs[input.key] = {{"written", input.shown()}};
         if (input.value) entry["value"] = *input.value;
         if (!input.unit.empty()) entry["unit"] = input.unit;
     }

@@ -26,6 +26,9 @@ struct Input {
     std::optional<double> value;
     std::string unit;   ///< SI unit of value; empty when it has none
     bool given = true;  ///< in the text of the scene
+
+    /// The text, marked where it is a default.
+    [[nodiscard]] std::string shown() const { return given ? written : written + " (default)"; }
 };
 
 /// Values between two ends, by { from, to, count, spacing } of a scene.

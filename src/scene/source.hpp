@@ -79,7 +79,7 @@ struct Source {
     /// Of a key that is not there.
     void record_default(std::string key, std::string text, std::optional<double> value = {},
                         std::string_view unit = {}) {
-        inputs.push_back({std::move(key), std::move(text) + " (default)", value, std::string(unit), false});
+        inputs.push_back({std::move(key), std::move(text), value, std::string(unit), false});
     }
 
     double quantity(const toml::node& node, const std::string& key, Dimension dimension) {

@@ -112,7 +112,7 @@ TEST_CASE("Assumptions are printed and recorded") {
     CHECK(input("surface.Ra").value == 0.8e-6);
     CHECK(input("surface.rms_height").value == 1e-6);
     CHECK(input("surface.rms_gradient").value == 0.2);
-    CHECK(input("surface.alpha").written == "assumed (default)");
+    CHECK(input("surface.alpha").shown() == "assumed (default)");
     CHECK(std::count_if(little.inputs.begin(), little.inputs.end(),
                         [](const scene::Input& one) { return one.key == "surface.rms_height"; }) == 1);
     // the numbers written out are the same scene, with nothing assumed

@@ -206,7 +206,7 @@ TEST_CASE("H and alpha that were assumed are among the inputs, and those that we
     const auto input = [](const scene::Scene& of, const std::string& key) {
         const auto found =
             std::find_if(of.inputs.begin(), of.inputs.end(), [&](const scene::Input& one) { return one.key == key; });
-        return found == of.inputs.end() ? std::string() : found->written + " " + scene::rounded(*found->value, 3);
+        return found == of.inputs.end() ? std::string() : found->shown() + " " + scene::rounded(*found->value, 3);
     };
     const std::string persson = "laws = [\"persson\"]\n";
     const std::string spectrum = "rms_height = \"1 um\"\npeak_radius = \"4 um\"\npeak_density = \"20000 /mm^2\"\n";

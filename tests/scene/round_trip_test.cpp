@@ -24,7 +24,8 @@ std::string text_of(const std::vector<scene::Input>& inputs) {
     std::string text;
     std::vector<std::pair<std::string, std::string>> lists;
     for (const scene::Input& one : inputs) {
-        if (test::contains(one.written, "default") || one.key.find("peaks") != std::string::npos) continue;
+        if (!one.given || test::contains(one.written, "default") || one.key.find("peaks") != std::string::npos)
+            continue;
         const bool plain = one.value && one.unit.empty();
         const std::string value = plain ? one.written : "\"" + one.written + "\"";
         const std::size_t list = one.key.find('[');

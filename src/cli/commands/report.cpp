@@ -249,7 +249,7 @@ void inputs_section(Page& page, const Scene& scene) {
     TextRows inputs{{"key", "value", "as written"}};
     for (const Input& input : scene.inputs)
         if (!input.key.ends_with("(measured)"))  // those are under Measured surface
-            inputs.push_back({input.key, input.value ? with_unit(*input.value, input.unit) : "", input.written});
+            inputs.push_back({input.key, input.value ? with_unit(*input.value, input.unit) : "", input.shown()});
     page.table(inputs);
     if (measured_faces(scene).empty())
         page.paragraph("The surface is given by its parameters; there is no measured profile or map to show.");
