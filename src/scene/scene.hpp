@@ -27,8 +27,7 @@ struct Input {
     std::string unit;   ///< SI unit of value; empty when it has none
     bool given = true;  ///< in the text of the scene
 
-    /// The text, marked where it is a default.
-    [[nodiscard]] std::string shown() const { return given ? written : written + " (default)"; }
+    [[nodiscard]] std::string shown() const { return given ? written : written + " (default)"; }  ///< as printed
 };
 
 /// Values between two ends, by { from, to, count, spacing } of a scene.
