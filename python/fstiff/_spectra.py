@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Spectrum(Document):
-    """The power spectral density or the autocorrelation: the keys of the JSON of `fstiff spectrum`."""
+    """The power spectral density or the autocorrelation: the keys of the JSON of `fstiff measure --show spectrum`."""
 
     @property
     def of(self) -> str:
@@ -50,7 +50,7 @@ class Spectrum(Document):
 
 
 class Peaks(Document):
-    """The density of peak heights and curvatures: the keys of the JSON of `fstiff peaks`."""
+    """The density of peak heights and curvatures: the keys of the JSON of `fstiff measure --show peaks`."""
 
     def to_dataframe(self) -> pd.DataFrame:
         """The density of the height alone, where `heights` asked for it."""
@@ -70,7 +70,7 @@ def spectrum(
     taper: Literal["hann", "none"] = "hann",
     **options: Unpack[SurfaceOptions],
 ) -> Spectrum:
-    """The power spectral density or the autocorrelation of a profile or a map, as `fstiff spectrum` computes it.
+    """The power spectral density or the autocorrelation of a profile or a map, as `fstiff measure --show spectrum` computes it.
 
     `taper` is the window of a psd, "none" for a surface that repeats itself. `surface` and `options` are those of measure().
     """
@@ -89,7 +89,7 @@ def peaks(
     heights: str | tuple[float, float, int] | None = None,
     **options: Unpack[SurfaceOptions],
 ) -> Peaks:
-    """The density of peak heights and curvatures, its moments and the density of the height alone, as `fstiff peaks` gives them.
+    """The density of peak heights and curvatures, its moments and the density of the height alone, as `fstiff measure --show peaks` gives them.
 
     profile       as the surface of measure(), with its `options`; or one of:
     r, theta      correlation of heights and curvatures, and the angle of the sampling [rad], or a text such as "pi/4"

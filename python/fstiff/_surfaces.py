@@ -450,7 +450,7 @@ class Measurement(Document):
 
 
 class Fit(Document):
-    """Fractal dimension D and roughness G of a profile or a map: the keys of the JSON of `fstiff fit`."""
+    """Fractal dimension D and roughness G of a profile or a map: the keys of the JSON of `fstiff measure --show fit`."""
 
     def to_dataframe(self) -> pd.DataFrame:
         """The structure function; of a map that along x, and that along y below it, with a column "direction"."""
@@ -485,7 +485,7 @@ class Fit(Document):
 
 
 class Islands(Document):
-    """The islands of a map, and R and D_p where they are densest: the keys of the JSON of `fstiff islands`."""
+    """The islands of a map, and R and D_p where they are densest: the keys of the JSON of `fstiff measure --show islands`."""
 
     def to_dataframe(self) -> pd.DataFrame:
         """The curve, a cutting level a row."""
@@ -587,7 +587,7 @@ def fit(
     all_lags: bool = False,
     **options: Unpack[SurfaceOptions],
 ) -> Fit:
-    """Fractal dimension D and roughness G [m] of a profile or a map, with errors, as `fstiff fit` finds them.
+    """Fractal dimension D and roughness G [m] of a profile or a map, with errors, as `fstiff measure --show fit` finds them.
 
     `convention` is the constant of eq. (2.4) that gives G; `all_lags` computes the structure function of a profile at every lag;
     the other arguments are those of measure().
@@ -610,7 +610,7 @@ def islands(
     seed: int | None = None,
     **options: Unpack[SurfaceOptions],
 ) -> Islands:
-    """The islands of a map at every cutting level, and R [m] and D_p [1/m^2], as `fstiff islands` finds them.
+    """The islands of a map at every cutting level, and R [m] and D_p [1/m^2], as `fstiff measure --show islands` finds them.
 
     `levels` are 200 by default, at equal steps of bearing area; the errors are of `tiles` x `tiles` tiles, 4 x 4 by default, drawn
     `resamples` times with `seed`. `surface` and `options` are those of measure().

@@ -23,7 +23,7 @@ using fstiff::scene::option_error;
 void say(const std::string& message) { std::cerr << "fstiff: " << printable(message) << '\n'; }
 
 int execute(const Command& command) {
-    name_inputs(given_texts(*command.app));
+    name_inputs(command.texts);
     const std::string file = command.output->target();
     if (!file.empty()) {
         require_writable(file);
@@ -43,38 +43,23 @@ std::string units() {
     return text;
 }
 
-/// The commands in the order of --help, under its headings; without a heading: an older name, which is not listed.
-struct Listed {
-    Command (*add)(CLI::App&);
-    const char* group;
+constexpr OldName old_names[] = {
+    {"fit", "is fstiff measure --show fit, with the same options"},
+    {"islands", "is fstiff measure --show islands, with the same options"},
+    {"peaks", "is fstiff measure --show peaks, with the same options"},
+    {"spectrum", "is fstiff measure --show spectrum, with the same options"},
+    {"merge", "is fstiff sweep --merge, with the same options"},
+    {"integral", "is a program of its own, example_integral, which a build from source makes"},
 };
-// clang-format off
-constexpr Listed listed[] = {
-    {add_run, "Compute"},          {add_report, "Compute"},    {add_sweep, "Compute"},    {add_export, "Compute"},
-    {add_ultrasound, "Compute"},   {add_measure, "Surfaces"},  {add_formats, "Surfaces"}, {add_generate, "Surfaces"},
-    {add_identify, "Measured K"},  {add_truth, "Checks"},      {add_reproduce, "Checks"}, {add_integral, "Checks"},
-    {add_fit, ""},                 {add_islands, ""},          {add_peaks, ""},           {add_spectrum, ""},
-    {add_merge, ""}};
-// clang-format on
 
 int run(std::vector<std::string> words) {
     Program program("fstiff", "fstiff " FSTIFF_VERSION_TEXT,
                     "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
                     units() +
-                        "\nOlder names: fit, islands, peaks and spectrum are measure --show, merge is sweep --merge.\n"
-                        "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that cannot "
-                        "be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run");
-    std::vector<Command> commands;
-    for (const Listed& one : listed) {
-        commands.push_back(one.add(program.app()));
-        program.list_under(*commands.back().app, one.group);
-    }
-    for (const char* shown : {"fit", "islands", "peaks", "spectrum"})
-        program.forward("measure", {"--show", shown}, shown);
-    program.forward("sweep", {"--merge"}, "merge");
-    const CLI::App* chosen = program.parse(std::move(words));
-    for (const Command& command : commands)
-        if (command.app == chosen) return execute(command);
+                        "\nExit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that "
+                        "cannot be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run",
+                    commands(), old_names);
+    if (const auto command = program.parse(std::move(words))) return execute(*command);
     deliver("", "");  // refuses when the help could not be written
     return success;
 }

@@ -14,8 +14,12 @@ keep(man/man1/fstiff.1 --man)
 keep(completion/bash-completion/completions/fstiff --completion bash)
 
 # The commands are those that fstiff(1) lists at its end.
-file(STRINGS ${INTO}/man/man1/fstiff.1 pages REGEX "^.fBfstiff.-[a-z]+")
+file(STRINGS ${INTO}/man/man1/fstiff.1 pages REGEX "^.fBfstiff.-[a-z]")
 foreach(page IN LISTS pages)
-    string(REGEX REPLACE "^.fBfstiff.-([a-z]+).*$" "\\1" command "${page}")
-    keep(man/man1/fstiff-${command}.1 ${command} --man)
+    string(REGEX REPLACE "^.fBfstiff.-(.*).fR.*$" "\\1" name "${page}")
+    string(REPLACE "\\-" "-" name "${name}")
+    # fstiff-measure-fit is measure --show fit, fstiff-sweep-merge is sweep --merge
+    string(REGEX REPLACE "^measure-" "measure;--show;" command "${name}")
+    string(REGEX REPLACE "^sweep-" "sweep;--" command "${command}")
+    keep(man/man1/fstiff-${name}.1 ${command} --man)
 endforeach()

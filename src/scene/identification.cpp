@@ -157,7 +157,7 @@ Observation<double> scaled(Observation<double> one, double factor, const std::op
 /// of its error, which is on one side of K at all pressures.
 void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
     constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
-    inputs.start = fit.found.all;
+    inputs.start = fit.found.all, inputs.options.search.max_iterations = 30;
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.wanted);
     const std::optional<double> g = gradient(fitted);

@@ -69,7 +69,7 @@ struct MapFractal {
 [[nodiscard]] Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
                            const std::string& direction = "");
 
-/// The document of fstiff fit, without its warnings.
+/// The document of fstiff measure --show fit, without its warnings.
 [[nodiscard]] Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result);
 [[nodiscard]] Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result);
 

@@ -40,7 +40,7 @@ struct IslandsOfMap {
 [[nodiscard]] std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfMap& result);
 /// The curve, a level a row.
 [[nodiscard]] Rows rows_of(const IslandsOfMap& result);
-/// The document of fstiff islands, without its warnings.
+/// The document of fstiff measure --show islands, without its warnings.
 [[nodiscard]] Json islands_json(const IslandsRequest& options, const SurfaceInput& input, const IslandsOfMap& result);
 
 }  // namespace fstiff::scene

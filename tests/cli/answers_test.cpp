@@ -60,7 +60,8 @@ TEST_CASE("The C interface generates the files of the command, and has its spect
     const auto spectrum = made_by([&](auto made) {
         return fstiff_spectrum(nullptr, ("file = " + file + "\nlambda_s = 3 um\ntaper = none").c_str(), made);
     });
-    const auto printed = test::run_fstiff("spectrum '" + file + "' --lambda-s '3 um' --taper none --format json");
+    const auto printed =
+        test::run_fstiff("measure --show spectrum '" + file + "' --lambda-s '3 um' --taper none --format json");
     CHECK(text_of(spectrum) == printed.out);
     const auto json = nlohmann::json::parse(printed.out);
     CHECK(numbers_at(spectrum, "psd.psd_m4") == json["psd"]["psd_m4"].get<std::vector<double>>());
@@ -74,7 +75,8 @@ TEST_CASE("The C interface generates the files of the command, and has its spect
 
     const std::string by_numbers = "r = 0.5\ntheta = pi/3\nheights = -4,4,9";
     const auto peaks = made_by([&](auto made) { return fstiff_peaks(nullptr, by_numbers.c_str(), made); });
-    CHECK(text_of(peaks) == test::run_fstiff("peaks --r 0.5 --theta pi/3 --heights=-4,4,9 --format json").out);
+    CHECK(text_of(peaks) ==
+          test::run_fstiff("measure --show peaks --r 0.5 --theta pi/3 --heights=-4,4,9 --format json").out);
     CHECK(numbers_at(peaks, "heights.density").size() == 9);
 }
 

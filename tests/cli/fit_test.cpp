@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff fit as a process: its table and exit codes. tests/scene/fractal_test.cpp has its numbers and sentences.
+// fstiff measure --show fit as a process: its table and exit codes. Its numbers: tests/scene/fractal_test.cpp.
 #include "command.hpp"
 
 #include <fstiff/core/text.hpp>
@@ -19,7 +19,7 @@ TEST_CASE("The readable fit prints its decisions about the file") {
         std::replace(row.begin(), row.end(), '.', ',');
         text += row;
     }
-    const auto outcome = test::run_fstiff("fit - --lambda-s none", text);
+    const auto outcome = test::run_fstiff("measure --show fit - --lambda-s none", text);
     INFO(outcome.err);
     CHECK(outcome.status == 0);
     for (const char* part :
@@ -32,21 +32,21 @@ TEST_CASE("The readable fit prints its decisions about the file") {
 
 TEST_CASE("Files and options that fit cannot take end with exit codes 3 and 2") {
     const test::Folder folder;
-    test::check_refused("fit '" + folder / "none.csv" + "'", 3, {"none.csv", "no such file"});
-    test::check_refused("fit '" + folder / "." + "'", 3, {"folder"});
-    test::check_refused("fit -", 3, {"empty"});
-    test::check_refused("fit -", 3, {"empty"}, "\n \n");
-    test::check_refused("fit - --convention own", 2, {"--convention", "own"}, "1\n");
-    test::check_refused("fit - --units um --spacing '1 um' --detrend cubic", 2, {"--detrend", "cubic"},
+    test::check_refused("measure --show fit '" + folder / "none.csv" + "'", 3, {"none.csv", "no such file"});
+    test::check_refused("measure --show fit '" + folder / "." + "'", 3, {"folder"});
+    test::check_refused("measure --show fit -", 3, {"empty"});
+    test::check_refused("measure --show fit -", 3, {"empty"}, "\n \n");
+    test::check_refused("measure --show fit - --convention own", 2, {"--convention", "own"}, "1\n");
+    test::check_refused("measure --show fit - --units um --spacing '1 um' --detrend cubic", 2, {"--detrend", "cubic"},
                         "1\n2\n1\n3\n1\n2\n1\n4\n1\n2\n1\n3\n1\n2\n1\n5\n2\n1\n");
-    test::check_refused("fit - --column 0", 2, {"--column"}, "1\n");
-    test::check_refused("fit", 2, {"profile"});
+    test::check_refused("measure --show fit - --column 0", 2, {"--column"}, "1\n");
+    test::check_refused("measure --show fit", 2, {"profile"});
 }
 
 TEST_CASE("Lengths of a fine profile are shown in nm, and a G that is not known to a factor of two with two digits") {
     const auto made = test::run_fstiff("generate profile --points 200 --spacing '5 nm' --hurst 0.3 --rms '3 nm'");
     REQUIRE(made.status == 0);
-    const auto outcome = test::run_fstiff("fit - --lambda-s none", made.out);
+    const auto outcome = test::run_fstiff("measure --show fit - --lambda-s none", made.out);
     INFO(outcome.out);
     CHECK(test::contains(outcome.out, "spacing 5 nm, length 0.995 µm"));
     const auto at = outcome.out.find("  G = ");

@@ -66,8 +66,9 @@ TEST_CASE("A generated file holds the heights of the library, bit for bit") {
 
 TEST_CASE("The fit finds the parameters that were generated") {
     const auto fit_of = [](const std::string& arguments) {
-        const auto outcome = test::shell("fstiff generate " + arguments +
-                                         " | fstiff fit - --lambda-s none --lambda-c none --format json");
+        const auto outcome =
+            test::shell("fstiff generate " + arguments +
+                        " | fstiff measure --show fit - --lambda-s none --lambda-c none --format json");
         INFO(arguments << "\n" << outcome.err);
         REQUIRE(outcome.status == 0);
         return nlohmann::json::parse(outcome.out);

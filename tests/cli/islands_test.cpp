@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff islands as a process: its table and exit codes. tests/scene/islands_test.cpp has its numbers.
+// fstiff measure --show islands as a process: its table and exit codes. tests/scene/islands_test.cpp has its numbers.
 #include "command.hpp"
 
 namespace islands_test {
@@ -13,7 +13,7 @@ std::string map_text() {
 }  // namespace
 
 TEST_CASE("The readable islands print the decisions, and warn of a pair that means little") {
-    const auto outcome = test::run_fstiff("islands -", map_text());
+    const auto outcome = test::run_fstiff("measure --show islands -", map_text());
     REQUIRE(outcome.status == 4);
     for (const std::string part : {"format: matrix", "96 x 96 points", "8 neighbours", "D_p = ", "R = ", "seed 2014",
                                    "bearing area", "peaks only; their errors are rough"}) {
@@ -24,13 +24,14 @@ TEST_CASE("The readable islands print the decisions, and warn of a pair that mea
 
 TEST_CASE("Wrong files and options of islands end with exit codes 3 and 2") {
     const std::string text = map_text();
-    test::check_refused("islands -", 3, {"standard input", "empty"});
-    test::check_refused("islands - --spacing '1 um'", 2, {"--spacing"}, text);
-    test::check_refused("islands - --neighbours 6", 2, {"--neighbours"}, text);
-    test::check_refused("islands - --detrend line", 2, {"--detrend", "line"}, text);
-    test::check_refused("islands nowhere.csv", 3, {"nowhere.csv", "no such file"});
-    CHECK(test::run_fstiff(
-              "islands - --neighbours 4 --border drop --least-points 3 --island-height twice-mean --levels 50", text)
+    test::check_refused("measure --show islands -", 3, {"standard input", "empty"});
+    test::check_refused("measure --show islands - --spacing '1 um'", 2, {"--spacing"}, text);
+    test::check_refused("measure --show islands - --neighbours 6", 2, {"--neighbours"}, text);
+    test::check_refused("measure --show islands - --detrend line", 2, {"--detrend", "line"}, text);
+    test::check_refused("measure --show islands nowhere.csv", 3, {"nowhere.csv", "no such file"});
+    CHECK(test::run_fstiff("measure --show islands - --neighbours 4 --border drop --least-points 3 --island-height "
+                           "twice-mean --levels 50",
+                           text)
                   .status %
               4 ==
           0);

@@ -80,7 +80,7 @@ TEST_CASE(
         CHECK(outcome.status == 4);
         CHECK(test::contains(test::as_one_line(outcome.out + outcome.err), "must not be used as a pair"));
     };
-    repeats("islands '" + map + "'" + options);
+    repeats("measure --show islands '" + map + "'" + options);
     // the answer rests on neither R nor D_p, but on sigma, which two hills do not show; laws that are named rest on all
     const auto answer = test::run_fstiff("run --surface '" + file + "'");
     CHECK(answer.status == 4);
@@ -97,7 +97,8 @@ TEST_CASE(
 TEST_CASE("Heights in a wrong unit end every command that measures with exit code 4") {
     const std::string made =
         test::run_fstiff("generate profile --points 600 --spacing '1 um' --hurst 0.5 --rms '1 um'").out;
-    for (const char* command : {"measure -", "fit -", "spectrum -", "peaks --profile -"}) {
+    for (const char* command :
+         {"measure -", "measure --show fit -", "measure --show spectrum -", "measure --show peaks --profile -"}) {
         CAPTURE(command);
         const auto steep = test::run_fstiff(std::string(command) + " --format csv --units m,km", made);
         CHECK(steep.status == 4);

@@ -13,7 +13,7 @@ namespace peaks_test {
 namespace {
 
 nlohmann::json json(const std::string& arguments, const std::string& input = "") {
-    const auto outcome = test::run_fstiff("peaks --format json " + arguments, input);
+    const auto outcome = test::run_fstiff("measure --show peaks --format json " + arguments, input);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == 0);
     return nlohmann::json::parse(outcome.out);
@@ -62,7 +62,8 @@ TEST_CASE("The height marginal integrates to one and has the mean of the closed 
     // the trapezoidal rule of step 0.05 on a near-Gaussian is exact to rounding; the tails beyond 8 are 1e-15
     CHECK(std::abs(sum - 1) < 1e-12);
     CHECK(std::abs(mean - document["mean_height"].get<double>()) < 1e-12);
-    const test::Csv csv(test::run_fstiff("peaks --format csv --theta pi/3 --r 0.5 --heights=-8,9,341").out);
+    const test::Csv csv(
+        test::run_fstiff("measure --show peaks --format csv --theta pi/3 --r 0.5 --heights=-8,9,341").out);
     REQUIRE(csv.size() == 341);
     CHECK(csv.number(170, "density") == density[170]);
     CHECK(csv.number(170, "height") == heights[170]);
@@ -89,34 +90,35 @@ TEST_CASE("White noise as a profile has theta = pi/3 and one peak in three ordin
 
 TEST_CASE("The table and the CSV of peaks hold the same") {
     const auto document = json("--theta pi/3 --r 0.5");
-    const test::Csv csv(test::run_fstiff("peaks --format csv --theta pi/3 --r 0.5").out);
+    const test::Csv csv(test::run_fstiff("measure --show peaks --format csv --theta pi/3 --r 0.5").out);
     for (const std::string& name : csv.header()) CHECK(document[name].get<double>() == csv.number(0, name));
-    const auto table = test::run_fstiff("peaks --theta pi/3 --r 0.5 --heights 0,1,2");
+    const auto table = test::run_fstiff("measure --show peaks --theta pi/3 --r 0.5 --heights 0,1,2");
     for (const char* part : {"0.51824", "0.8348", "3.00737", "0.333333", "height"})
         CHECK(test::contains(table.out, part));
 }
 
 TEST_CASE("Peaks refuses values that no density has") {
     using test::check_refused;
-    check_refused("peaks --theta pi/2 --r 0.5", 3, {"theta = 1.57", "pi/2"});
-    check_refused("peaks --theta 0 --r 0.5", 3, {"theta = 0", "pi/2"});
-    check_refused("peaks --theta nan --r 0.5", 3, {"--theta = \"nan\""});
-    check_refused("peaks --theta 1 --r 1", 3, {"r = 1", "less than 1"});
-    check_refused("peaks --theta 1 --r nan", 3, {"r = nan", "less than 1"});
-    check_refused("peaks --theta 0.5 --exponential", 3, {"theta = 0.5", "pi/4 and pi/3"});
-    check_refused("peaks --rho1 1 --rho2 1", 3, {"rho1 = 1"});
-    check_refused("peaks --rho1 0.5 --rho2 -0.9", 3, {"rho2 = -0.9"});
-    check_refused("peaks --rho1 0.5", 2, {"--rho1 and --rho2"});
-    check_refused("peaks --theta 1", 2, {"--theta needs"});
-    check_refused("peaks --theta 1 --r 0.5 --exponential", 2, {"--theta needs"});
-    check_refused("peaks --theta 1 --r 0.5 --rho1 0.1 --rho2 0.1", 2, {"give one of"});
-    check_refused("peaks", 2, {"give one of"});
-    check_refused("peaks --theta 1 --r 0.5 --heights 0,1", 2, {"--heights = \"0,1\"", "FROM,TO,COUNT"});
-    check_refused("peaks --theta 1 --r 0.5 --heights 0,1e9,3", 2, {"--heights", "30"});
-    check_refused("peaks --theta 1 --r 0.5 --heights 0,1,1e9", 2, {"--heights", "100000"});
-    check_refused("peaks --theta 1 --r 0.5 --heights 0,one,3", 2, {"--heights", "FROM,TO,COUNT"});
-    check_refused("peaks --profile none.csv", 3, {"none.csv", "no such file"});
-    check_refused("peaks --profile - --spacing '1 um' --units um", 3, {"standard input", "16"}, "1\n2\n1\n");
+    check_refused("measure --show peaks --theta pi/2 --r 0.5", 3, {"theta = 1.57", "pi/2"});
+    check_refused("measure --show peaks --theta 0 --r 0.5", 3, {"theta = 0", "pi/2"});
+    check_refused("measure --show peaks --theta nan --r 0.5", 3, {"--theta = \"nan\""});
+    check_refused("measure --show peaks --theta 1 --r 1", 3, {"r = 1", "less than 1"});
+    check_refused("measure --show peaks --theta 1 --r nan", 3, {"r = nan", "less than 1"});
+    check_refused("measure --show peaks --theta 0.5 --exponential", 3, {"theta = 0.5", "pi/4 and pi/3"});
+    check_refused("measure --show peaks --rho1 1 --rho2 1", 3, {"rho1 = 1"});
+    check_refused("measure --show peaks --rho1 0.5 --rho2 -0.9", 3, {"rho2 = -0.9"});
+    check_refused("measure --show peaks --rho1 0.5", 2, {"--rho1 and --rho2"});
+    check_refused("measure --show peaks --theta 1", 2, {"--theta needs"});
+    check_refused("measure --show peaks --theta 1 --r 0.5 --exponential", 2, {"--theta needs"});
+    check_refused("measure --show peaks --theta 1 --r 0.5 --rho1 0.1 --rho2 0.1", 2, {"give one of"});
+    check_refused("measure --show peaks", 2, {"give one of"});
+    check_refused("measure --show peaks --theta 1 --r 0.5 --heights 0,1", 2, {"--heights = \"0,1\"", "FROM,TO,COUNT"});
+    check_refused("measure --show peaks --theta 1 --r 0.5 --heights 0,1e9,3", 2, {"--heights", "30"});
+    check_refused("measure --show peaks --theta 1 --r 0.5 --heights 0,1,1e9", 2, {"--heights", "100000"});
+    check_refused("measure --show peaks --theta 1 --r 0.5 --heights 0,one,3", 2, {"--heights", "FROM,TO,COUNT"});
+    check_refused("measure --show peaks --profile none.csv", 3, {"none.csv", "no such file"});
+    check_refused("measure --show peaks --profile - --spacing '1 um' --units um", 3, {"standard input", "16"},
+                  "1\n2\n1\n");
 }
 
 }  // namespace peaks_test

@@ -198,8 +198,8 @@ TEST_CASE("The report of a measured map shows it in colours") {
     // the windows of the fits along x and y have the colours of their curves
     CHECK(contains(page, "class=\"window fc0 c0\""));
     CHECK(contains(page, "class=\"window fc1 c1\""));
-    // the pair that was chosen is in both pictures of the islands, as fstiff islands gives it
-    const Csv islands(run_fstiff("islands '" + folder / "map.sdf" + "' --format csv").out);
+    // the pair that was chosen is in both pictures of the islands, as fstiff measure --show islands gives it
+    const Csv islands(run_fstiff("measure --show islands '" + folder / "map.sdf" + "' --format csv").out);
     std::size_t most = 0;
     for (std::size_t i = 0; i < islands.size(); ++i)
         if (islands.number(i, "density_per_m2") > islands.number(most, "density_per_m2")) most = i;

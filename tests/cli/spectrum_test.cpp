@@ -78,18 +78,18 @@ TEST_CASE("The spectrum of a profile is that of the library, to the last digit")
     for (const auto window : {fstiff::SpectrumWindow::hann, fstiff::SpectrumWindow::none}) {
         const auto expected = fstiff::power_spectrum(profile, window);
         const std::string taper = " --taper " + std::string(fstiff::name_of(window));
-        const auto document = document_of("spectrum -" + taper, text);
+        const auto document = document_of("measure --show spectrum -" + taper, text);
         const auto psd = document["psd"]["psd_m3"].get<std::vector<double>>();
         REQUIRE(psd.size() + 1 == expected.size());
         CHECK(psd == std::vector<double>(expected.value.begin() + 1, expected.value.end()));
         CHECK(document["inputs"]["taper"] == fstiff::name_of(window));
-        const Csv csv(test::run_fstiff("spectrum - --format csv" + taper + none, text).out);
+        const Csv csv(test::run_fstiff("measure --show spectrum - --format csv" + taper + none, text).out);
         REQUIRE(csv.size() == psd.size());
         CHECK(csv.number(7, "psd_m3") == psd[7]);
         CHECK(csv.number(7, "wavenumber_rad_per_m") == expected.wavenumber[8]);
     }
     const auto expected = fstiff::autocorrelation(profile);
-    const auto document = document_of("spectrum - --of acf", text);
+    const auto document = document_of("measure --show spectrum - --of acf", text);
     CHECK(document["acf"]["acf"].get<std::vector<double>>() == expected.value);
     CHECK(document["acf"]["pairs"].get<std::vector<std::size_t>>() == expected.pairs);
     CHECK(document["by"] == "ISO 21920-2:2021");
@@ -99,13 +99,13 @@ TEST_CASE("The spectra of a map are those of the library, each with its own plac
     const std::string text = map_text();
     const auto map = fstiff::parts::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
     const auto expected = fstiff::radial_spectrum(map);
-    const auto psd = document_of("spectrum -", text)["psd"];
+    const auto psd = document_of("measure --show spectrum -", text)["psd"];
     CHECK(psd["psd_m4"].get<std::vector<double>>() == expected.value);
     CHECK(psd["waves"].get<std::vector<std::size_t>>() == expected.waves);
     CHECK(psd["psd_x_m3"].get<std::vector<double>>() == expected.along_x.value);
     CHECK(psd["wavenumber_y_rad_per_m"].get<std::vector<double>>() == expected.along_y.wavenumber);
     const auto correlation = fstiff::parts::areal_autocorrelation(map);
-    const auto acf = document_of("spectrum - --of acf", text)["acf"];
+    const auto acf = document_of("measure --show spectrum - --of acf", text)["acf"];
     CHECK(acf["acf"].get<std::vector<double>>() == fstiff::parts::radial_autocorrelation(correlation).value);
     CHECK(acf["acf_x"][5] == correlation.at(5, 0));
     CHECK(acf["acf_y"][48] == correlation.at(0, 48));
@@ -113,7 +113,8 @@ TEST_CASE("The spectra of a map are those of the library, each with its own plac
     std::string half = text;
     half.resize(text.size() / 2);
     half.resize(half.rfind('\n') + 1);
-    const auto oblong = document_of("spectrum - --input-format matrix --units m --dx '1 um' --dy '1 um'", half)["psd"];
+    const auto oblong =
+        document_of("measure --show spectrum - --input-format matrix --units m --dx '1 um' --dy '1 um'", half)["psd"];
     CHECK(oblong["psd_x_m3"].size() == oblong["psd_y_m3"].size());
     CHECK(oblong["psd_x_m3"].back().is_number());
     CHECK(oblong["psd_y_m3"].back().is_null());
@@ -127,12 +128,12 @@ TEST_CASE("Spectra of measured files are those that numpy and scipy find") {
         const auto expected = roughness_reference(name);
         const bool profile = expected.contains("Ra_m");
         if (!expected.contains("psd_hann_1")) {  // points are missing
-            check_refused("spectrum " + path + none, 3,
+            check_refused("measure --show spectrum " + path + none, 3,
                           {name, "missing points: must be filled before its spectrum is taken"});
             continue;
         }
         for (const std::string taper : {"hann", "none"}) {
-            const auto psd = document_of("spectrum " + path + options + " --taper " + taper)["psd"];
+            const auto psd = document_of("measure --show spectrum " + path + options + " --taper " + taper)["psd"];
             std::size_t compared = 0;
             const auto compare = [&](const std::string& prefix, const char* column) {
                 for (const auto& [parameter, value] : expected) {
@@ -205,22 +206,22 @@ TEST_CASE("measure names the standard and the undefined parameters, and its CSV 
 TEST_CASE("Missing points have an autocorrelation and no spectrum, with a note") {
     std::string text;
     for (int i = 0; i < 100; ++i) text += i == 30 ? "nan\n" : std::to_string(std::sin(0.3 * i)) + "\n";
-    const std::string how = "spectrum - --units um --spacing '1 um'" + none;
+    const std::string how = "measure --show spectrum - --units um --spacing '1 um'" + none;
     check_refused(how, 3, {"standard input", "1 missing points", "before its spectrum"}, text);
     const auto acf = test::run_fstiff(how + " --of acf", text);
     CHECK(acf.status == 0);
     CHECK(contains(acf.out, "1 of 100 points are missing; their pairs are left out"));
-    check_refused("spectrum -", 3, {"standard input", "empty"});
-    check_refused("spectrum - --of structure", 2, {"--of"}, text);
-    check_refused("spectrum nowhere.csv", 3, {"nowhere.csv", "no such file"});
+    check_refused("measure --show spectrum -", 3, {"standard input", "empty"});
+    check_refused("measure --show spectrum - --of structure", 2, {"--of"}, text);
+    check_refused("measure --show spectrum nowhere.csv", 3, {"nowhere.csv", "no such file"});
 }
 
 TEST_CASE("The picture of a spectrum has its curves and its numbers, and replaces no input") {
     const Folder folder;
     folder.write("map.csv", map_text());
     for (const std::string of : {"psd", "acf"}) {
-        const auto made = test::run_fstiff("spectrum '" + (folder / "map.csv") + "' --of " + of + none + " --plot '" +
-                                           (folder / (of + ".svg")) + "'");
+        const auto made = test::run_fstiff("measure --show spectrum '" + (folder / "map.csv") + "' --of " + of + none +
+                                           " --plot '" + (folder / (of + ".svg")) + "'");
         INFO(made.err);
         CHECK(made.status == 0);
         const std::string picture = read(folder / (of + ".svg"));
@@ -239,10 +240,11 @@ TEST_CASE("The picture of a spectrum has its curves and its numbers, and replace
         CHECK(read(folder / (of + ".plot.csv")).starts_with("# fstiff "));
     }
     CHECK(folder.files() == 5);
-    const auto refused = test::run_fstiff("spectrum '" + (folder / "map.csv") + "' -o '" + (folder / "map.csv") + "'");
+    const auto refused =
+        test::run_fstiff("measure --show spectrum '" + (folder / "map.csv") + "' -o '" + (folder / "map.csv") + "'");
     CHECK(refused.status == 3);
     CHECK(contains(refused.err, "is an input of this command"));
-    CHECK(test::run_fstiff("spectrum '" + (folder / "map.csv") + "' --plot picture.txt").status == 2);
+    CHECK(test::run_fstiff("measure --show spectrum '" + (folder / "map.csv") + "' --plot picture.txt").status == 2);
 }
 
 TEST_CASE("Of several files the roughness is the mean of theirs, and each file has its own") {

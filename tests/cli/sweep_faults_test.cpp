@@ -105,13 +105,13 @@ TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on af
     CHECK(part.back() == '\n');
     CHECK(serial.starts_with(part));
     CHECK(contains(read(out + ".sweep"), "\"finished\": false"));
-    const Outcome merged = run_fstiff("merge '" + out + "' -o '" + folder / "all" + "'");
+    const Outcome merged = run_fstiff("sweep --merge '" + out + "' -o '" + folder / "all" + "'");
     CHECK(merged.status == 4);
     CHECK(contains(merged.err, "is not finished; run: fstiff sweep"));
     CHECK(shell(sweep).status == 0);
     CHECK(read(out) == serial);
 
-    const Outcome no_room = shell("ulimit -f 4000; fstiff merge '" + out + "' -o '" + folder / "all" + "'");
+    const Outcome no_room = shell("ulimit -f 4000; fstiff sweep --merge '" + out + "' -o '" + folder / "all" + "'");
     CHECK(no_room.status == 3);
     CHECK(contains(no_room.err, "cannot be written: File too large"));
     CHECK(!std::filesystem::exists(folder / "all"));
@@ -159,7 +159,7 @@ TEST_CASE("Two sweeps cannot write one file at the same time") {
 TEST_CASE("A table or a binary form is refused as the form of a sweep's results") {
     const test::Folder folder;
     for (const char* ending : {"parquet", "h5", "csv"})
-        for (const std::string command : {"sweep none.toml", "merge none.jsonl"}) {
+        for (const std::string command : {"sweep none.toml", "sweep --merge none.jsonl"}) {
             const auto outcome = test::run_fstiff(command + " -o '" + folder / "out." + ending + "'");
             INFO(command << " " << ending);
             CHECK(outcome.status == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff sweep and fstiff merge as people run them.
+// fstiff sweep and fstiff sweep --merge as people run them.
 #include "cli/command.hpp"
 
 #include <nlohmann/json.hpp>
@@ -275,7 +275,7 @@ TEST_CASE("K by the table of a law is within its stated error, for any number of
             REQUIRE(
                 run_fstiff("sweep '" + tables + "' --shard " + i + "/3 -o '" + folder / "part-{shard}" + "'").status ==
                 0);
-        REQUIRE(shell("fstiff merge '" + folder / "" + "'part-* -o '" + folder / "all" + "'").status == 0);
+        REQUIRE(shell("fstiff sweep --merge '" + folder / "" + "'part-* -o '" + folder / "all" + "'").status == 0);
         CHECK(read(folder / "all") == read(folder / "tables"));
     }
     const Folder folder;
@@ -333,7 +333,8 @@ TEST_CASE("The merged shards are the sweep itself, byte for byte, for any number
                 script += "fstiff sweep '" + file + "' --shard " + std::to_string(i) + "/" + std::to_string(shards) +
                           " --threads " + std::to_string(1 + i % 3) + " -o '" + work / "part-{shard}.jsonl" +
                           "' || exit\n";
-            const Outcome outcome = shell(script + "fstiff merge '" + work / "" + "'part-* -o '" + work / "all" + "'");
+            const Outcome outcome =
+                shell(script + "fstiff sweep --merge '" + work / "" + "'part-* -o '" + work / "all" + "'");
             INFO(outcome.err);
             REQUIRE(outcome.status == 0);
             CHECK(read(work / "all") == serial);
@@ -451,7 +452,7 @@ TEST_CASE("A scene that cannot be computed has its reason, and the others have t
     const Outcome again = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
     CHECK(again.status == 4);
     CHECK(contains(again.err, "14 scenes cannot be computed"));
-    const Outcome merged = run_fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
+    const Outcome merged = run_fstiff("sweep --merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
     CHECK(merged.status == 4);
     CHECK(read(folder / "all") == read(folder / "out"));
 }
@@ -464,7 +465,7 @@ TEST_CASE("Merging names a shard that is missing, duplicate, unfinished or of an
     };
     for (const char* i : {"1", "2", "3", "4"}) sweep(std::string(i) + "/4", "part-" + std::string(i) + ".jsonl");
     const auto check = [&](const std::string& names, const std::vector<std::string>& sentences) {
-        const Outcome outcome = shell("cd '" + folder / "" + "' && fstiff merge " + names + " -o all.jsonl");
+        const Outcome outcome = shell("cd '" + folder / "" + "' && fstiff sweep --merge " + names + " -o all.jsonl");
         INFO(outcome.err);
         CHECK(outcome.status == 4);
         CHECK(outcome.out.empty());
@@ -479,7 +480,7 @@ TEST_CASE("Merging names a shard that is missing, duplicate, unfinished or of an
     check("part-*.jsonl again.jsonl", {"shard 3/4 is given twice"});
     sweep("1/2", "half.jsonl");
     check("part-*.jsonl half.jsonl", {"half.jsonl is shard 1/2 and part-1.jsonl is shard 1/4"});
-    const Outcome itself = shell("cd '" + folder / "" + "' && fstiff merge half.jsonl -o half.jsonl");
+    const Outcome itself = shell("cd '" + folder / "" + "' && fstiff sweep --merge half.jsonl -o half.jsonl");
     CHECK(itself.status == 3);
     CHECK(contains(itself.err, "half.jsonl: is the only file of results and the output too"));
     const std::string description = read(folder / "part-2.jsonl.sweep"), results = read(folder / "part-2.jsonl");
@@ -496,7 +497,7 @@ TEST_CASE("Merging names a shard that is missing, duplicate, unfinished or of an
     sweep("2/4", "part-2.jsonl");
     check("part-*.jsonl", {"are of different grids, or of one that was changed between them"});
     std::filesystem::remove(folder / "part-2.jsonl.sweep");
-    const Outcome lost = shell("cd '" + folder / "" + "' && fstiff merge part-*.jsonl -o all.jsonl");
+    const Outcome lost = shell("cd '" + folder / "" + "' && fstiff sweep --merge part-*.jsonl -o all.jsonl");
     CHECK(lost.status == 3);
     CHECK(contains(lost.err, "part-2.jsonl.sweep that names its grid and shard is missing"));
 }

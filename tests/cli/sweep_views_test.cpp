@@ -213,7 +213,7 @@ TEST_CASE("Results whose lines were damaged are not drawn, and go on where they 
     CHECK(drawn.status == 3);
     CHECK(contains(drawn.err, "out:2: is not a whole line of results"));
     CHECK_FALSE(std::filesystem::exists(folder / "k.svg"));
-    const Outcome merged = run_fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
+    const Outcome merged = run_fstiff("sweep --merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
     CHECK(merged.status == 4);
     CHECK(contains(merged.err, "was changed since it was finished: whole up to scene 1 of 3"));
     folder.write("out.sweep", replaced(known, "\"finished\": true", "\"finished\": false"));

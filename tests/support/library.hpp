@@ -105,7 +105,7 @@ inline nlohmann::json measured_files(const std::string& line, const std::vector<
     return parsed(measure_json(how, measure_files(how, files)));
 }
 
-/// The document of fstiff fit for the profile or map in \p bytes.
+/// The document of fstiff measure --show fit for the profile or map in \p bytes.
 inline nlohmann::json fitted(const std::string& line, const std::string& bytes,
                              fstiff::scene::FractalOptions how = {}) {
     how.surface = surface_options(line);
@@ -119,7 +119,7 @@ inline nlohmann::json fitted(const std::string& line, const std::string& bytes,
     return input.surface.is_profile() ? document(fractal_of_profile(how, input)) : document(fractal_of_map(how, input));
 }
 
-/// The document of fstiff islands for the map in \p bytes.
+/// The document of fstiff measure --show islands for the map in \p bytes.
 inline nlohmann::json islands_of(const std::string& line, const std::string& bytes,
                                  fstiff::scene::IslandsRequest how = {}) {
     how.surface = surface_options(line);

@@ -19,9 +19,7 @@
 #include <functional>
 #include <span>
 
-namespace fstiff::inline v0_1 {
-
-namespace parts {
+namespace fstiff::inline v0_1::parts {
 
 /// K [Pa/m] at pressures [Pa] of a contact with the given parameters; the offset is in the pressures already.
 /// \throws domain_error without one.
@@ -101,6 +99,4 @@ template <Real T>
     return fit_of(model, start, options.search);
 }
 
-}  // namespace parts
-
-}  // namespace fstiff::inline v0_1
+}  // namespace fstiff::inline v0_1::parts

@@ -152,10 +152,13 @@ public:
     [[nodiscard]] bool errors_known() const { return errors_known_; }
 
 protected:
-    /// True if a model can have the parameters \p x at all.
+    /// True if a model can have the parameters \p x at all; beyond a thousand times the start it only takes time.
     [[nodiscard]] bool can_have(const ContactParameters<T>& x) const {
-        for (const Parameter each : wanted_)
-            if (!parts::ParameterScale<T>(each).inside(x[each])) return false;
+        for (const Parameter each : wanted_) {
+            const bool log = parts::row_of(each).variation == parts::Variation::log,
+                       far = log && std::abs(std::log(x[each] / start_[each])) > 7;
+            if (far || !parts::ParameterScale<T>(each).inside(x[each])) return false;
+        }
         return std::all_of(data_.begin(), data_.end(), [&](const auto& one) { return one.pressure + x.offset > 0; });
     }
     /// Row \p i of the residuals and their slopes, of K and \p slope(k), dK by the fitted variable k.

@@ -1,36 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The subcommands, one file each: they parse, call the library and print.
+// The commands, one file each: they add their options, call the library and print. commands.cpp has their table.
 
 #include "input/output_options.hpp"
 
-#include <functional>
-
 namespace fstiff::cli {
 
-/// A subcommand: what CLI11 parsed it into, and what to do then.
-struct Command {
-    CLI::App* app;
-    const OutputOptions* output;
-    std::function<Report()> execute;
-};
+[[nodiscard]] std::span<const CommandRow> commands();
 
-Command add_run(CLI::App& app);
-Command add_measure(CLI::App& app);
-Command add_fit(CLI::App& app);
-Command add_islands(CLI::App& app);
-Command add_spectrum(CLI::App& app);
-Command add_peaks(CLI::App& app);
-Command add_integral(CLI::App& app);
-Command add_generate(CLI::App& app);
-Command add_ultrasound(CLI::App& app);
-Command add_identify(CLI::App& app);
-Command add_reproduce(CLI::App& app);
-Command add_report(CLI::App& app);
-Command add_truth(CLI::App& app);
-Command add_formats(CLI::App& app);
-Command add_export(CLI::App& app);
-Command add_sweep(CLI::App& app);
-Command add_merge(CLI::App& app);
+Command add_run(Arguments& command);
+Command add_report(Arguments& command);
+Command add_sweep(Arguments& command);
+Command add_merge(Arguments& command);
+Command add_export(Arguments& command);
+Command add_ultrasound(Arguments& command);
+Command add_measure(Arguments& command);
+Command add_fit(Arguments& command);
+Command add_islands(Arguments& command);
+Command add_peaks(Arguments& command);
+Command add_spectrum(Arguments& command);
+Command add_generate(Arguments& command);
+Command add_identify(Arguments& command);
+Command add_truth(Arguments& command);
+Command add_reproduce(Arguments& command);
+Command add_formats(Arguments& command);
 
 }  // namespace fstiff::cli

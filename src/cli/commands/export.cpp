@@ -33,22 +33,18 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace export_command
 
-Command add_export(CLI::App& app) {
+Command add_export(Arguments& command) {
     using namespace export_command;
     auto options = std::make_shared<Options>();
     ExportRequest& request = options->request;
     request.prefix = "--";
-    Arguments command(app, "export", "The law of a scene as the contact law of a finite-element program");
     add_scene_options(
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
         "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
     add_request_options(command, request);
     add_output_option(command, options->output);
-    command.footer(
-        "A file that fstiff did not make is not replaced.\n"
-        "Example:\n  fstiff export --to calculix --units mm,N,MPa --tolerance 1%");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

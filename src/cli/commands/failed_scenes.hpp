@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Warning of fstiff sweep and fstiff merge about scenes without a result.
+// Warning of fstiff sweep and fstiff sweep --merge about scenes without a result.
 
 #include "document/output.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff fit: fractal dimension D and roughness G of a measured profile or map, with errors, and its other statistics.
+// fstiff measure --show fit: fractal dimension D and roughness G of a measured profile or map, with errors.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
@@ -166,10 +166,9 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace fit_command
 
-Command add_fit(CLI::App& app) {
+Command add_fit(Arguments& command) {
     using namespace fit_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "fit", "Fractal dimension D and roughness G of a measured profile or map, with errors");
     command
         .option("profile", options->fractal.surface.file,
                 "profile or map, as fstiff formats lists them; - is standard input")
@@ -193,12 +192,7 @@ Command add_fit(CLI::App& app) {
     command.flag("--all-lags", options->fractal.all_lags,
                  "compute the structure function at every lag (profiles only)");
     add_output_options(command, options->output);
-    command.footer(
-        "The CSV is the structure function; the JSON holds everything. The example makes a random walk, D = 1.5.\n"
-        "Example:\n"
-        "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
-        "      fstiff fit - --spacing \"0.5 um\" --units um");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -92,9 +92,8 @@ std::string text() {
                std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  needs          " +
                std::string(row.asked) + "\n";
     return all +
-           "\nThe first nineteen are profiles and maps, for fit, measure, islands, peaks and run --surface. The name "
-           "of\n"
-           "a file is not used; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
+           "\nThe first nineteen are profiles and maps, for measure, truth and run --surface. The name of a file\n"
+           "is not used; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
            "byte\n"
            "order mark, or of an 8-bit code page. Export files of other instruments from their own program, or "
            "convert\n"
@@ -116,13 +115,11 @@ Json json() {
 }  // namespace
 }  // namespace formats_command
 
-Command add_formats(CLI::App& app) {
+Command add_formats(Arguments& command) {
     using namespace formats_command;
     auto options = std::make_shared<OutputOptions>();
-    Arguments command(app, "formats", "File formats: how they are recognised and which options they need");
     add_output_options(command, *options);
-    command.footer("Example:\n  fstiff formats");
-    return {command.app(), options.get(), [options] {
+    return {options.get(), [options] {
                 return report(
                     {.table = text, .csv = [] { return columns().csv(); }, .json = json, .json_warnings = false},
                     options->format);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff generate: Weierstrass-Mandelbrot profiles, self-affine Gaussian profiles and maps, as files that `fit` and
-// `islands` read.
+// fstiff generate: Weierstrass-Mandelbrot profiles, self-affine Gaussian profiles and maps, as files to read back.
 #include "commands/commands.hpp"
 #include "input/request_options.hpp"
 #include "surface/generated.hpp"
@@ -27,19 +26,14 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace generate_command
 
-Command add_generate(CLI::App& app) {
+Command add_generate(Arguments& command) {
     using namespace generate_command;
     auto options = std::make_shared<Options>();
     GenerateRequest& request = options->request;
     request.prefix = "--";
-    Arguments command(app, "generate", "Profiles and maps of known D or H, as files to read back");
     add_request_options(command, request);
     add_output_option(command, options->output);
-    command.footer(
-        "The first line of the CSV has the parameters and the seed; for SDF they go to standard error.\n"
-        "Example:\n"
-        "  fstiff generate profile --points 8192 --spacing \"0.5 um\" --hurst 0.5 --rms \"1 um\" | fstiff fit -");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -160,32 +160,18 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace identify_command
 
-Command add_identify(CLI::App& app) {
+Command add_identify(Arguments& command) {
     using namespace identify_command;
     auto options = std::make_shared<Options>();
     IdentifyRequest& request = options->request;
     request.prefix = "--";
-    Arguments command(app, "identify",
-                      "Parameters of a scene from a measured stiffness or reflection against pressure");
     add_scene_options(command, options->scene,
                       "scene file (TOML) with the starting values; - is standard input; without it the fine "
                       "sand-blasted surface of the paper");
     add_request_options(command, request);
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw the fit and its residuals");
-    command.footer(
-        "The measured file begins with its columns and their units: pressure [MPa], stiffness [GPa/um], "
-        "stiffness_error [GPa/um].\n"
-        "Without --law each law in contact.laws is fitted; if there are none, plastic if the peaks yield, else hybrid. "
-        "g is\nthe rms gradient; where it or alpha is fitted, R and Dp follow. Exit code 4: the data cannot "
-        "distinguish "
-        "the parameters\nor determine one within a factor of 100, the fit does not converge, no law describes the "
-        "points, a point is an outlier,\na parameter is 30 times its starting value, or an elastic law is fitted to "
-        "peaks that yield.\n"
-        "Example:\n"
-        "  printf 'pressure [MPa],stiffness [GPa/um],error [GPa/um]\\n1,0.015,0.002\\n3,0.042,0.006\\n"
-        "10,0.12,0.02\\n30,0.31,0.05\\n' |\n  fstiff identify --measured - --law jackson_green --fit sigma");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff islands: the islands of a map against the cutting level, and the pair R, D_p at their greatest density.
+// fstiff measure --show islands: the islands of a map against the cutting level; R and D_p where they are densest.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
@@ -77,10 +77,9 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace islands_command
 
-Command add_islands(CLI::App& app) {
+Command add_islands(Arguments& command) {
     using namespace islands_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
     command.option("map", options->islands.surface.file, "map, as fstiff formats lists them; - is standard input")
         .required();
     add_surface_options(command, options->islands.surface, SurfaceKind::map);
@@ -105,15 +104,7 @@ Command add_islands(CLI::App& app) {
     command.option("--seed", options->islands.spread.seed,
                    "seed of the random numbers of the draws; the default is 2014");
     add_output_options(command, options->output);
-    command.footer(
-        "The CSV is the curve; the JSON holds everything. R = A_m/(2 pi h_m) of the mean island at the level\nwith the "
-        "most islands.\n"
-        "Example:\n"
-        "  fstiff generate map --points 512 --spacing \"0.5 um\" --hurst 0.8 --rms \"1 um\" --shortest \"8 um\" "
-        "--longest "
-        "\"32 um\" |\n"
-        "      fstiff islands -");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

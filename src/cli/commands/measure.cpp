@@ -166,12 +166,10 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace measure_command
 
-Command add_measure(CLI::App& app) {
+Command add_measure(Arguments& command) {
     using namespace measure_command;
     auto options = std::make_shared<Options>();
     scene::MeasureOptions& measure = options->measure;
-    Arguments command(app, "measure",
-                      "Every parameter of a scene's surface from a measured profile or map, with errors");
     command
         .option("files", options->files,
                 "profile or map of any form; - is standard input. Several files of one surface, or a folder of them, "
@@ -198,20 +196,7 @@ Command add_measure(CLI::App& app) {
         .one_of({"fit", "islands", "peaks", "spectrum"});
     add_picture_option(command, options->picture, "draw what --scales computes");
     add_output_options(command, options->output, Format::json);
-    command.footer(
-        "All waves except the form count for a contact, so lambda_c is none unless it is given. The form is what a "
-        "drawing\n"
-        "calls form. The table and the JSON also have the roughness parameters of drawings, with the cut-offs of "
-        "their\n"
-        "standard: ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, Sq, Sk ... of a map). The JSON is "
-        "the\n"
-        "input of run --surface and of [surface] from = \"...\" in a scene. Exit code 4: a parameter is not known to "
-        "a\n"
-        "factor of two, or the island density of a map has no maximum. The example makes a random walk.\n"
-        "Example:\n"
-        "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
-        "      fstiff measure - --spacing \"0.5 um\" --units um | fstiff run --surface -");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

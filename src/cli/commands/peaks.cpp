@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff peaks: the density of peak heights and curvatures, its moments and its height marginal.
+// fstiff measure --show peaks: the density of peak heights and curvatures, its moments and its height marginal.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
@@ -59,21 +59,17 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace peaks_command
 
-Command add_peaks(CLI::App& app) {
+Command add_peaks(Arguments& command) {
     using namespace peaks_command;
     auto options = std::make_shared<Options>();
     PeakDensityRequest& request = options->request;
     request.profile = "--profile";
-    Arguments command(app, "peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
     add_request_options(command, request);
     command.option("profile,--profile", request.surface.file,
                    "measured profile, as fstiff formats lists them; - is standard input");
     add_surface_options(command, request.surface, SurfaceKind::profile);
     add_output_options(command, options->output);
-    command.footer(
-        "Heights are in rms heights, curvatures in rms curvatures of the ordinates.\n"
-        "Example:\n  fstiff peaks --r 0.5 --theta pi/3 --heights=-4,4,9");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -356,10 +356,9 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace report_command
 
-Command add_report(CLI::App& app) {
+Command add_report(Arguments& command) {
     using namespace report_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "report", "Report of a scene as one HTML file");
     add_scene_options(
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
@@ -368,10 +367,7 @@ Command add_report(CLI::App& app) {
         .type_name("FILE")
         .required();
     add_format_option(command, options->output);
-    command.footer(
-        "The page holds its pictures and opens without a network.\n"
-        "Example:\n  fstiff report -o report");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

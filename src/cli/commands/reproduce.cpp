@@ -166,20 +166,14 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace reproduce_command
 
-Command add_reproduce(CLI::App& app) {
+Command add_reproduce(Arguments& command) {
     using namespace reproduce_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "reproduce", "The figures, tables and conclusions of the reference paper, into a folder");
     command.option("-o,--output", options->folder, "folder for the figures and index.html; made when missing")
         .type_name("FOLDER")
         .required();
     add_format_option(command, options->output);
-    command.footer(
-        "Figs. 2, 4, 6, 7, 8, 9 as SVG with their numbers (.plot.csv), errata.md, and "
-        "index.html "
-        "with "
-        "all of it.\nExample:\n  fstiff reproduce -o reproduced");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

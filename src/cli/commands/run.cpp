@@ -70,10 +70,9 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace run_command
 
-Command add_run(CLI::App& app) {
+Command add_run(Arguments& command) {
     using namespace run_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "run", "Stiffness, separation and real area of a scene against pressure");
     add_scene_options(command, options->scene,
                       "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
                       "profile, map, or JSON of fstiff measure, in place of the scene's [surface] and contact.peaks; "
@@ -82,13 +81,7 @@ Command add_run(CLI::App& app) {
     command.flag("--full", options->full, "the table has every point and quantity, not a summary");
     add_picture_option(command, options->picture, "draw K(p)");
     command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
-    command.footer(
-        "A scene describes the contact; run --example > my.toml writes one to edit. Exit code 4: a real area above the "
-        "nominal one,\nno convergence, a point that a law does not reach, or a measured parameter that is not known to "
-        "a "
-        "factor of two.\n"
-        "Example:\n  fstiff run --format csv");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff spectrum: the power spectral density or the autocorrelation of a measured profile or map, as numbers and as a
-// picture.
+// fstiff measure --show spectrum: the power spectral density or the autocorrelation of a measured profile or map.
 #include "surface/spectrum.hpp"
 #include "commands/commands.hpp"
 #include "document/document.hpp"
@@ -133,10 +132,9 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace spectrum_command
 
-Command add_spectrum(CLI::App& app) {
+Command add_spectrum(Arguments& command) {
     using namespace spectrum_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "spectrum", "Power spectral density or autocorrelation of a measured profile or map");
     command
         .option("file", options->request.surface.file,
                 "profile or map, as fstiff formats lists them; - is standard input")
@@ -145,13 +143,7 @@ Command add_spectrum(CLI::App& app) {
     add_surface_options(command, options->request.surface);
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw the curves");
-    command.footer(
-        "For a map: C(q) over all directions, and the mean of its sections along x and along y. The CSV holds every "
-        "value.\n"
-        "Example:\n"
-        "  fstiff generate map --points 256 --spacing \"0.5 um\" --hurst 0.8 --rms \"1 um\" --shortest \"4 um\" |\n"
-        "      fstiff spectrum -");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -205,10 +205,9 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace sweep_command
 
-Command add_sweep(CLI::App& app) {
+Command add_sweep(Arguments& command) {
     using namespace sweep_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "sweep", "Many scenes: ranges, lists and distributions in one scene file");
     command.option("grid", options->grid, "scene file (TOML) with swept quantities; - is standard input");
     command
         .option("-o,--output", options->results,
@@ -224,12 +223,7 @@ Command add_sweep(CLI::App& app) {
                  "print which share of the variance of K each distributed input has");
     command.flag("--merge", options->merge, "put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl");
     command.flag("--example", options->example, "print a grid with comments, to begin one of your own");
-    command.footer(
-        "A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as "
-        "{ normal = [\"5 um\", \"0.2 um\"] }.\nExit code 4: some scenes cannot be computed; their lines give the "
-        "reason.\n"
-        "Example:\n  fstiff sweep --example > grid.toml; fstiff sweep grid.toml -o results.jsonl");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

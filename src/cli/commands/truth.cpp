@@ -82,10 +82,9 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace truth_command
 
-Command add_truth(CLI::App& app) {
+Command add_truth(Arguments& command) {
     using namespace truth_command;
     auto options = std::make_shared<Options>();
-    Arguments command(app, "truth", "Stiffness of a measured map by boundary elements on the map itself");
     command.option("file", options->truth.surface.file, "map of any form; - is standard input").required();
     add_surface_options(command, options->truth.surface);
     command.option("--scene", options->scene,
@@ -100,13 +99,7 @@ Command add_truth(CLI::App& app) {
     command.option("--edges", options->truth.edges,
                    "continuation of the map beyond its edges: mirrored (default) or periodic");
     add_output_options(command, options->output);
-    command.footer(
-        "The error of K is its difference from a grid half as fine. Exit code 4: it is above a fifth of K, there is "
-        "no\n"
-        "convergence, or all points of the map are in contact at some pressures, so that there is no K.\n"
-        "Example:\n  fstiff generate map --hurst 0.8 --rms \"1 um\" --spacing \"1 um\" | fstiff truth - --pressures "
-        "\"10 MPa\"");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -53,22 +53,14 @@ Report execute(const Options& options) {
 }  // namespace
 }  // namespace ultrasound_command
 
-Command add_ultrasound(CLI::App& app) {
+Command add_ultrasound(Arguments& command) {
     using namespace ultrasound_command;
     auto options = std::make_shared<Options>();
     ReflectionRequest& request = options->request;
     request.prefix = "--";
-    Arguments command(app, "ultrasound", "Ultrasonic reflection from the stiffness of an interface, or back");
     add_request_options(command, request);
     add_output_options(command, options->output);
-    command.footer(
-        "A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. For shear waves "
-        "give\n"
-        "the impedances of shear waves; the stiffness is then the tangential one. Exit code 4: some rows have an R "
-        "that\n"
-        "belongs to no stiffness.\n"
-        "Example:\n  fstiff ultrasound --stiffness \"1.764 GPa/um\" --frequency \"7 MHz\" --impedance \"46 MRayl\"");
-    return {command.app(), &options->output, [options] { return execute(*options); }};
+    return {&options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -12,7 +12,9 @@
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <system_error>
 #include <type_traits>
 
@@ -169,9 +171,6 @@ Option& Option::show_default() {
     return *this;
 }
 
-Arguments::Arguments(CLI::App& program, const std::string& name, const std::string& description)
-    : app_(program.add_subcommand(name, description)) {}
-
 template <class Target>
 Option Arguments::option(const std::string& name, Target& target, const std::string& help) {
     if constexpr (std::is_unsigned_v<Target>)
@@ -193,8 +192,10 @@ Option Arguments::option(const std::string& name, const std::function<void(const
 void Arguments::flag(const std::string& name, bool& target, const std::string& help) {
     app_->add_flag(name, target, help);
 }
-void Arguments::footer(const std::string& text) { app_->footer(text); }
 
+namespace {
+
+/// Values of the options of \p command that take any text, except its outputs; files are among them.
 std::vector<std::string> given_texts(const CLI::App& command) {
     std::vector<std::string> texts;
     for (const CLI::Option* option : command.get_options()) {
@@ -206,35 +207,53 @@ std::vector<std::string> given_texts(const CLI::App& command) {
     return texts;
 }
 
+}  // namespace
+
 Program::Program(const std::string& name, const std::string& version, const std::string& description,
-                 const std::string& footer)
-    : app_(std::make_unique<CLI::App>(description, name)), version_(version) {
+                 const std::string& footer, std::span<const CommandRow> commands, std::span<const OldName> old_names)
+    : app_(std::make_unique<CLI::App>(description, name)),
+      version_(version),
+      commands_(commands),
+      old_names_(old_names) {
     app_->set_version_flag("-V,--version", version);
     app_->require_subcommand(1);
     app_->footer(footer);
+    for (const CommandRow& row : commands_)
+        app_->add_subcommand("command", row.summary)
+            ->group(row.group)
+            ->name(row.name)  // after add_subcommand(), which takes one word
+            ->footer((*row.notes ? row.notes + std::string("\n") : "") + "Example:\n" + row.example);
+    add_help();
 }
 Program::~Program() = default;
 
-void Program::list_under(CLI::App& command, const std::string& group) { command.group(group); }
-
-void Program::forward(const std::string& command, const std::vector<std::string>& ways, const std::string& to) {
-    forwarded_.push_back({command, ways, to});
-}
-
-void Program::redirect(std::vector<std::string>& words) const {
-    for (const auto& [command, ways, to] : forwarded_) {
-        if (words.front() != command) continue;
-        auto at = std::search(words.begin(), words.end(), ways.begin(), ways.end());
-        auto end = at + (at == words.end() ? 0 : std::ssize(ways));
-        if (at == words.end() && ways.size() == 2) {  // --option=value
-            at = std::find(words.begin(), words.end(), ways.front() + "=" + ways.back());
+void Program::join(std::vector<std::string>& words, std::size_t first) const {
+    for (const CommandRow& row : commands_) {
+        std::istringstream text(row.name);
+        const std::vector<std::string> of{std::istream_iterator<std::string>(text), {}};
+        if (of.size() == 1 || words.size() <= first || words[first] != of.front()) continue;
+        const auto begin = words.begin() + static_cast<std::ptrdiff_t>(first);
+        auto at = std::search(begin, words.end(), of.begin() + 1, of.end());
+        auto end = at + (at == words.end() ? 0 : std::ssize(of) - 1);
+        if (at == words.end() && of.size() == 3) {  // --option=value
+            at = std::find(begin, words.end(), of[1] + "=" + of[2]);
             end = at + (at == words.end() ? 0 : 1);
         }
         if (at == words.end()) continue;
         words.erase(at, end);
-        words.front() = to;
+        words[first] = row.name;
         return;
     }
+}
+
+Command Program::add_options(const std::string& name) {
+    for (const auto& [old, now] : old_names_)
+        if (name == old) throw Usage(name + ": " + std::string(now));
+    const auto row =
+        std::find_if(commands_.begin(), commands_.end(), [&](const auto& one) { return one.name == name; });
+    if (row == commands_.end()) throw no_command(*app_, name);
+    Arguments arguments(*app_->get_subcommand(name));
+    return row->add(arguments);
 }
 
 /// The command help: `help COMMAND` is COMMAND --help.
@@ -262,49 +281,55 @@ void Program::add_help() {
     help.app->footer("Example:\n  fstiff help run");
 }
 
-void Program::require_command(const std::string& word) const {
-    const auto names = command_names(*app_);
-    if (std::find(names.begin(), names.end(), word) == names.end()) throw no_command(*app_, word);
-}
-
-void Program::print_help() const {
+void Program::print_help() {
     const std::string &word = help_->command, name = app_->get_name();
-    if (!word.empty()) require_command(word);
+    const auto page_of = [&](const std::string& command) {  // measure --show fit: fstiff-measure-fit
+        std::string page = name;
+        std::istringstream words(command);
+        for (std::string part; words >> part;)
+            if (part != "--show") page += "-" + part.substr(part.find_first_not_of('-'));
+        return page;
+    };
     if (!help_->shell.empty()) {
         std::cout << bash_completion;
     } else if (!word.empty()) {
-        std::cout << manual_page(name + "-" + word, version_, app_->get_subcommand(word)->help(name), {name});
+        const auto kept = word == "help" ? std::optional<Command>() : add_options(word);
+        std::cout << manual_page(page_of(word), version_, app_->get_subcommand(word)->help(name), {name});
     } else {
         std::vector<std::string> pages = command_names(*app_);
-        for (std::string& page : pages) page = name + "-" + page;
+        for (std::string& page : pages) page = page_of(page);
         // not app_->help(), which is that of the command help
         const std::string help = app_->get_formatter()->make_help(app_.get(), name, CLI::AppFormatMode::Normal);
         std::cout << manual_page(name, version_, help, pages);
     }
 }
 
-const CLI::App* Program::parse(std::vector<std::string> words) {
+std::optional<Command> Program::parse(std::vector<std::string> words) {
     refuse_empty(words);
-    add_help();
     if (words.empty()) words = {"--help"};
-    redirect(words);
     if (words == std::vector<std::string>{"version"}) words = {"--version"};
-    if (words.front() == "help" && (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
-        if (words.size() == 2) require_command(words.back());
-        std::rotate(words.begin(), words.begin() + 1, words.end());
-        words.back() = "--help";
+    const bool is_help = words.front() == "help";
+    join(words, is_help ? 1 : 0);
+    if (is_help && (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
+        words.erase(words.begin());
+        words.emplace_back("--help");
     }
+    std::optional<Command> command;
+    if (const std::string& name = words.front(); !name.starts_with("-") && name != "help") command = add_options(name);
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     try {
         app_->parse(words);
         const CLI::App* const chosen = app_->get_subcommands().front();
-        if (chosen != help_->app) return chosen;
-        print_help();
-        return nullptr;
+        if (chosen == help_->app) {
+            print_help();
+            return {};
+        }
+        command->texts = given_texts(*chosen);
+        return command;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) throw refusal(*app_, error);
         app_->exit(error);
-        return nullptr;
+        return {};
     }
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 // The command line. CLI11 parses it, which arguments.cpp alone includes.
 
+#include "document/output.hpp"
+
 #include <fstiff/core/names.hpp>
 
 #include <concepts>
@@ -43,10 +45,10 @@ private:
     CLI::Option* option_;
 };
 
-/// A subcommand; options write into the targets, which must live as long as the program parses.
+/// The options of a command; they write into the targets, which must live as long as the program parses.
 class Arguments {
 public:
-    Arguments(CLI::App& program, const std::string& name, const std::string& description);
+    explicit Arguments(CLI::App& app) : app_(&app) {}
 
     /// \p target: a text, a list of texts, an int, a whole number that is not negative, a double, or an optional one.
     template <class Target>
@@ -69,55 +71,58 @@ public:
         return option(name, take, help);
     }
     void flag(const std::string& name, bool& target, const std::string& help);
-    /// Below the list of options.
-    void footer(const std::string& text);
-
-    [[nodiscard]] CLI::App* app() const { return app_; }
 
 private:
     CLI::App* app_;
 };
 
-/// Values of the options of \p command that take any text, except its outputs; files are among them.
-[[nodiscard]] std::vector<std::string> given_texts(const CLI::App& command);
+/// What a command does once its options are parsed, and where its document goes.
+struct Command {
+    const OutputOptions* output;
+    std::function<Report()> execute;
+    std::vector<std::string> texts{};  ///< values of options that may be names of files
+};
 
-/// The command line of the program, all of its subcommands.
+/// A command.
+struct CommandRow {
+    const char* name;             ///< a word; further ones are an option of this word that makes another command of it
+    const char* group;            ///< its heading in --help; empty: it is not listed
+    const char* summary;          ///< its line there
+    const char *notes, *example;  ///< below its options
+    Command (*add)(Arguments&);   ///< adds its options
+};
+/// A name of former times, and the sentence that gives the call which took its place.
+struct OldName {
+    std::string_view name, now;
+};
+
+/// The command line of the program, all of its commands; the options of the one that is called.
 class Program {
 public:
     Program(const std::string& name, const std::string& version, const std::string& description,
-            const std::string& footer);
+            const std::string& footer, std::span<const CommandRow> commands, std::span<const OldName> old_names);
     ~Program();
-    [[nodiscard]] CLI::App& app() { return *app_; }
-    /// Puts \p command under the heading \p group of --help; empty: it is known and not listed.
-    void list_under(CLI::App& command, const std::string& group);
-    /// \p command with the words \p ways, which may be "--option" and its value, is the command \p to: its options and
-    /// help.
-    void forward(const std::string& command, const std::vector<std::string>& ways, const std::string& to);
-    /// The subcommand that was asked for; null after --help, help, no argument at all (the help too), --version, -V and
+    /// The command that was asked for; none after --help, help, no argument at all (the help too), --version, -V and
     /// version, which print.
     /// \throws Usage in one sentence that names the help to look at; for an argument that is empty, too, as one of a
     /// script whose variable is not set.
-    [[nodiscard]] const CLI::App* parse(std::vector<std::string> words);
+    [[nodiscard]] std::optional<Command> parse(std::vector<std::string> words);
 
 private:
     struct Help;
-    struct Forwarded {
-        std::string command;
-        std::vector<std::string> ways;
-        std::string to;
-    };
     void add_help();
-    /// The words of the command line with forwarded commands in place of the others.
-    void redirect(std::vector<std::string>& words) const;
-    /// \throws Usage where \p word is not a command.
-    void require_command(const std::string& word) const;
+    /// Joins the words from \p first on that name a command, as measure --show fit does.
+    void join(std::vector<std::string>& words, std::size_t first) const;
+    /// Adds the options of the command \p name. \throws Usage where it is none.
+    [[nodiscard]] Command add_options(const std::string& name);
     /// The manual page or the script of completion that was asked for.
-    void print_help() const;
+    void print_help();
 
     std::unique_ptr<CLI::App> app_;
     std::unique_ptr<Help> help_;
     std::string version_;
-    std::vector<Forwarded> forwarded_;
+    std::span<const CommandRow> commands_;
+    std::span<const OldName> old_names_;
 };
 
 }  // namespace fstiff::cli

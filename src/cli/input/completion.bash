@@ -3,9 +3,10 @@
 _fstiff() {
     local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=
     [ "$COMP_CWORD" -gt 1 ] && command=${COMP_WORDS[1]}
-    # measure --show fit is fit, sweep --merge is merge
-    [[ "${COMP_WORDS[*]:1:COMP_CWORD-1} " =~ ^(measure\ .*--show\ (=\ )?|sweep\ .*--)(fit|islands|peaks|spectrum|merge)\  ]] &&
-        command=${BASH_REMATCH[3]}
+    # these are commands of their own
+    [[ "${COMP_WORDS[*]:1:COMP_CWORD-1} " =~ ^measure\ .*--show\ (=\ )?(fit|islands|peaks|spectrum)\  ]] &&
+        command="measure --show ${BASH_REMATCH[2]}"
+    [[ "${COMP_WORDS[*]:1:COMP_CWORD-1} " =~ ^sweep\ .*--merge\  ]] && command="sweep --merge"
     # bash splits --format=json into three words
     if [ "$current" = '=' ]; then
         current=
