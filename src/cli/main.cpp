@@ -52,9 +52,8 @@ struct Listed {
 constexpr Listed listed[] = {
     {add_run, "Compute"},          {add_report, "Compute"},    {add_sweep, "Compute"},    {add_export, "Compute"},
     {add_ultrasound, "Compute"},   {add_measure, "Surfaces"},  {add_formats, "Surfaces"}, {add_generate, "Surfaces"},
-    {add_identify, "Measured K"},  {add_truth, "Checks"},      {add_reproduce, "Checks"}, {add_integral, "Checks"},
-    {add_fit, ""},                 {add_islands, ""},          {add_peaks, ""},           {add_spectrum, ""},
-    {add_merge, ""}};
+    {add_identify, "Measured K"},  {add_truth, "Checks"},      {add_reproduce, "Checks"}, {add_fit, ""},
+    {add_islands, ""},             {add_peaks, ""},            {add_spectrum, ""},        {add_merge, ""}};
 // clang-format on
 
 int run(std::vector<std::string> words) {

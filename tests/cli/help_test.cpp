@@ -8,8 +8,8 @@ namespace help_test {
 
 TEST_CASE("The example at the end of every --help works as pasted") {
     for (const std::string subcommand :
-         {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
-          "identify ", "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "}) {
+         {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "generate ", "ultrasound ", "identify ",
+          "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "}) {
         const auto help = test::run_fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);
@@ -149,8 +149,8 @@ TEST_CASE("measure prints a table on a terminal, JSON into a pipe and a file, an
 
 TEST_CASE("No help points at a file that is not installed") {
     for (const std::string command :
-         {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
-          "identify ", "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "})
+         {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "generate ", "ultrasound ", "identify ",
+          "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "})
         for (const char* folder : {"docs/", "data/", "README"}) {
             INFO(command << folder);
             CHECK_FALSE(test::contains(test::run_fstiff(command + "--help").out, folder));

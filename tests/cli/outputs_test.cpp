@@ -58,7 +58,6 @@ TEST_CASE("No command writes over a file that it reads") {
     check_harmless(folder, "run --surface d.csv -o d.csv", 3, {"d.csv", input});
     check_harmless(folder, "run page.html --plot page.html", 3, {"page.html", input});
     check_harmless(folder, "identify --measured k.csv --fit sigma --law hertz -o k.csv", 3, {"k.csv", input});
-    check_harmless(folder, "integral -o k.csv < k.csv", 3, {"k.csv", input});  // standard input without its name
 }
 
 TEST_CASE("A file next to a picture is replaced only if fstiff made it") {

@@ -21,7 +21,6 @@ Command add_fit(CLI::App& app);
 Command add_islands(CLI::App& app);
 Command add_spectrum(CLI::App& app);
 Command add_peaks(CLI::App& app);
-Command add_integral(CLI::App& app);
 Command add_generate(CLI::App& app);
 Command add_ultrasound(CLI::App& app);
 Command add_identify(CLI::App& app);
