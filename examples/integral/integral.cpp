@@ -5,8 +5,8 @@
 //     example_integral --yielding [--tolerance X] [FILE]   load of peaks that yield, of the columns r,theta,eta
 //
 // Without FILE it reads standard input. The rows come back with value,error,evaluations added; other columns stay as
-// they are, but an input column of one of these names becomes input_value and so on. Cells have no quotation marks. The
-// relative tolerance X is 1e-13 by default; of the value 13 digits are printed. Exit code 3: bad input, in one sentence.
+// they are, but an input column of one of these names becomes input_value and so on. Cells have no quotation marks.
+// X is the relative tolerance, 1e-13 by default; 13 digits are printed. Exit code 3: bad input, in one sentence.
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 
