@@ -56,13 +56,19 @@ def peak_integral(
             raise ValueError(f"function({excess[i]:.6g}, {t[i]:.6g}) = {found[i]}: must be finite for every excess and t above 0")
         return found
 
-    def excess_of_kink(t: float) -> float:
-        found = float(kink(t))  # type: ignore[operator]
+    if isinstance(kink, str) and kink != "unknown":
+        raise ValueError(f'kink = "{kink}": must be a function of t, "unknown" or None')
+    of_kink = None if kink is None or isinstance(kink, str) else _checked(kink)
+    return Estimate(*_core.peak_integral(values, of_kink, kink == "unknown", float(r), float(theta), float(eta), float(relative_tolerance)))
+
+
+def _checked(kink: Callable[[float], float]) -> Callable[[float], float]:
+    """`kink`, of which NaN is refused."""
+
+    def excess(t: float) -> float:
+        found = float(kink(t))
         if found != found:
             raise ValueError(f"kink({t:.6g}) = nan: must be a number")
         return found
 
-    if isinstance(kink, str) and kink != "unknown":
-        raise ValueError(f'kink = "{kink}": must be a function of t, "unknown" or None')
-    of_kink = excess_of_kink if callable(kink) else None
-    return Estimate(*_core.peak_integral(values, of_kink, kink == "unknown", float(r), float(theta), float(eta), float(relative_tolerance)))
+    return excess
