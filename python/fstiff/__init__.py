@@ -20,6 +20,7 @@ from ._answers import Stiffness, answer
 from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names
 from ._core import version as __version__
 from ._errors import FileError
+from ._integrals import Estimate, peak_integral
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
 from ._scenes import Answer, Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
@@ -29,6 +30,7 @@ __all__ = [
     "Answer",
     "Contact",
     "Curves",
+    "Estimate",
     "Export",
     "FileError",
     "Fit",
@@ -57,6 +59,7 @@ __all__ = [
     "law_names",
     "measure",
     "open_surface",
+    "peak_integral",
     "peaks",
     "run",
     "spectrum",

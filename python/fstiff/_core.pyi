@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Types of the compiled part; its functions are those of python/src."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -97,6 +98,15 @@ def sensitivity(law: str, numbers: dict[str, float], interaction: str, pressure:
 def effective_modulus(
     youngs_modulus: float, poisson_ratio: float, youngs_modulus2: float, poisson_ratio2: float
 ) -> float: ...
+def peak_integral(
+    function: Callable[[_Numbers, _Numbers], _Numbers],
+    kink: Callable[[float], float] | None,
+    kinks_unknown: bool,
+    r: float,
+    theta: float,
+    eta: float,
+    relative_tolerance: float,
+) -> tuple[float, float, int]: ...
 def parse_length(value: Any, name: str) -> float: ...
 def surface_options() -> dict[str, bool]: ...
 def read(options: dict[str, Any]) -> tuple[tuple[_Numbers, float, float], list[str], list[str]]: ...

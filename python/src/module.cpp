@@ -30,6 +30,7 @@ NB_MODULE(_core, m) {
         }
     });
     add_contacts(m);
+    add_integrals(m);
     add_scenes(m);
     add_surfaces(m);
     add_answers(m);

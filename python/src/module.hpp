@@ -57,6 +57,7 @@ ProgressHook until_interrupted();
 
 void add_answers(nb::module_& m);
 void add_contacts(nb::module_& m);
+void add_integrals(nb::module_& m);
 void add_scenes(nb::module_& m);
 void add_surfaces(nb::module_& m);
 

@@ -74,14 +74,6 @@ struct ScaledLaw {
     { return law.kinks(); }
 };
 
-template <class Law>
-constexpr parts::Axis axis_of() {
-    if constexpr (requires { Law::axis; })
-        return Law::axis;
-    else
-        return parts::Axis::graded;
-}
-
 /// \p f of all approaches at once, or of one after the other where it is a function of numbers.
 template <Real T, class F>
 TensorLanes<T> of_lanes(const TensorLanes<T>& omega, const F& f) {
