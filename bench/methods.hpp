@@ -11,6 +11,7 @@
 #include "problems.hpp"
 
 #include "support/panels.hpp"
+#include "support/twin_integrals.hpp"
 
 #include <cstdio>
 #include <numbers>
@@ -57,12 +58,10 @@ Values one_by_one(const Problem& p, const Which& which, const Integral& integral
 inline Values tensor(const Problem& p, const Which& which, double tolerance) {
     return one_by_one(p, which,
                       [tolerance](double a, double b, const fstiff::PeakDistribution<double>& peaks, double eta) {
-                          return fstiff::parts::tensor_integral(a, b, peaks, eta, {tolerance});
+                          return test::tensor_integral(a, b, peaks, eta, {tolerance});
                       });
 }
-inline Values paper(const Problem& p, const Which& which) {
-    return one_by_one(p, which, fstiff::parts::paper_integral<double>);
-}
+inline Values paper(const Problem& p, const Which& which) { return one_by_one(p, which, test::paper_integral<double>); }
 
 // Laws of a user for the kernel in two dimensions; excess and t are dimensionless, V is an Eigen array or a number.
 

@@ -2,7 +2,6 @@
 #include "document/rows.hpp"
 
 #include "document/file.hpp"
-#include "io/number.hpp"
 
 #include <algorithm>
 
@@ -89,31 +88,6 @@ std::string csv_line(const std::vector<std::string>& cells) {
         if (!plain) text += '"';
     }
     return text + '\n';
-}
-
-std::vector<std::string> csv_cells(std::string_view line) {
-    constexpr std::string_view blanks = " \t\r\n";
-    std::vector<std::string> cells{""};
-    bool open = false, quoted = false;  // inside quotation marks; in a cell that had them
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        std::string& cell = cells.back();
-        if (open && c == '"' && line.substr(i + 1).starts_with('"')) {
-            cell += line[++i];
-        } else if (open ? c == '"' : c == '"' && !quoted && cell.find_first_not_of(blanks) == std::string::npos) {
-            if (!open) cell.clear();
-            open = !open;
-            quoted = true;
-        } else if (open || c != ',') {
-            if (open || !quoted || blanks.find(c) == std::string_view::npos) cell += c;
-        } else {
-            if (!quoted) cell = std::string(io::detail::trimmed(cell));
-            cells.emplace_back();
-            quoted = false;
-        }
-    }
-    if (!quoted) cells.back() = std::string(io::detail::trimmed(cells.back()));
-    return cells;
 }
 
 TextRows Rows::table(const Select& select) const {

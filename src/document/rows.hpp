@@ -43,8 +43,6 @@ private:
 /// Cells joined by commas, with a line end: the one writer of CSV. A cell with a comma, a quotation mark or a line end
 /// is quoted (RFC 4180).
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
-/// The cells of such a line, without the blanks about them.
-[[nodiscard]] std::vector<std::string> csv_cells(std::string_view line);
 
 /// A value of a column.
 struct Cell {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/panels.hpp"
 #include "support/scalars.hpp"
 #include "support/table.hpp"
+#include "support/twin_integrals.hpp"
 
 #include <gsl/gsl_integration.h>
 
@@ -25,7 +25,7 @@ TEST_CASE("two dimensions give the plain table to 1e-12, and cover their error")
         const auto in = [&](const char* column) { return table.input(row, column); };
         const auto truth = static_cast<double>(table.number(row, "value"));
         const auto j =
-            fstiff::parts::tensor_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
+            test::tensor_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
         INFO("row " << row + 2 << " value " << j.value << " error " << test::relative_error(j.value, truth));
         CHECK(test::relative_error(j.value, truth) < 1e-12);
         CHECK(std::abs(j.value - truth) <= std::max(j.error, 1e-15 * truth));
@@ -39,7 +39,7 @@ TEST_CASE("two dimensions agree with one wherever their mesh resolves the integr
                 for (const auto& [a, b] :
                      {std::pair(0.0, 0.0), std::pair(0.5, -0.5), std::pair(1.5, -0.5), std::pair(1.0, -1.0)}) {
                     const PeakDistribution<double> peaks(r, theta);
-                    const auto slow = fstiff::parts::tensor_integral(a, b, peaks, eta);
+                    const auto slow = test::tensor_integral(a, b, peaks, eta);
                     const auto fast = fstiff::contact_integral(a, b, peaks, eta);
                     INFO("r " << r << " theta " << theta << " eta " << eta << " a " << a);
                     CHECK(std::abs(slow.value - fast.value) <= slow.error + fast.error);
@@ -315,12 +315,12 @@ TEST_CASE("the end of a window that falls on a kink changes nothing") {
 
 TEST_CASE("float and long double run the same kernel") {
     CHECK(test::relative_error(
-              fstiff::parts::tensor_integral(0.5F, -0.5F, PeakDistribution<float>(0.5F, 1.0F), 1.0F).value,
+              test::tensor_integral(0.5F, -0.5F, PeakDistribution<float>(0.5F, 1.0F), 1.0F).value,
               static_cast<float>(fstiff::contact_integral(0.5, -0.5, PeakDistribution<double>(0.5, 1.0), 1.0).value)) <
           1e-5F);
 #ifdef FSTIFF_TEST_LONG_DOUBLE
     CHECK(test::relative_error(
-              fstiff::parts::tensor_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value,
+              test::tensor_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value,
               fstiff::contact_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value) < 1e-15L);
 #endif
 }
@@ -332,14 +332,14 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
         const auto in = [&](const char* column) { return table.input(row, column); };
         const auto truth = static_cast<double>(table.number(row, "value"));
         const auto j =
-            fstiff::parts::paper_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
+            test::paper_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
         worst = std::max(worst, test::relative_error(j.value, truth));
         INFO("row " << row + 2 << " error " << test::relative_error(j.value, truth) << " estimate " << j.error / truth);
         CHECK(std::abs(j.value - truth) <= j.error);
     }
     // the ridge of the density is narrower than the distance of the points: the rule misses it
     const PeakDistribution<double> narrow(0.999999999, 1.57);
-    const auto missed = fstiff::parts::paper_integral(0.0, -1.0, narrow, 5.0);
+    const auto missed = test::paper_integral(0.0, -1.0, narrow, 5.0);
     const auto truth = fstiff::contact_integral(0.0, -1.0, narrow, 5.0);
     CHECK(missed.value == 0);
     CHECK(truth.value > 1e-7);
@@ -347,7 +347,7 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
     CHECK(worst < 3e-4);
     CHECK(worst > 1e-6);  // were it better, the comparison would not be with the paper's rule
     CHECK(test::refusal([] {
-              static_cast<void>(fstiff::parts::paper_integral(0.3, 0.0, PeakDistribution<double>(0.5, 1), 0.0));
+              static_cast<void>(test::paper_integral(0.3, 0.0, PeakDistribution<double>(0.5, 1), 0.0));
           }).starts_with("a = 0.3"));
 }
 

@@ -2,6 +2,7 @@
 // No pressure is lost without a sentence and a doubtful result, and no sentence contradicts the numbers above it.
 // Truth: limits worked by hand (0.75 E g, the hardness), and the columns themselves.
 #include "scene/explanation.hpp"
+#include "support/csv.hpp"
 #include "support/library.hpp"
 
 #include <cmath>
@@ -29,9 +30,9 @@ std::string cell(const scene::Results& results, const std::string& column, std::
     std::istringstream csv(test::csv_of(results));
     std::string line;
     std::getline(csv, line);
-    const auto names = scene::csv_cells(line);
+    const auto names = test::csv_cells(line);
     for (std::size_t i = 0; i <= row; ++i) std::getline(csv, line);
-    const auto cells = scene::csv_cells(line);
+    const auto cells = test::csv_cells(line);
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == column) return cells.at(i);
     return "no column";

@@ -76,10 +76,6 @@ void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x
     }
 }
 
-}  // namespace detail
-
-namespace detail {
-
 template <parts::ReadableReal T>
 void require_range(const LawRange<T>& range) {
     require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,

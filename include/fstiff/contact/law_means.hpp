@@ -122,7 +122,8 @@ public:
     LawSums<T> operator()(T eta) const {
         const T c2 = (1 - peaks_.r()) * (1 + peaks_.r()), r = peaks_.r();
         // an area has whole powers where load and stiffness have half ones
-        constexpr parts::Axis axis = axis_of<Law>(), area_axis = axis == parts::Axis::even ? parts::Axis::graded : axis;
+        constexpr parts::Axis axis = parts::axis_of<Law>(),
+                              area_axis = axis == parts::Axis::even ? parts::Axis::graded : axis;
         LawSums<T> out = means_of_law(
             law_, scales_, wanted_,
             [&](const auto& f) {

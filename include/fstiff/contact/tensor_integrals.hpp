@@ -42,8 +42,7 @@ concept KinkedLaw = requires(const F& f, T t) {
 template <Real T = double>
 struct TensorOptions {
     T relative_tolerance = T(1e4) * std::numeric_limits<T>::epsilon();
-    int max_nodes =
-        192;  ///< rows, and nodes of a piece of a row, at most 256; the error estimate shows when they were too few
+    int max_nodes = 192;  ///< rows, and nodes of a piece of a row, at most 256
 };
 
 /// The kinks of a law as multiples of critical(t).
@@ -61,34 +60,26 @@ auto kinks_of(const F& f) {
     }
 }
 
-}  // namespace fstiff::inline v0_1::parts
-
-namespace fstiff::inline v0_1::detail {
-
 template <class F>
-constexpr parts::Axis axis_of() {
+constexpr Axis axis_of() {
     if constexpr (requires { F::axis; })
         return F::axis;
     else
-        return parts::Axis::graded;
+        return Axis::graded;
 }
 
 /// \p f at eight excess heights, given as a Map, whose copy by an expression does not dangle: by one call, or by eight
 /// where f is a function of two numbers.
 template <Real T, class F>
-TensorLanes<T> values_of(const F& f, const TensorLanes<T>& excess, T t) {
-    const Eigen::Map<const TensorLanes<T>> eight(excess.data());
+detail::TensorLanes<T> values_of(const F& f, const detail::TensorLanes<T>& excess, T t) {
+    const Eigen::Map<const detail::TensorLanes<T>> eight(excess.data());
     if constexpr (!requires { f(eight, t); })
         return excess.unaryExpr([&f, t](T one) { return static_cast<T>(f(one, t)); });
     else if constexpr (std::is_convertible_v<decltype(f(eight, t)), T>)  // a function of t alone
-        return TensorLanes<T>::Constant(static_cast<T>(f(eight, t)));
+        return detail::TensorLanes<T>::Constant(static_cast<T>(f(eight, t)));
     else
         return f(eight, t);
 }
-
-}  // namespace fstiff::inline v0_1::detail
-
-namespace fstiff::inline v0_1::parts {
 
 /// \p own: of a function of any sign and growth, whose moduli and values at the ends of the windows are summed too.
 template <Axis axis, Real T, class F, bool own = false>
@@ -269,7 +260,7 @@ private:
                 const detail::TensorLanes<T> v = inverse_c * excess;
                 const detail::TensorLanes<T> term = weight * table.weight[b] *
                                                     (outer - (v + shift).square() / 2 - slope * v).exp() *
-                                                    detail::values_of(f_, excess, t);
+                                                    values_of(f_, excess, t);
                 table.sums[table.legendre ? b : 0] += term;
                 total += term;
                 evaluations += 8;
@@ -334,25 +325,6 @@ template <Axis axis, bool own = false, Real T, class F>
     }
 }
 
-/// J[a,b] in two dimensions: the slow twin of contact_integral. \throws domain_error as contact_integral.
-template <Real T>
-[[nodiscard]] Estimate<T> tensor_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
-                                          const TensorOptions<T>& options = {}) {
-    static_cast<void>(detail::one_power(a, b));
-    const auto monomial = [a, b](const detail::TensorLanes<T>& excess, T t) -> detail::TensorLanes<T> {
-        const T power_of_t = b == 0 ? T(1) : b == T(-0.5) ? 1 / std::sqrt(t) : 1 / t;
-        if (a == 0) return detail::TensorLanes<T>::Constant(power_of_t);
-        if (a == T(0.5)) return power_of_t * excess.sqrt();
-        if (a == T(1)) return power_of_t * excess;
-        return power_of_t * excess * excess.sqrt();
-    };
-    const bool even = a != std::floor(a) && b != std::floor(b);
-    const Estimate<T> scaled = even ? scaled_tensor_integral<Axis::even>(monomial, peaks, eta, options)
-                                    : scaled_tensor_integral<Axis::graded>(monomial, peaks, eta, options);
-    const T scale = math::gaussian((std::max)(eta, T(0)));
-    return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};
-}
-
 }  // namespace fstiff::inline v0_1::parts
 
 namespace fstiff::inline v0_1 {
@@ -368,10 +340,9 @@ namespace fstiff::inline v0_1 {
 /// peak: numbers, or an Eigen array of eight excess heights and one curvature, which a generic function gets. It is
 /// smooth but for powers at 0 and for the kinks or jumps that a member critical(t), with kinks(), names; a function
 /// whose kinks are not known has a member axis = parts::Axis::rough. It grows at most as exp(4 (zeta - eta + t)), and
-/// varies over 0.2 and more: of what is narrower the error may miss a part.
-///
-/// The value aims at options.relative_tolerance ({.relative_tolerance = 1e-6}; by default 1e4 epsilon); the error
-/// returned covers what is reached. For large eta it falls to 0 as exp(-eta^2/2). Source and units: head of this file.
+/// varies over 0.2 and more: the error may miss a part of what is narrower, or is 0 where most peaks are. The value
+/// aims at options.relative_tolerance ({.relative_tolerance = 1e-6}; by default 1e4 epsilon); the error covers what is
+/// reached. For large eta it falls to 0 as exp(-eta^2/2). Source and units: head of this file.
 /// \throws domain_error unless |eta| <= 1e6 and the tolerance is between 50 epsilon and 0.1, and where f is not finite.
 template <Real T, class F>
 [[nodiscard]] Estimate<T> peak_integral(const F& f, const PeakDistribution<T>& peaks, std::type_identity_t<T> eta,
@@ -379,7 +350,7 @@ template <Real T, class F>
     const T tolerance = options.relative_tolerance;
     require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
             "at least 50 epsilon of the scalar type and at most 0.1");
-    const Estimate<T> scaled = parts::scaled_tensor_integral<detail::axis_of<F>(), true>(f, peaks, eta, options);
+    const Estimate<T> scaled = parts::scaled_tensor_integral<parts::axis_of<F>(), true>(f, peaks, eta, options);
     require(std::isfinite(scaled.error), "integral of f", scaled.value, "finite: f must be finite for every peak");
     const T scale = math::gaussian((std::max)(eta, T(0)));
     return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};

@@ -4,7 +4,6 @@
 /// The kernel of the contact integrals in double, compiled once, in the library fstiff::double.
 
 #include <fstiff/contact/contact_integrals.hpp>
-#include <fstiff/contact/tensor_integrals.hpp>
 
 #ifndef FSTIFF_DOUBLE
 #define FSTIFF_DOUBLE extern template
@@ -15,8 +14,5 @@ namespace fstiff::inline v0_1 {
 FSTIFF_DOUBLE double detail::visit_nodes(const detail::PeakProblem<double>&, double, detail::PeakAccumulator<double>&);
 FSTIFF_DOUBLE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
                                                 const parts::IntegralOptions<double>&);
-FSTIFF_DOUBLE Estimate<double> parts::tensor_integral(double, double, const PeakDistribution<double>&, double,
-                                                      const parts::TensorOptions<double>&);
-FSTIFF_DOUBLE Estimate<double> parts::paper_integral(double, double, const PeakDistribution<double>&, double);
 
 }  // namespace fstiff::inline v0_1
