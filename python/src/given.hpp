@@ -21,8 +21,6 @@ scene::Lengths lengths_of(const nb::handle& value, const std::string& key);
 /// The options as the package was given them. take() leaves alone what is not there.
 class Given {
 public:
-    static constexpr long long most_seed = (1LL << 53) - 1;
-
     explicit Given(const nb::dict& options) : options_(options) {}
     [[nodiscard]] bool has(const std::string& key) const { return options_.contains(key.c_str()); }
     template <class T>
@@ -55,25 +53,22 @@ public:
         else
             take(key, text), to = text;
     }
-    template <std::unsigned_integral Count>
+    template <std::integral Count>
     requires(!std::same_as<Count, bool>) void take(const char* key, Count& to) const {
-        whole(key, to, 0, most_seed, "from 0 to 2^53 - 1");
-    }
-    /// A whole number within its range.
-    template <class T>
-    void whole(const char* key, T& to, long long least, long long most, const char* allowed) const {
         if (!options_.contains(key)) return;
         long long given = 0;
         if (!nb::try_cast<long long>(options_[key], given)) refuse(key);
-        require(given >= least && given <= most, key, given, allowed);
-        to = static_cast<T>(given);
+        if constexpr (std::unsigned_integral<Count>)
+            require(given >= 0 && given < 1LL << 53, key, given, "from 0 to 2^53 - 1");
+        to = static_cast<Count>(given);
+        if (static_cast<long long>(to) != given) refuse(key);
     }
-
-    /// One option of a surface.
-    void read(const scene::SurfaceOptionRow& row, int& to) const {
-        whole(row.key.data(), to, row.more.low, row.more.high, row.range().c_str());
+    /// The same of an option, in its range.
+    void take(const std::string& key, auto& to, const scene::OptionTraits& of) const {
+        if (!has(key)) return;
+        take(key.c_str(), to);
+        of.check(key, to);
     }
-    void read(const scene::SurfaceOptionRow& row, auto& to) const { take(row.key.data(), to); }
 
 private:
     [[noreturn]] void refuse(const char* key) const {
@@ -91,9 +86,7 @@ template <class Request>
 Request request_of(const Given& given) {
     Request request;
     request.each_option([&](const std::string& key, auto& to, const std::string&, const scene::OptionTraits& of = {}) {
-        if (!given.has(key)) return;
-        given.take(key.c_str(), to);
-        of.check(key, to);
+        given.take(key, to, of);
     });
     return request;
 }

@@ -44,7 +44,7 @@ SurfaceOptions surface_options(const Given& given) {
     SurfaceOptions to;
     given.take("file", to.file);
     for (const SurfaceOptionRow& row : surface_option_table())
-        row.visit(to, [&](auto& value) { given.read(row, value); });
+        row.visit(to, [&](auto& value) { given.take(std::string(row.key), value, row.traits(SurfaceKind::any)); });
     return to;
 }
 
@@ -84,10 +84,8 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
     const Given given(options);
     std::vector<std::string> bytes;
     for (const nb::bytes& one : contents) bytes.emplace_back(one.c_str(), one.size());
-    scene::MeasureOptions how;
+    auto how = request_of<scene::MeasureOptions>(given);
     how.input = surface_options(given);
-    given.whole("resamples", how.resamples, 2, 100000, "from 2 to 100000");
-    given.whole("seed", how.seed, 0, Given::most_seed, "from 0 to 2^53 - 1");
     const nb::gil_scoped_release free;
     const auto measure = [&](scene::MeasureOptions of, std::size_t i) {
         of.input.file = arrays.empty() ? files[i] : arrays[i].name;
@@ -103,12 +101,8 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
 
 Found fit(const nb::dict& options, const Heights& heights) {
     const Given given(options);
-    FractalOptions how;
+    auto how = request_of<FractalOptions>(given);
     how.surface = surface_options(given);
-    given.take("convention", how.convention);
-    given.whole("seed", how.seed, 0, Given::most_seed, "from 0 to 2^53 - 1");
-    given.whole("resamples", how.resamples, 0, 100000, "from 0 to 100000");
-    given.take("all_lags", how.all_lags);
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     (void)fit_options(how);  // their errors are reported before the file is read
@@ -121,18 +115,8 @@ Found fit(const nb::dict& options, const Heights& heights) {
 
 Found islands(const nb::dict& options, const Heights& heights) {
     const Given given(options);
-    IslandsRequest how;
+    auto how = request_of<IslandsRequest>(given);
     how.surface = surface_options(given);
-    given.take("neighbours", how.neighbours);
-    require(how.neighbours == 4 || how.neighbours == 8, "neighbours", how.neighbours, "4 or 8");
-    given.take("border", how.border);
-    given.take("island_height", how.height);
-    constexpr long long most = 1000000000;
-    given.whole("least_points", how.min_points, 1, most, "at least 1");
-    given.whole("levels", how.levels, 0, most, "at least 0");
-    given.whole("tiles", how.spread.tiles, 1, 100000, "at least 1");
-    given.whole("resamples", how.spread.resamples, 2, 100000, "from 2 to 100000");
-    given.whole("seed", how.spread.seed, 0, Given::most_seed, "from 0 to 2^53 - 1");
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     SurfaceInput input = input_of(how.surface, heights);
@@ -142,12 +126,10 @@ Found islands(const nb::dict& options, const Heights& heights) {
 
 Found truth(const nb::dict& options, const Heights& heights, const In& pressures, double modulus) {
     const Given given(options);
-    TruthRequest how;
+    auto how = request_of<TruthRequest>(given);
     how.surface = surface_options(given), how.modulus = modulus;
     how.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
     given.take("hardness", how.hardness);
-    given.whole("points", how.points, 16, 4096, "from 16 to 4096");
-    given.take("edges", how.edges);
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     const TruthOfMap solved = truth_of_map(how, input_of(how.surface, heights));

@@ -57,7 +57,9 @@ public:
     void read(SurfaceOptions& to) {
         read("file", to.file);
         for (const SurfaceOptionRow& row : surface_option_table())
-            row.visit(to, [&](auto& value) { read(row.key, value); });
+            row.visit(to, [&](auto& value) {
+                if (read(row.key, value)) row.traits(SurfaceKind::any).check(row.key, value);
+            });
     }
     /// \throws domain_error for an option that it has not.
     template <class Request>

@@ -23,6 +23,14 @@ struct MeasureOptions {
     bool neighbours = true;            ///< measures with a smaller and a greater lambda_s too
     bool neighbour_dimensions = true;  ///< finds D of these, of maps
     bool keep_maps = true;             ///< of the neighbours, with what a face takes of them
+
+    template <class Take>
+    void each_option(Take take) {
+        take("resamples", resamples,
+             "number of resamples that the standard errors are computed from; the default is 400",
+             {.low = 2, .high = 100000});
+        take("seed", seed, "seed of the random numbers of the resamples; the default is 2014");
+    }
 };
 
 /// A surface of a file: what it came from, what was found, and the sentences on both.

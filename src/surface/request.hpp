@@ -14,6 +14,8 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/quantity.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,16 +54,23 @@ struct OptionTraits {
     double low = 0, high = 0;                                          ///< of a number, both allowed; equal: any
     bool required = false, positional = false, shows_default = false;  ///< on the command line
     std::string_view type{};                                           ///< there: how its help calls the value
-    std::vector<std::string_view> words{};                             ///< of a text: those that are allowed
+    std::vector<std::string_view> words{};  ///< of a text, or two of a number: those that are allowed
 
     [[nodiscard]] bool has_range() const { return low < high; }
-    /// \throws domain_error for a value of the option \p key out of range.
+    /// \throws domain_error for a value of the option \p key that is not allowed.
     template <class Value>
     void check(std::string_view key, const Value& value) const {
-        if constexpr (std::is_arithmetic_v<Value>)
+        if constexpr (std::is_arithmetic_v<Value>) {
+            const auto text = [](double bound) {
+                return std::is_integral_v<Value> ? std::to_string(std::llround(bound)) : parts::shortest_text(bound);
+            };
             if (has_range())
                 require(static_cast<double>(value) >= low && static_cast<double>(value) <= high, key, value,
-                        "from " + parts::shortest_text(low) + " to " + parts::shortest_text(high));
+                        "from " + text(low) + " to " + text(high));
+            if (!words.empty())
+                require(std::find(words.begin(), words.end(), std::to_string(value)) != words.end(), key, value,
+                        std::string(words.front()) + " or " + std::string(words.back()));
+        }
     }
 };
 

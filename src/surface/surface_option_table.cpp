@@ -134,6 +134,12 @@ bool SurfaceOptionRow::is_of_file() const {
     return group == file || group == file_of_profile || group == file_of_map;
 }
 
+OptionTraits SurfaceOptionRow::traits(SurfaceKind kind) const {
+    OptionTraits traits{.low = static_cast<double>(more.low), .high = static_cast<double>(more.high)};
+    if (more.words) traits.words = more.words(kind);
+    return traits;
+}
+
 std::string SurfaceOptionRow::range() const {
     return "from " + std::to_string(more.low) + " to " + std::to_string(more.high);
 }

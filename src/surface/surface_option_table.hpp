@@ -3,6 +3,7 @@
 // The table of the options of a measured surface: from its rows come the keys of a scene, the options of the command
 // line, the inputs of JSON documents, the keywords of Python and the table of docs/scene.md.
 
+#include "surface/request.hpp"
 #include "surface/surface_options.hpp"
 
 #include <array>
@@ -66,6 +67,8 @@ struct SurfaceOptionRow {
     [[nodiscard]] bool is_for(SurfaceKind kind) const;
     /// Whether it has no meaning for heights in memory.
     [[nodiscard]] bool is_of_file() const;
+    /// Its range and words for \p kind, as those of a request.
+    [[nodiscard]] OptionTraits traits(SurfaceKind kind) const;
     /// "from 3 to 1000".
     [[nodiscard]] std::string range() const;
     /// \p call(options.*field), with the type of the field.

@@ -23,6 +23,13 @@ struct TruthRequest {
     int points = 256;               ///< along the longer side, 16 or more, that the map is made coarser to
     Edges edges = Edges::mirrored;
     ProgressHook progress{};
+
+    template <class Take>
+    void each_option(Take take) {
+        take("points", points, "points along the longer side after coarsening the map; the default is 256",
+             {.low = 16, .high = 4096});
+        take("edges", edges, "continuation of the map beyond its edges: mirrored (default) or periodic");
+    }
 };
 
 struct TruthOfMap {

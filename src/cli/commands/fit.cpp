@@ -4,6 +4,7 @@
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "input/progress.hpp"
+#include "input/request_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/fractal.hpp"
 
@@ -174,23 +175,9 @@ Command add_fit(Arguments& command) {
                 "profile or map, as fstiff formats lists them; - is standard input")
         .required();
     add_surface_options(command, options->fractal.surface);
-    SurfaceOptions& surface = options->fractal.surface;
-    add_surface_option(
-        command, surface, "window",
-        "shortest and longest lag of the fit, such as \"1 um,100 um\"; the default is chosen automatically");
-    add_surface_option(command, surface, "tip_radius",
-                       "radius of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
-    add_surface_option(command, surface, "resolution",
-                       "lateral resolution of the instrument; shorter lags are left out of the fit");
-    command.option("--convention", options->fractal.convention,
-                   "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien");
-    command.option("--seed", options->fractal.seed, "seed of the random numbers of the bootstrap; the default is 2014");
-    command
-        .option("--resamples", options->fractal.resamples,
-                "number of resamples of the bootstrap; the default is 200, and 0 leaves the bootstrap out")
-        .between(0, 100000);
-    command.flag("--all-lags", options->fractal.all_lags,
-                 "compute the structure function at every lag (profiles only)");
+    for (const char* key : {"window", "tip_radius", "resolution"})
+        add_surface_option(command, options->fractal.surface, key);
+    add_request_options(command, options->fractal);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

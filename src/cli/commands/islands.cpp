@@ -4,6 +4,7 @@
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "input/progress.hpp"
+#include "input/request_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/islands_of_map.hpp"
 
@@ -83,26 +84,7 @@ Command add_islands(Arguments& command) {
     command.option("map", options->islands.surface.file, "map, as fstiff formats lists them; - is standard input")
         .required();
     add_surface_options(command, options->islands.surface, SurfaceKind::map);
-    command
-        .option("--neighbours", options->islands.neighbours,
-                "how many neighbours of a point can belong to its island: 8 (default) or 4")
-        .one_of({4, 8});
-    command.option("--border", options->islands.border,
-                   "whether islands that reach the edge of the map count: keep (default) or drop");
-    command.option("--least-points", options->islands.min_points,
-                   "smallest number of points of an island that counts; the default is 1");
-    command.option("--island-height", options->islands.height,
-                   "height of an island: peak (default), its highest point, or twice-mean, twice its mean height");
-    command.option("--levels", options->islands.levels,
-                   "number of levels, at equal steps of bearing area; default 200, 0 for every height");
-    command.option(
-        "--tiles", options->islands.spread.tiles,
-        "divide the map into N x N tiles and draw among them for the standard errors; the default is 4, and 1 gives no "
-        "errors");
-    command.option("--resamples", options->islands.spread.resamples,
-                   "how often the tiles are drawn; the default is 400");
-    command.option("--seed", options->islands.spread.seed,
-                   "seed of the random numbers of the draws; the default is 2014");
+    add_request_options(command, options->islands);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

@@ -5,6 +5,7 @@
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "input/progress.hpp"
+#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
@@ -178,11 +179,7 @@ Command add_measure(Arguments& command) {
     add_surface_options(command, measure.input);
     for (const char* key : {"peaks", "tip_radius", "resolution", "window"})
         add_surface_option(command, measure.input, key);
-    command
-        .option("--resamples", measure.resamples,
-                "number of resamples that the standard errors are computed from; the default is 400")
-        .between(2, 100000);
-    command.option("--seed", measure.seed, "seed of the random numbers of the resamples; the default is 2014");
+    add_request_options(command, measure);
     command.flag("--scales", options->scales,
                  "repeat the measurement and K with the cut-offs varied by factors of two, to show their influence");
     command.option("--pressure", options->pressure, "nominal pressure of the K of --scales").show_default();

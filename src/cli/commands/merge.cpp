@@ -24,8 +24,8 @@ Report execute(const Options& options) {
     const sweep::Merged merged = sweep::merge(options.files, options.merged);
     if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
     Report report;
-    report.document = "fstiff sweep --merge: " + counted(merged.scenes, "scene") + " of " + counted(merged.shards, "shard") +
-                      " in " + printable(options.merged) + "\n";
+    report.document = "fstiff sweep --merge: " + counted(merged.scenes, "scene") + " of " +
+                      counted(merged.shards, "shard") + " in " + printable(options.merged) + "\n";
     warn_of_failed_scenes(report, merged.failed);
     return report;
 }

@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "input/progress.hpp"
+#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/truth_of_map.hpp"
@@ -92,12 +93,7 @@ Command add_truth(Arguments& command) {
     command.option("--pressures", options->pressures, "nominal pressures instead, such as \"1 MPa,10 MPa\"");
     command.option("--modulus", options->modulus, "effective modulus instead of that of the material");
     command.option("--hardness", options->hardness, "hardness at which pressures are cut; the default is elastic");
-    command
-        .option("--points", options->truth.points,
-                "points along the longer side after coarsening the map; the default is 256")
-        .between(16, 4096);
-    command.option("--edges", options->truth.edges,
-                   "continuation of the map beyond its edges: mirrored (default) or periodic");
+    add_request_options(command, options->truth);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

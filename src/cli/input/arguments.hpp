@@ -59,10 +59,11 @@ public:
     /// One of the words of \p Enum.
     template <parts::NamedEnum Enum>
     Option option(const std::string& name, Enum& target, const std::string& help) {
-        const std::function<void(const std::string&)> take = [&target](const std::string& word) {
-            target = *parts::find_named<Enum>(word);
-        };
-        return option(name, take, help).one_of(parts::choices<Enum>());
+        return word<Enum>(name, target, help);
+    }
+    template <parts::NamedEnum Enum>
+    Option option(const std::string& name, std::optional<Enum>& target, const std::string& help) {
+        return word<Enum>(name, target, help);
     }
     /// A quantity that keeps its text.
     template <std::constructible_from<std::string> Quantity>
@@ -73,6 +74,14 @@ public:
     void flag(const std::string& name, bool& target, const std::string& help);
 
 private:
+    template <parts::NamedEnum Enum, class Target>
+    Option word(const std::string& name, Target& target, const std::string& help) {
+        const std::function<void(const std::string&)> take = [&target](const std::string& word) {
+            target = *parts::find_named<Enum>(word);
+        };
+        return option(name, take, help).one_of(parts::choices<Enum>());
+    }
+
     CLI::App* app_;
 };
 

@@ -12,9 +12,9 @@
 
 namespace fstiff::cli {
 
-/// Adds the option of \p key, whose help is that of the table where \p help is empty.
+/// Adds the option of \p key, with its help, range and words for \p kind.
 void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key,
-                        std::string_view help = {});
+                        SurfaceKind kind = SurfaceKind::any);
 /// Adds every option of the table but those of an estimate. Not the file itself.
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
 
