@@ -94,7 +94,7 @@ def main():
             parts = [folder / f"part-{shards}-{i}" for i in range(1, shards + 1)]
             for i, part in enumerate(parts, 1):
                 run(options.fstiff, "sweep", file, "--shard", f"{i}/{shards}", "-o", part)
-            seconds = run(options.fstiff, "merge", *parts, "-o", folder / "all")[0]
+            seconds = run(options.fstiff, "sweep", "--merge", *parts, "-o", folder / "all")[0]
             print(f"\nmerging {shards} shards: {(folder / 'all').stat().st_size / 1e6 / seconds:.0f} MB/s of results")
         if options.memory:
             n = options.memory

@@ -3,4 +3,4 @@
 # A sweep by GNU parallel on one machine, or on several with its --sshlogin: parallel.sh GRID
 fstiff=${FSTIFF:-fstiff}
 seq 8 | parallel "$fstiff" sweep "$1" --shard {}/8 --threads 1 -o part-{}.jsonl &&
-    "$fstiff" merge part-*.jsonl -o all.jsonl
+    "$fstiff" sweep --merge part-*.jsonl -o all.jsonl

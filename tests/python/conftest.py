@@ -21,6 +21,8 @@ class Command:
         self.program = program
 
     def __call__(self, *arguments, allowed=(0, 4)):
+        if arguments[0] in ("fit", "islands"):
+            arguments = ("measure", "--show", *arguments)
         done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True)
         assert done.returncode in allowed, done.stderr
         return done.stdout

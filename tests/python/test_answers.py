@@ -24,7 +24,7 @@ def test_spectra_are_those_of_the_command(command, trace, rough_map, tmp_path, o
         ("map", rough_map, MAP, OF_MAP, (1e-6, 1.5e-6)),
     ):
         file = save(tmp_path / f"{name}.npy", heights)
-        document = command.json("spectrum", file, *units, "--of", of, "--taper", taper)
+        document = command.json("measure", "--show", "spectrum", file, *units, "--of", of, "--taper", taper)
         assert_same(fstiff.spectrum(file, of=of, taper=taper, **given), document, but=["inputs"])
         found = fstiff.spectrum(heights, spacing=spacing, of=of, taper=taper)
         assert_same(found, document, but=["inputs", "source"])
@@ -45,8 +45,8 @@ def test_peaks_are_those_of_the_command(command, trace, tmp_path):
         (["--theta", "0.9", "--exponential", "--heights=-4,4,9"], {"theta": 0.9, "exponential": True, "heights": (-4, 4, 9)}),
         (["--rho1", "0.9", "--rho2", "0.7"], {"rho1": 0.9, "rho2": 0.7}),
     ):
-        assert_same(fstiff.peaks(**options), command.json("peaks", *arguments))
-    document = command.json("peaks", "--profile", save(tmp_path / "trace.npy", trace), *TRACE)
+        assert_same(fstiff.peaks(**options), command.json("measure", "--show", "peaks", *arguments))
+    document = command.json("measure", "--show", "peaks", "--profile", save(tmp_path / "trace.npy", trace), *TRACE)
     assert_same(fstiff.peaks(tmp_path / "trace.npy", **OF_TRACE), document, but=["inputs"])
     assert_same(fstiff.peaks(trace, spacing="0.5 um"), document, but=["inputs", "source"])
     for wrong in ({}, {"r": 0.5}, {"rho1": 0.5}, {"r": 0.5, "theta": 1, "heights": (0, 1)}):
