@@ -70,10 +70,12 @@ constexpr Axis axis_of() {
 
 /// \p f at eight excess heights, given as a Map, whose copy by an expression does not dangle: by one call, or by eight
 /// where f is a function of two numbers.
-template <Real T, class F>
+template <bool own, Real T, class F>
 detail::TensorLanes<T> values_of(const F& f, const detail::TensorLanes<T>& excess, T t) {
     const Eigen::Map<const detail::TensorLanes<T>> eight(excess.data());
-    if constexpr (!requires { f(eight, t); })
+    if constexpr (!own)
+        return f(excess, t);
+    else if constexpr (!requires { f(eight, t); })
         return excess.unaryExpr([&f, t](T one) { return static_cast<T>(f(one, t)); });
     else if constexpr (std::is_convertible_v<decltype(f(eight, t)), T>)  // a function of t alone
         return detail::TensorLanes<T>::Constant(static_cast<T>(f(eight, t)));
@@ -188,9 +190,8 @@ public:
         return more;
     }
 
-    /// The sum of the moduli, and about what lies beyond the windows; 0 unless own.
-    [[nodiscard]] T moduli() const { return moduli_; }
-    [[nodiscard]] T cut() const { return cut_; }
+    [[nodiscard]] T moduli() const { return moduli_; }  ///< the sum of those of the terms; 0 unless own
+    [[nodiscard]] T cut() const { return cut_; }        ///< about what lies beyond the windows; 0 unless own
 
 private:
     /// Error of squares as rows for erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with
@@ -260,7 +261,7 @@ private:
                 const detail::TensorLanes<T> v = inverse_c * excess;
                 const detail::TensorLanes<T> term = weight * table.weight[b] *
                                                     (outer - (v + shift).square() / 2 - slope * v).exp() *
-                                                    values_of(f_, excess, t);
+                                                    values_of<own>(f_, excess, t);
                 table.sums[table.legendre ? b : 0] += term;
                 total += term;
                 evaluations += 8;
@@ -290,9 +291,9 @@ private:
 };
 
 /// I[f] at the separation \p eta (in rms heights), without its factor exp(-eta^2/2) where eta > 0. \p f takes an Eigen
-/// array of eight excess heights zeta - eta and one curvature t, and returns the array of values, or takes and returns
-/// numbers. A member at_once(visit) is called before each pass over the nodes: visit() asks for f at all of them, in
-/// their order, and takes any values. Does not allocate. \throws domain_error unless |eta| <= 1e6.
+/// array of eight excess heights zeta - eta and one curvature t, and returns the array of values. A member
+/// at_once(visit) is called before each pass over the nodes: visit() asks for f at all of them, in their order, and
+/// takes any values. Does not allocate. \throws domain_error unless |eta| <= 1e6.
 template <Axis axis, bool own = false, Real T, class F>
 [[nodiscard]] Estimate<T> scaled_tensor_integral(const F& f, const PeakDistribution<T>& peaks, T eta,
                                                  const TensorOptions<T>& options = {}, T margin = 9) {
@@ -316,8 +317,7 @@ template <Axis axis, bool own = false, Real T, class F>
             out.error += factor * (rounding * rule.moduli() + rule.cut());
             if (rule.cut() > T(0.1) * options.relative_tolerance * rule.moduli() && margin < 64) {
                 Estimate<T> wider = scaled_tensor_integral<axis, own>(f, peaks, eta, options, 2 * margin);
-                wider.evaluations += out.evaluations;
-                return wider;
+                return wider.evaluations += out.evaluations, wider;
             }
         }
         if (out.error <= options.relative_tolerance * std::abs(out.value)) return out;
@@ -337,7 +337,7 @@ namespace fstiff::inline v0_1 {
 /// eta, (zeta - eta)^a t^b contact_integral(), and times D_p it is the sum per nominal area.
 ///
 /// f takes the excess height zeta - eta > 0 (over the rms height) and the curvature t > 0 (over the rms curvature) of a
-/// peak: numbers, or an Eigen array of eight excess heights and one curvature, which a generic function gets. It is
+/// peak: numbers, or eight excess heights, as an Eigen::Map, and one curvature, which a generic function gets. It is
 /// smooth but for powers at 0 and for the kinks or jumps that a member critical(t), with kinks(), names; a function
 /// whose kinks are not known has a member axis = parts::Axis::rough. It grows at most as exp(4 (zeta - eta + t)), and
 /// varies over 0.2 and more: the error may miss a part of what is narrower, or is 0 where most peaks are. The value

@@ -156,8 +156,8 @@ protected:
     [[nodiscard]] bool can_have(const ContactParameters<T>& x) const {
         for (const Parameter each : wanted_) {
             const bool log = parts::row_of(each).variation == parts::Variation::log,
-                       far = log && std::abs(std::log(x[each] / start_[each])) > 7;
-            if (far || !parts::ParameterScale<T>(each).inside(x[each])) return false;
+                       distant = log && std::abs(std::log(x[each] / start_[each])) > 7;
+            if (distant || !parts::ParameterScale<T>(each).inside(x[each])) return false;
         }
         return std::all_of(data_.begin(), data_.end(), [&](const auto& one) { return one.pressure + x.offset > 0; });
     }
