@@ -278,7 +278,7 @@ TEST_CASE("What does not hold of an answer, and what to measure next, are values
     CHECK(told.next->pressure == pressures[1]);
     CHECK(told.next->factor == told.points[1].stiffness.high / told.points[1].stiffness.low);
     joint.face.rms_gradient = answer(joint, pressures).assumed[2].range.value;  // as it is assumed: the promise is kept
-    const Banded& then = answer(joint, pressures).points[1].stiffness;
+    const Banded then = answer(joint, pressures).points[1].stiffness;
     CHECK(test::relative_error(then.high / then.low, told.next->narrowed) < 0.05);
     CHECK(told.next->narrowed < 0.95 * told.next->factor);
 }
