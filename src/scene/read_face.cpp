@@ -226,9 +226,9 @@ void record_following(Source& source, const Section& surface, const Face& face,
                       const std::vector<Following>& following) {
     for (auto one = following.rbegin(); one != following.rend(); ++one) {
         const parts::ParameterRow& row = parts::row_of(one->which);
-        source.inputs.insert(
-            source.inputs.begin() + static_cast<std::ptrdiff_t>(one->place),
-            {surface.key(row.key), "of " + std::string(one->of), face.value(one->which), std::string(row.unit), false});
+        const auto value = one->which == Parameter::rms_height ? face.value(one->which) : face.rms_gradient;
+        source.inputs.insert(source.inputs.begin() + static_cast<std::ptrdiff_t>(one->place),
+                             {surface.key(row.key), "of " + std::string(one->of), value, std::string(row.unit), false});
     }
     for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
                                          std::pair(face.density_follows, Parameter::peak_density)})

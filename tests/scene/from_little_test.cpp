@@ -102,12 +102,18 @@ TEST_CASE("Assumptions are printed and recorded") {
     CHECK(little.assumptions[0] == "Ra/Rq 0.8 (0.74 to 0.86), of any process");
     CHECK(little.assumptions[1] == "rms gradient 0.2 (0.067 to 0.6), of any process");
     CHECK(little.assumptions[2] == "alpha 8 (2 to 50), of any process");
-    const auto input = [&](const std::string& key) {
-        const auto found = std::find_if(little.inputs.begin(), little.inputs.end(),
+    const auto input_of = [](const scene::Scene& scene, const std::string& key) {
+        const auto found = std::find_if(scene.inputs.begin(), scene.inputs.end(),
                                         [&](const scene::Input& one) { return one.key == key; });
-        REQUIRE(found != little.inputs.end());
+        REQUIRE(found != scene.inputs.end());
         return *found;
     };
+    const auto input = [&](const std::string& key) { return input_of(little, key); };
+    // numbers of other names are those of the height and the gradient
+    const scene::Scene other = read("Sq = \"0.8 um\"\nSdq = 0.1");
+    CHECK(input_of(other, "surface.rms_height").value == 0.8e-6);
+    CHECK(input_of(other, "surface.rms_gradient").value == 0.1);
+    CHECK(input_of(other, "surface.rms_gradient").shown() == "of Sdq (default)");
     CHECK(input("surface.Ra").written == "0.8 um");
     CHECK(input("surface.Ra").value == 0.8e-6);
     CHECK(input("surface.rms_height").value == 1e-6);
