@@ -92,6 +92,8 @@ TEST_CASE("help prints what --help prints") {
         const auto help = test::run_fstiff("help " + command);
         CHECK(help.status == 0);
         CHECK(help.out == test::run_fstiff(command + " --help").out);
+        CHECK(help.out == test::run_fstiff("--help " + command).out);
+        CHECK(help.out == test::run_fstiff("-h " + command).out);
     }
     CHECK(test::contains(test::run_fstiff("--help").out, "kg/(m^2 s), Rayl, MRayl"));
 }

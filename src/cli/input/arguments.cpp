@@ -308,6 +308,7 @@ std::optional<Command> Program::parse(std::vector<std::string> words) {
     refuse_empty(words);
     if (words.empty()) words = {"--help"};
     if (words == std::vector<std::string>{"version"}) words = {"--version"};
+    if (words.size() > 1 && (words.front() == "--help" || words.front() == "-h")) words.front() = "help";
     const bool is_help = words.front() == "help";
     join(words, is_help ? 1 : 0);
     if (is_help && (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
@@ -320,10 +321,7 @@ std::optional<Command> Program::parse(std::vector<std::string> words) {
     try {
         app_->parse(words);
         const CLI::App* const chosen = app_->get_subcommands().front();
-        if (chosen == help_->app) {
-            print_help();
-            return {};
-        }
+        if (chosen == help_->app) return print_help(), std::nullopt;
         command->texts = given_texts(*chosen);
         return command;
     } catch (const CLI::ParseError& error) {
