@@ -20,32 +20,33 @@ namespace fstiff::python {
 
 using namespace scene;
 
-Lengths lengths_of(const nb::handle& value, const std::string& key) {
+request::Value value_of(const nb::handle& value) {
+    using Kind = request::Value::Kind;
+    request::Value given{.kind = Kind::other, .written = nb::cast<std::string>(nb::repr(value)).substr(0, 40)};
+    long long whole = 0;
+    bool truth = false;
     std::string text;
-    double metres = 0;
-    if (nb::try_cast(value, text)) return text;
-    if (nb::try_cast(value, metres)) return metres;
-    const bool sequence = nb::isinstance<nb::sequence>(value) && nb::len(value) > 0;
-    if (!sequence)
-        throw domain_error(key + " = " + nb::cast<std::string>(nb::repr(value)).substr(0, 40) +
-                           ": must be a length in m, or a text such as \"0.5 um\"");
-    std::vector<double> numbers;
-    bool texts = true;
-    for (const nb::handle one : value) {
-        const Lengths part = lengths_of(one, key);
-        texts = texts && part.metres().empty();
-        text += (text.empty() ? "" : ",") + part.text();
-        for (const double length : parse_lengths(part, key)) numbers.push_back(length);
+    if (nb::isinstance<nb::bool_>(value) && nb::try_cast(value, truth)) {
+        given.kind = Kind::truth, given.number = truth;
+    } else if (nb::try_cast(value, text)) {
+        given.kind = Kind::text, given.written = text;
+    } else if (nb::try_cast(value, whole)) {
+        given.kind = Kind::whole, given.number = static_cast<double>(whole);
+    } else if (nb::try_cast(value, given.number)) {
+        given.kind = Kind::real;
+    } else if (nb::isinstance<nb::sequence>(value)) {
+        given.kind = Kind::list;
+        for (const nb::handle item : value) given.items.push_back(value_of(item));
     }
-    return texts ? Lengths(text) : Lengths(numbers);
+    return given;
 }
 
-SurfaceOptions surface_options(const Given& given) {
-    SurfaceOptions to;
-    given.take("file", to.file);
-    for (const SurfaceOptionRow& row : surface_option_table())
-        row.visit(to, [&](auto& value) { given.take(std::string(row.key), value, row.traits(SurfaceKind::any)); });
-    return to;
+request::Values values_of(const nb::dict& options) {
+    request::Values values;
+    for (const auto [key, value] : options) {
+        if (!value.is_none()) values.add(nb::cast<std::string>(key), value_of(value));
+    }
+    return values;
 }
 
 namespace {
@@ -81,11 +82,9 @@ SurfaceInput input_of(const SurfaceOptions& options, const Heights& heights) {
 /// Measures files, or what files called so \p contain, or \p arrays.
 Found measure(const nb::dict& options, const std::vector<std::string>& files, const std::vector<nb::bytes>& contents,
               const std::vector<Heights>& arrays) {
-    const Given given(options);
     std::vector<std::string> bytes;
     for (const nb::bytes& one : contents) bytes.emplace_back(one.c_str(), one.size());
-    auto how = request_of<scene::MeasureOptions>(given);
-    how.input = surface_options(given);
+    auto how = request_of<scene::MeasureOptions>(options);
     const nb::gil_scoped_release free;
     const auto measure = [&](scene::MeasureOptions of, std::size_t i) {
         of.input.file = arrays.empty() ? files[i] : arrays[i].name;
@@ -100,9 +99,7 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
 }
 
 Found fit(const nb::dict& options, const Heights& heights) {
-    const Given given(options);
-    auto how = request_of<FractalOptions>(given);
-    how.surface = surface_options(given);
+    auto how = request_of<FractalOptions>(options);
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     (void)fit_options(how);  // their errors are reported before the file is read
@@ -114,9 +111,7 @@ Found fit(const nb::dict& options, const Heights& heights) {
 }
 
 Found islands(const nb::dict& options, const Heights& heights) {
-    const Given given(options);
-    auto how = request_of<IslandsRequest>(given);
-    how.surface = surface_options(given);
+    auto how = request_of<IslandsRequest>(options);
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     SurfaceInput input = input_of(how.surface, heights);
@@ -125,11 +120,10 @@ Found islands(const nb::dict& options, const Heights& heights) {
 }
 
 Found truth(const nb::dict& options, const Heights& heights, const In& pressures, double modulus) {
-    const Given given(options);
-    auto how = request_of<TruthRequest>(given);
-    how.surface = surface_options(given), how.modulus = modulus;
+    auto how = request_of<TruthRequest>(options);
+    how.modulus = modulus;
     how.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
-    given.take("hardness", how.hardness);
+    values_of(options).read("hardness", how.hardness);
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     const TruthOfMap solved = truth_of_map(how, input_of(how.surface, heights));
@@ -137,9 +131,7 @@ Found truth(const nb::dict& options, const Heights& heights, const In& pressures
 }
 
 Found spectrum(const nb::dict& options, const Heights& heights) {
-    const Given given(options);
-    auto how = request_of<SpectrumRequest>(given);
-    how.surface = surface_options(given);
+    auto how = request_of<SpectrumRequest>(options);
     const nb::gil_scoped_release free;
     const SurfaceInput input = input_of(how.surface, heights);
     return found(answer_of(how, input, spectrum_of(how, input)));
@@ -147,9 +139,7 @@ Found spectrum(const nb::dict& options, const Heights& heights) {
 
 /// Density from heights; from numbers if there are no \p heights.
 Found peaks(const nb::dict& options, const std::optional<Heights>& heights) {
-    const Given given(options);
-    auto how = request_of<PeakDensityRequest>(given);
-    how.surface = surface_options(given);
+    auto how = request_of<PeakDensityRequest>(options);
     const nb::gil_scoped_release free;
     auto input = heights ? std::optional(input_of(how.surface, *heights)) : std::nullopt;
     return found(answer_of(how, peak_density_of(how, std::move(input))));
@@ -166,7 +156,7 @@ nb::tuple arrays_of(const io::ProfileOrMap& surface) {
 
 /// Heights, dx and dy, and how they were made.
 nb::tuple generated(const nb::dict& options) {
-    const auto how = request_of<GenerateRequest>(Given(options));
+    const auto how = request_of<GenerateRequest>(options);
     const Generated made = [&] {
         const nb::gil_scoped_release free;
         return generate(how);
@@ -176,7 +166,8 @@ nb::tuple generated(const nb::dict& options) {
 
 /// Heights, dx and dy, what was decided, and warnings.
 nb::tuple read(const nb::dict& options) {
-    const SurfaceOptions how = surface_options(Given(options));
+    SurfaceOptions how;
+    values_of(options).fill(how);
     const SurfaceInput input = [&] {
         const nb::gil_scoped_release free;
         return read_surface_input(how);

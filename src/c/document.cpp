@@ -3,6 +3,7 @@
 #include "c/measure.hpp"
 
 #include "io/number.hpp"
+#include "request/values.hpp"
 #include "scene/exported_law.hpp"
 #include "scene/identified.hpp"
 #include "scene/reflections.hpp"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
 #include <sstream>
 
@@ -30,98 +30,31 @@ namespace {
 
 using namespace scene;
 
-/// The options of a request, as lines "key = value".
-class TextOptions {
-public:
-    explicit TextOptions(const char* text) {
-        std::istringstream lines(text ? text : "");
-        for (std::string line; std::getline(lines, line);) {
-            const std::size_t sign = line.find('=');
-            const std::string key(io::detail::trimmed(std::string_view(line).substr(0, sign)));
-            if (key.empty() && sign == std::string::npos) continue;
-            if (key.empty() || sign == std::string::npos)
-                throw domain_error("options: \"" + line.substr(0, 40) + "\": must be key = value");
-            if (!values_.emplace(key, io::detail::trimmed(std::string_view(line).substr(sign + 1))).second)
-                throw domain_error("options: " + key + " is listed twice");
-        }
+/// The options of a request, lines "key = value".
+request::Values values_of(const char* text) {
+    request::Values values;
+    std::istringstream lines(text ? text : "");
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t sign = line.find('=');
+        const std::string key(io::detail::trimmed(std::string_view(line).substr(0, sign)));
+        if (key.empty() && sign == std::string::npos) continue;
+        if (key.empty() || sign == std::string::npos)
+            throw domain_error("options: \"" + line.substr(0, 40) + "\": must be key = value");
+        values.add(key,
+                   request::Value::of_line(std::string(io::detail::trimmed(std::string_view(line).substr(sign + 1)))));
     }
-    /// Whether the option \p key is there.
-    bool read(std::string_view key, auto& to) {
-        known_ += (known_.empty() ? "" : ", ") + std::string(key);
-        const auto found = values_.find(key);
-        if (found == values_.end()) return false;
-        put(found->second, key, to);
-        values_.erase(found);
-        return true;
-    }
-    void read(SurfaceOptions& to) {
-        read("file", to.file);
-        for (const SurfaceOptionRow& row : surface_option_table())
-            row.visit(to, [&](auto& value) {
-                if (read(row.key, value)) row.traits(SurfaceKind::any).check(row.key, value);
-            });
-    }
-    /// \throws domain_error for an option that it has not.
-    template <class Request>
-    Request request() {
-        Request request;
-        request.each_option([&](const std::string& key, auto& to, const std::string&, const OptionTraits& of = {}) {
-            if (read(key, to)) of.check(key, to);
-        });
-        if constexpr (requires { request.surface; }) read(request.surface);
-        require_known();
-        return request;
-    }
-    /// \throws domain_error for an option that nobody has read.
-    void require_known() const {
-        if (!values_.empty())
-            throw domain_error("options: " + values_.begin()->first.substr(0, 40) +
-                               " is not an option; must be one of " + known_);
-    }
+    return values;
+}
 
-private:
-    static std::optional<double> number(const std::string& text) {
-        const auto found = io::detail::leading_number(text);
-        if (found.length != text.size() || found.status != io::detail::NumberStatus::ok) return std::nullopt;
-        return found.value;
-    }
-    static void put(const std::string& text, std::string_view, std::string& to) { to = text; }
-    static void put(const std::string& text, std::string_view, std::vector<std::string>& to) {
-        std::istringstream parts(text);
-        for (std::string part; std::getline(parts, part, ',');) to.push_back(part);
-    }
-    static void put(const std::string& text, std::string_view key, double& to) { to = io::parse_number(text, key); }
-    static void put(const std::string& text, std::string_view key, bool& to) {
-        if (text != "true" && text != "false")
-            throw domain_error({.parameter = key, .value = "\"" + text + "\"", .allowed = "true or false"});
-        to = text == "true";
-    }
-    template <std::integral Whole>
-    static void put(const std::string& text, std::string_view key, Whole& to) {
-        const double value = io::parse_number(text, key);
-        constexpr double most = std::is_same_v<Whole, int> ? 0x1p31 - 1 : 0x1p53 - 1;
-        require(value == std::floor(value) && value >= 0 && value <= most, key, value, "a whole number, not negative");
-        to = static_cast<Whole>(value);
-    }
-    template <parts::NamedEnum Enum>
-    static void put(const std::string& text, std::string_view key, Enum& to) {
-        to = parse<Enum>(text, key);
-    }
-    template <class Value>
-    static void put(const std::string& text, std::string_view key, std::optional<Value>& to) {
-        put(text, key, to.emplace());
-    }
-    /// Lengths and other quantities: a number without a unit is in SI.
-    template <class Value>
-    requires std::constructible_from<Value, double> && std::constructible_from<Value, std::string>
-    static void put(const std::string& text, std::string_view, Value& to) {
-        const auto si = number(text);
-        to = si ? Value(*si) : Value(text);
-    }
-
-    std::map<std::string, std::string, std::less<>> values_;
-    std::string known_;
-};
+template <class Request>
+Request request_of(const char* options) {
+    request::Values values = values_of(options);
+    Request request;
+    values.fill(request);
+    if constexpr (requires { request.surface; }) values.fill(request.surface);
+    values.require_known();
+    return request;
+}
 
 /// The heights, or the file that \p options name.
 std::optional<SurfaceInput> surface_of(SurfaceOptions& options, const fstiff_heights* heights) {
@@ -201,7 +134,7 @@ using namespace fstiff::c;
 
 int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = TextOptions(options).request<fstiff::scene::SpectrumRequest>();
+        auto how = request_of<fstiff::scene::SpectrumRequest>(options);
         const auto input = surface_of(how.surface, heights);
         if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
         return document_of(answer_of(how, *input, spectrum_of(how, *input)));
@@ -210,7 +143,7 @@ int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_d
 
 int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = TextOptions(options).request<fstiff::scene::PeakDensityRequest>();
+        auto how = request_of<fstiff::scene::PeakDensityRequest>(options);
         auto input = surface_of(how.surface, profile);
         return document_of(answer_of(how, peak_density_of(how, std::move(input))));
     });
@@ -218,7 +151,7 @@ int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_docu
 
 int fstiff_generate(const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = TextOptions(options).request<fstiff::scene::GenerateRequest>();
+        const auto how = request_of<fstiff::scene::GenerateRequest>(options);
         const auto surface = generate(how);
         return warned({file_of(surface, how.format), arrays_of(surface.surface)}, {});
     });
@@ -226,14 +159,14 @@ int fstiff_generate(const char* options, fstiff_document** made) {
 
 int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = TextOptions(options).request<fstiff::scene::ReflectionRequest>();
+        const auto how = request_of<fstiff::scene::ReflectionRequest>(options);
         return document_of(answer_of(reflection_of(how, curve_of(curve))));
     });
 }
 
 int fstiff_run(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        TextOptions given(options);
+        auto given = values_of(options);
         std::string surface;
         given.read("surface", surface);
         given.require_known();
@@ -246,7 +179,7 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
 int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
                     fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = TextOptions(options).request<fstiff::scene::IdentifyRequest>();
+        const auto how = request_of<fstiff::scene::IdentifyRequest>(options);
         const auto read = scene_of(scene, length, name);
         return document_of(answer_of(read, identify_scene(read, how, curve_of(curve))));
     });
@@ -254,7 +187,7 @@ int fstiff_identify(const char* scene, size_t length, const char* name, const fs
 
 int fstiff_export(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = TextOptions(options).request<fstiff::scene::ExportRequest>();
+        const auto how = request_of<fstiff::scene::ExportRequest>(options);
         auto law = export_law(scene_of(scene, length, name), how);
         return warned({std::move(law.text), {}, law.doubtful}, law.warnings);
     });

@@ -11,17 +11,17 @@
 namespace fstiff::c {
 namespace {
 
-using scene::Lengths;
+using request::Amount;
 using scene::MeasuredSurface;
 using scene::MeasureOptions;
 
-Lengths length(const char* name, double value) {
+Amount length(const char* name, double value) {
     if (value == 0) return {};
     require_positive(name, value);
     return value;
 }
-Lengths cut_off(const char* name, double value) {
-    return value == FSTIFF_NO_CUT_OFF ? Lengths("none") : length(name, value);
+Amount cut_off(const char* name, double value) {
+    return value == FSTIFF_NO_CUT_OFF ? Amount("none") : length(name, value);
 }
 
 void put(fstiff_measured& to, const Measurement<double>& from) {

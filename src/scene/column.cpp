@@ -55,33 +55,91 @@ Estimate<double> estimate_of(const Column& column, const Problem& problem, const
 
 }  // namespace
 
+namespace {
+
+bool always(const Scene&) { return true; }
+bool never(const Scene&) { return false; }
+bool has_waves(const Scene& scene) { return scene.ultrasound.has_value(); }
+bool has_shear(const Scene& scene) { return scene.ultrasound && scene.ultrasound->shear; }
+bool slides(const Scene& scene) { return scene.friction && scene.friction->amplitude; }
+bool is_joint(const Scene& scene) { return scene.is_joint; }
+/// Whether a body has \p key of its own, not that of its name.
+bool is_given(const Scene& scene, std::string_view key) {
+    return std::any_of(scene.inputs.begin(), scene.inputs.end(), [&](const Input& input) {
+        return input.given && input.key.starts_with("material.") && input.key.ends_with(key);
+    });
+}
+bool conducts_heat(const Scene& scene) {
+    return scene.conduction.thermal && (scene.conduction.gap || is_given(scene, ".thermal_conductivity"));
+}
+bool conducts_current(const Scene& scene) {
+    return scene.conduction.electrical && is_given(scene, ".electrical_conductivity");
+}
+std::string_view unless(bool there, std::string_view what) { return there ? std::string_view() : what; }
+
+}  // namespace
+
 std::span<const CurveQuantityRow> curve_quantities() {
     using enum CurveQuantity;
-    static constexpr std::array<CurveQuantityRow, 17> table{
-        {{force, "force", "_N", "N", "F", Quantity::none, &Scene::force},
-         {pressure, "pressure", "_Pa", "Pa", "p", Quantity::none, nullptr},
-         {eta, "eta", "", "", "eta", Quantity::separation, nullptr},
-         {separation, "separation", "_m", "m", "separation", Quantity::separation, &Scene::separation},
-         {approach, "approach", "_m", "m", "approach", Quantity::separation, &Scene::approach},
-         {stiffness, "stiffness", "_Pa_per_m", "Pa/m", "K/A0", Quantity::stiffness, &Scene::stiffness, true},
-         {joint_stiffness, "stiffness", "_N_per_m", "N/m", "K", Quantity::stiffness, &Scene::joint_stiffness, true},
-         {loading_stiffness, "loading_stiffness", "_Pa_per_m", "Pa/m", "-dp/dd", Quantity::loading_stiffness,
-          &Scene::loading_stiffness},
-         {tangential_stiffness, "tangential_stiffness", "_Pa_per_m", "Pa/m", "Kt/A0", Quantity::stiffness,
-          &Scene::tangential_stiffness, true},
-         {loss_factor, "loss_factor", "", "", "loss factor", Quantity::stiffness, &Scene::loss_factor, true},
-         {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Scene::reflection, true, true},
-         {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Scene::shear_reflection,
-          true, true},
-         {thermal_conductance, "thermal_conductance", "_W_per_m2K", "W/(m^2 K)", "h", Quantity::stiffness,
-          &Scene::thermal_conductance, true},
-         {thermal_conductance_gap, "thermal_conductance_gap", "_W_per_m2K", "W/(m^2 K)", "h of the gap",
-          Quantity::separation, &Scene::thermal_conductance_gap},
-         {electrical_conductance, "electrical_conductance", "_S_per_m2", "S/m^2", "electrical h", Quantity::stiffness,
-          &Scene::electrical_conductance, true},
-         {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, &Scene::real_area},
-         {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contact_density, &Scene::contacts}}};
+    using Of = Scene;
+    // clang-format off
+    static constexpr std::array<CurveQuantityRow, 17> table{{
+        {force, "force", "_N", "N", "F", Quantity::none, &Of::force},
+        {pressure, "pressure", "_Pa", "Pa", "p", Quantity::none, nullptr},
+        {eta, "eta", "", "", "eta", Quantity::separation, nullptr},
+        {separation, "separation", "_m", "m", "separation", Quantity::separation, &Of::separation, false, false,
+         {2, "separation", always}},
+        {approach, "approach", "_m", "m", "approach", Quantity::separation, &Of::approach, false, false,
+         {10, "approach", is_joint}},
+        {stiffness, "stiffness", "_Pa_per_m", "Pa/m", "K/A0", Quantity::stiffness, &Of::stiffness, true, false,
+         {1, "stiffness", always}},
+        {joint_stiffness, "stiffness", "_N_per_m", "N/m", "K", Quantity::stiffness, &Of::joint_stiffness, true, false,
+         {9, "joint_stiffness", is_joint, [](const Scene& scene) {
+              return unless(scene.nominal_area.has_value(), "contact.nominal_area or contact.washer");
+          }}},
+        {loading_stiffness, "loading_stiffness", "_Pa_per_m", "Pa/m", "-dp/dd", Quantity::loading_stiffness,
+         &Of::loading_stiffness, false, false, {8, "loading_stiffness", never}},
+        {tangential_stiffness, "tangential_stiffness", "_Pa_per_m", "Pa/m", "Kt/A0", Quantity::stiffness,
+         &Of::tangential_stiffness, true, false,
+         {5, "tangential_stiffness", [](const Scene& scene) { return has_waves(scene) || scene.friction; }}},
+        {loss_factor, "loss_factor", "", "", "loss factor", Quantity::stiffness, &Of::loss_factor, true, false,
+         {13, "loss_factor", slides, [](const Scene& scene) { return unless(slides(scene), "friction.amplitude"); }}},
+        {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Of::reflection, true, true,
+         {6, "reflection", has_waves,
+          [](const Scene& scene) { return unless(has_waves(scene), "the section ultrasound"); }}},
+        {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Of::shear_reflection, true,
+         true,
+         {7, "shear_reflection", has_shear, [](const Scene& scene) {
+              return unless(has_shear(scene), has_waves(scene) ? "ultrasound.upper.shear_impedance or shear_velocity"
+                                                               : "the section ultrasound");
+          }}},
+        {thermal_conductance, "thermal_conductance", "_W_per_m2K", "W/(m^2 K)", "h", Quantity::stiffness,
+         &Of::thermal_conductance, true, false,
+         {11, "thermal_conductance", conducts_heat, [](const Scene& scene) {
+              return unless(scene.conduction.thermal.has_value(), "material.upper.thermal_conductivity");
+          }}},
+        {thermal_conductance_gap, "thermal_conductance_gap", "_W_per_m2K", "W/(m^2 K)", "h of the gap",
+         Quantity::separation, &Of::thermal_conductance_gap},
+        {electrical_conductance, "electrical_conductance", "_S_per_m2", "S/m^2", "electrical h", Quantity::stiffness,
+         &Of::electrical_conductance, true, false,
+         {12, "electrical_conductance", conducts_current, [](const Scene& scene) {
+              return unless(scene.conduction.electrical.has_value(), "material.upper.electrical_conductivity");
+          }}},
+        {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, &Of::real_area, false,
+         false, {3, "real_area", always}},
+        {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contact_density, &Of::contacts, false, false,
+         {4, "contacts", always}},
+    }};
+    // clang-format on
     return table;
+}
+
+std::vector<const CurveQuantityRow*> chosen_quantities() {
+    std::vector<const CurveQuantityRow*> rows;
+    for (const CurveQuantityRow& row : curve_quantities())
+        if (row.choice.place > 0) rows.push_back(&row);
+    std::sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->choice.place < b->choice.place; });
+    return rows;
 }
 
 const std::string& Column::key() const {

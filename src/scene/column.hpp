@@ -49,9 +49,19 @@ struct CurveQuantityRow {
     bool Scene::*asked;             ///< of output.quantities; null: always
     bool has_band = false;          ///< follows from K, so that it has an error and a band
     bool falls = false;             ///< as K rises
+    /// Its word in output.quantities, with its place among these words; where it is a default, and what it needs of a
+    /// scene that lacks it.
+    struct Choice {
+        int place = 0;  ///< 0: none
+        std::string_view word{};
+        bool (*is_usual)(const Scene&) = nullptr;
+        std::string_view (*lack)(const Scene&) = nullptr;
+    } choice{};
 };
 /// In the order of CurveQuantity.
 [[nodiscard]] std::span<const CurveQuantityRow> curve_quantities();
+/// Those of output.quantities, in the order of their words.
+[[nodiscard]] std::vector<const CurveQuantityRow*> chosen_quantities();
 
 /// One quantity of a curve at every state.
 struct Column {

@@ -42,23 +42,27 @@ struct ExportRequest {
     ProgressHook progress{};
 
     template <class Take>
-    void each_option(Take take) {
-        take("to", to, "target program; law: the tabulated law itself, for C, C++, Python and Fortran",
-             {.required = true});
-        take("units", units, "units of length, force and pressure in the model, such as m,N,Pa",
-             {.shows_default = true});
-        take("tolerance", tolerance, "largest error of the pressure between two rows", {.shows_default = true});
-        take("slope_tolerance", slope_tolerance, "largest error of the slope between two rows, K of an elastic law",
-             {.shows_default = true});
-        take("from", from, "lowest pressure of the table; the default is that of the scene");
-        take("until", until, "highest pressure of the table; the default is that of the scene");
+    void each_field(Take take) {
+        take("to", to,
+             {.help = "target program; law: the tabulated law itself, for C, C++, Python and Fortran",
+              .required = true});
+        take("units", units,
+             {.help = "units of length, force and pressure in the model, such as m,N,Pa", .shows_default = true});
+        take("tolerance", tolerance, {.help = "largest error of the pressure between two rows", .shows_default = true});
+        take("slope_tolerance", slope_tolerance,
+             {.help = "largest error of the slope between two rows, K of an elastic law", .shows_default = true});
+        take("from", from, {.help = "lowest pressure of the table; the default is that of the scene"});
+        take("until", until, {.help = "highest pressure of the table; the default is that of the scene"});
         take("law", law,
-             "law of the scene; the default is that of the answer or, if the scene names laws, the first that gives a "
-             "separation");
-        take("peaks", peaks, "number of the entry in the scene's contact.peaks, from 1", {.shows_default = true});
+             {.help = "law of the scene; the default is that of the answer or, if the scene names laws, the first that "
+                      "gives a "
+                      "separation"});
+        take("peaks", peaks,
+             {.help = "number of the entry in the scene's contact.peaks, from 1", .shows_default = true});
         take("at", at,
-             "pressure at which a friction card takes the tangential stiffness; the default is the logarithmic middle "
-             "of the range");
+             {.help = "pressure at which a friction card takes the tangential stiffness; the default is the "
+                      "logarithmic middle "
+                      "of the range"});
     }
 };
 

@@ -44,20 +44,24 @@ struct IdentifyRequest {
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
-    void each_option(Take take) {
+    void each_field(Take take) {
         std::string names;
         for (const std::string_view name : parameter_short_names)
             names += (names.empty() ? "" : ", ") + std::string(name);
         take("measured", measured,
-             "file (CSV) of pressure and stiffness or reflection, with their errors if they are known",
-             {.required = true, .type = "FILE"});
+             {.help = "file (CSV) of pressure and stiffness or reflection, with their errors if they are known",
+              .required = true,
+              .type = "FILE"});
         take("fit", fit,
-             "parameters to fit, among " + names +
-                 " (g: rms gradient, offset: of the pressure); the others keep their values",
-             {.required = true, .type = "NAME,..."});
-        take("law", law, "law to fit; the default is contact.laws or, without it, plastic or hybrid",
-             {.words = fitted_law_names()});
-        take("wave", wave, "kind of wave whose reflection coefficients were measured: longitudinal (default) or shear");
+             {.help = "parameters to fit, among " + names +
+                      " (g: rms gradient, offset: of the pressure); the others keep their values",
+              .required = true,
+              .type = "NAME,..."});
+        take("law", law,
+             {.help = "law to fit; the default is contact.laws or, without it, plastic or hybrid",
+              .words = fitted_law_names()});
+        take("wave", wave,
+             {.help = "kind of wave whose reflection coefficients were measured: longitudinal (default) or shear"});
     }
 };
 

@@ -1,34 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The table of what the sections contact.<law> of a scene may hold: reading, refusals and docs/scene.md follow its
-// rows.
+// The fields of the sections contact.<law> of a scene: reading, refusals and docs/scene.md follow them.
 
+#include "request/field.hpp"
 #include "scene/scene.hpp"
-#include "scene/source.hpp"
 
-#include <span>
+#include <array>
 #include <string_view>
-#include <variant>
 
 namespace fstiff::scene {
 
-/// One option, whose kind is the type of its field: true or false, a number, a whole number, or a word.
-struct LawOption {
-    LawName law;
-    std::string_view key;
-    std::variant<bool LawOptions::*, double LawOptions::*, int LawOptions::*, Edges LawOptions::*,
-                 std::optional<SpectrumSource> LawOptions::*>
-        field;
-    double low = 0, high = 0;                 ///< of a number (low, high], of a whole one [low, high]
-    std::optional<Dimension> dimension = {};  ///< of a number: with a unit, and greater than 0
-};
+struct Source;
+class Section;
 
-/// All rows, those of one law one after the other.
-[[nodiscard]] std::span<const LawOption> law_option_table();
-/// Whether the section of \p law may also be at the root of a scene; its options count for other laws too.
-[[nodiscard]] bool is_shared(LawName law);
 /// The laws that have options.
-[[nodiscard]] std::vector<LawName> laws_with_options();
+inline constexpr std::array laws_with_options{LawName::summits, LawName::persson, LawName::boundary_elements};
+
+/// Hands over the options of \p law.
+template <class Take>
+void each_law_option(LawName law, LawOptions& of, Take take) {
+    using request::Field;
+    if (law == LawName::summits) take("mutual", of.mutual, Field{.form = request::Form::or_number});
+    if (law == LawName::persson) {
+        take("gamma", of.gamma, Field{.high = 1, .above_low = true});
+        take("spectrum", of.spectrum, Field{});
+    }
+    if (law == LawName::boundary_elements) {
+        take("points", of.points, Field{.low = 16, .high = 4096});
+        take("edges", of.edges, Field{});
+        take("hardness", of.hardness, request::positive(io::Dimension::pressure));
+    }
+}
+
+/// Whether the section of \p law may also be at the root of a scene; its options count for other laws too.
+[[nodiscard]] constexpr bool is_shared(LawName law) { return law != LawName::summits; }
 
 /// Reads the section contact.\p law, or \p law at \p root, into \p scene.law_options. Of a section that is not shared
 /// the defaults are recorded.

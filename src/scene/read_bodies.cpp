@@ -19,6 +19,15 @@ struct ReadBody {
     fstiff::Body body{};
     std::optional<double> thermal{}, electrical{};  ///< conductivities
     const parts::NamedMaterial* name = nullptr;
+
+    void each_elastic(auto take) {
+        take("youngs_modulus", body.elastic.youngs_modulus, request::positive(Dimension::pressure));
+        take("poisson_ratio", body.elastic.poisson_ratio, Field{});
+    }
+    void each_conductivity(auto take) {
+        take("thermal_conductivity", thermal, request::positive(Dimension::thermal_conductivity));
+        take("electrical_conductivity", electrical, request::positive(Dimension::electrical_conductivity));
+    }
 };
 
 const parts::NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
@@ -101,25 +110,19 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     if (!read.name && !body.find("youngs_modulus"))
         static_cast<void>(
             body.at("youngs_modulus", "is missing; add name = \"steel\" or another material, or give it"));
-    if (read.name && !body.find("youngs_modulus"))
-        record_of_name(source, body.key("youngs_modulus"), *read.name, read.body.elastic.youngs_modulus, "Pa");
-    else
-        read.body.elastic.youngs_modulus = body.positive("youngs_modulus", Dimension::pressure);
-    if (read.name && !body.find("poisson_ratio")) {
-        record_of_name(source, body.key("poisson_ratio"), *read.name, read.body.elastic.poisson_ratio, "");
-    } else {
-        const toml::node& nu = body.at("poisson_ratio");
-        read.body.elastic.poisson_ratio = source.number(nu, body.key("poisson_ratio"));
-        try {
+    body.read([&](auto take) { read.each_elastic(take); },
+              [&](std::string_view name, double value) {
+                  if (!read.name) static_cast<void>(body.at(name));
+                  record_of_name(source, body.key(name), *read.name, value, name == "youngs_modulus" ? "Pa" : "");
+              });
+    if (body.find("poisson_ratio")) try {
             (void)effective_modulus(read.body.elastic, read.body.elastic);
         } catch (const domain_error& error) {
-            throw error.with_parameter(body.key(error.parameter())).with_place(source.place(nu));
+            throw error.with_parameter(body.key(error.parameter())).with_place(source.place(body.at("poisson_ratio")));
         }
-    }
     read.body.yield_strength = body.optional_positive("yield_strength", Dimension::pressure);
     read.body.hardness = read_hardness(source, body, read.body.elastic.youngs_modulus);
-    read.thermal = body.optional_positive("thermal_conductivity", Dimension::thermal_conductivity);
-    read.electrical = body.optional_positive("electrical_conductivity", Dimension::electrical_conductivity);
+    body.read([&](auto take) { read.each_conductivity(take); });
     const auto usual = [](std::optional<double>& value, double of_name) {
         if (!value && of_name > 0) value = of_name;
     };
@@ -195,9 +198,7 @@ std::optional<double> read_impedance(Source& source, const Section& body, std::s
                                      std::string_view velocity, std::optional<double> density,
                                      std::optional<double> usual) {
     if (body.find(name)) {
-        if (body.find(velocity))
-            throw domain_error(source.at(*body.find(velocity)) + ": " + body.key(velocity) +
-                               ": must not be given with " + body.key(name) + "; give one of the two");
+        (void)body.one_of(std::array{name, velocity});
         return body.positive(name, Dimension::impedance);
     }
     const auto written = body.optional_positive(velocity, Dimension::velocity);
@@ -273,56 +274,67 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
 
 namespace {
 
-const parts::NamedMedium& named_medium(Source& source, const toml::node& node, const std::string& key) {
-    std::array<std::string_view, parts::named_media.size()> names{};
-    std::transform(parts::named_media.begin(), parts::named_media.end(), names.begin(),
-                   [](const parts::NamedMedium& one) { return one.name; });
-    return parts::named_media[source.choice(node, key, names)];
-}
+/// What [gap] holds.
+struct Gap {
+    std::string medium{};
+    std::optional<double> conductivity{}, temperature_jump{}, accommodation{}, temperature{}, emissivity{};
+    double thermal_film = 0, electrical_film = 0;
+
+    void each_field(auto take) {
+        const Field share{.high = 1, .above_low = true};
+        std::vector<std::string_view> names;
+        for (const parts::NamedMedium& one : parts::named_media) names.push_back(one.name);
+        take("medium", medium, Field{.words = names});
+        take("accommodation", accommodation, share);
+        take("conductivity", conductivity, request::positive(Dimension::thermal_conductivity));
+        take("temperature_jump", temperature_jump, request::positive(Dimension::length));
+        take("emissivity", emissivity, share);
+        take("temperature", temperature, request::positive(Dimension::temperature));
+        take("thermal_film", thermal_film, request::positive(Dimension::thermal_film));
+        take("electrical_film", electrical_film, request::positive(Dimension::electrical_film));
+    }
+};
 
 }  // namespace
 
 void read_gap(Source& source, const toml::table& table, Scene& scene) {
-    const Section gap(source, table, "gap",
-                      {"medium", "conductivity", "temperature_jump", "accommodation", "temperature", "emissivity",
-                       "thermal_film", "electrical_film"});
-    Conduction& conduction = scene.conduction;
-    const auto share = [&](std::string_view key) -> std::optional<double> {
-        const toml::node* node = gap.find(key);
-        if (!node) return std::nullopt;
-        const double value = source.number(*node, gap.key(key));
-        if (!(value > 0 && value <= 1)) source.refuse(*node, gap.key(key), "must be greater than 0 and 1 at most");
-        return value;
-    };
-    const auto apart = [&](std::string_view one, std::string_view other) {
-        if (gap.find(one) && gap.find(other))
-            source.refuse(*gap.find(one), gap.key(one), "must not be given with " + gap.key(other));
-    };
+    Gap gap;
+    const auto fields = [&](auto take) { gap.each_field(take); };
+    const Section section(source, table, "gap", request::keys_of(fields));
     for (const std::string_view key : {"conductivity", "temperature_jump"})
-        for (const std::string_view of_gas : {"medium", "accommodation"}) apart(key, of_gas);
-    if (const toml::node* medium = gap.find("medium")) {
-        const parts::NamedMedium& filling = named_medium(source, *medium, gap.key("medium"));
-        const double accommodation = share("accommodation").value_or(filling.accommodation);
-        conduction.gap = {filling.gas.conductivity, parts::temperature_jump(filling.gas, accommodation)};
-    } else if (const auto conductivity = gap.optional_positive("conductivity", Dimension::thermal_conductivity)) {
-        conduction.gap = {*conductivity, gap.optional_positive("temperature_jump", Dimension::length).value_or(0)};
+        for (const std::string_view of_gas : {"medium", "accommodation"})
+            if (section.find(key) && section.find(of_gas))
+                section.refuse(key, "must not be given with " + section.key(of_gas));
+    section.read(fields);
+    if (gap.emissivity) static_cast<void>(section.at("temperature"));
+    Conduction& conduction = scene.conduction;
+    if (!gap.medium.empty()) {
+        const auto& filling = *std::find_if(parts::named_media.begin(), parts::named_media.end(),
+                                            [&](const parts::NamedMedium& one) { return one.name == gap.medium; });
+        conduction.gap = {filling.gas.conductivity,
+                          parts::temperature_jump(filling.gas, gap.accommodation.value_or(filling.accommodation))};
+    } else if (gap.conductivity) {
+        conduction.gap = {*gap.conductivity, gap.temperature_jump.value_or(0)};
     }
-    if (const auto emissivity = share("emissivity")) {
-        conduction.radiation =
-            parts::radiative_conductance(gap.positive("temperature", Dimension::temperature), *emissivity);
+    if (gap.emissivity) {
+        conduction.radiation = parts::radiative_conductance(*gap.temperature, *gap.emissivity);
         if (!conduction.gap) conduction.gap.emplace();
     }
-    conduction.thermal_film = gap.optional_positive("thermal_film", Dimension::thermal_film).value_or(0);
-    conduction.electrical_film = gap.optional_positive("electrical_film", Dimension::electrical_film).value_or(0);
+    conduction.thermal_film = gap.thermal_film;
+    conduction.electrical_film = gap.electrical_film;
 }
 
 void read_friction(Source& source, const toml::table& table, Scene& scene) {
-    const Section friction(source, table, "friction", {"coefficient", "amplitude"});
-    const toml::node& node = friction.at("coefficient");
-    const double coefficient = source.number(node, friction.key("coefficient"));
-    if (!(coefficient > 0 && coefficient <= 10))
-        source.refuse(node, friction.key("coefficient"), "must be greater than 0 and 10 at most");
-    scene.friction = {coefficient, friction.optional_positive("amplitude", Dimension::length)};
+    double coefficient = 0;
+    std::optional<double> amplitude;
+    const auto fields = [&](auto take) {
+        take("coefficient", coefficient, Field{.high = 10, .above_low = true});
+        take("amplitude", amplitude, request::positive(Dimension::length));
+    };
+    const Section friction(source, table, "friction", request::keys_of(fields));
+    static_cast<void>(friction.at("coefficient"));
+    friction.read(fields);
+    scene.friction = {coefficient, amplitude};
 }
 
 }  // namespace fstiff::scene

@@ -29,16 +29,13 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
     if (!node.is_table())
         source.refuse(node, key, "must be a list of quantities or a table { from, to, count, spacing }");
 
-    constexpr long long most = 100000;
+    constexpr double most = 100000;
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
     const Section range(source, *node.as_table(), key, {"from", "to", "count", "spacing"});
     const double from = one(range.at("from"), range.key("from"));
     const double to = one(range.at("to"), range.key("to"));
-    const toml::node& count_node = range.at("count");
-    const auto* count = count_node.as_integer();
-    if (!count || count->get() < 2 || count->get() > most)
-        source.refuse(count_node, range.key("count"), "must be a whole number from 2 to " + std::to_string(most));
-    source.record(range.key("count"), written(count_node), static_cast<double>(count->get()));
+    std::uint64_t count = 0;
+    source.read(range.at("count"), range.key("count"), count, {.low = 2, .high = most});
     if (!(from < to)) source.refuse(range.at("to"), range.key("to"), "must be greater than " + range.key("from"));
     const bool log =
         range.find("spacing") ? source.choice(*range.find("spacing"), range.key("spacing"), spacings) == 0 : loads;
@@ -46,7 +43,7 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
     if (log && !(from > 0))
         source.refuse(range.at("from"), range.key("from"), "must be greater than 0 for spacing = \"log\"");
 
-    const Range spaced{from, to, static_cast<std::uint64_t>(count->get()), log};
+    const Range spaced{from, to, count, log};
     std::vector<double> points;
     for (std::uint64_t i = 0; i < spaced.count; ++i) points.push_back(spaced.at(i));
     return points;
@@ -58,9 +55,7 @@ void read_area(Source& source, const Section& contact, Scene& scene, bool replac
     if (!(source.builtin && replaced)) scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
     if (!washer) return;
     const std::string key = contact.key("washer");
-    if (scene.nominal_area)
-        throw domain_error(source.at(*washer) + ": " + key + ": must not be given with " + contact.key("nominal_area") +
-                           "; give one of the two");
+    (void)contact.one_of(std::array<std::string_view, 2>{"nominal_area", "washer"});
     if (!washer->is_table())
         source.refuse(*washer, key, "must be a table such as { inner = \"8.4 mm\", outer = \"16 mm\" }");
     const Section ring(source, *washer->as_table(), key, {"inner", "outer"});
@@ -86,18 +81,13 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
     };
     constexpr std::array<Kind, 3> kinds{
         {{"pressures", Dimension::pressure}, {"separations", Dimension::length}, {"force", Dimension::force}}};
-    const Kind* kind = nullptr;
-    for (const Kind& one : kinds) {
-        if (!contact.find(one.name)) continue;
-        if (kind)
-            throw domain_error(source.at(*contact.find(one.name)) + ": " + contact.key(one.name) +
-                               ": must not be given with " + contact.key(kind->name) + "; give one of the two");
-        kind = &one;
-    }
-    if (!kind)
+    const std::string_view name = contact.one_of(std::array{kinds[0].name, kinds[1].name, kinds[2].name});
+    if (name.empty())
         static_cast<void>(contact.at("pressures",
                                      "is missing; the scene needs contact.pressures, contact.force or "
                                      "contact.separations"));
+    const Kind* const kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& one) { return one.name == name; });
     const toml::node& node = contact.at(kind->name);
     const std::string key = contact.key(kind->name);
     scene.at_separations = kind->dimension == Dimension::length;
@@ -140,7 +130,7 @@ Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& 
     peaks.where = source.place(node);
     peaks.key = path + ".";
 
-    peaks.theta = read_angle(source, section.at("theta"), section.key("theta"));
+    source.read(section.at("theta"), section.key("theta"), peaks.theta, {.dimension = Dimension::angle});
     const toml::node& r = section.at("r");
     if (r.is_string() && written(r) == "exponential")
         source.record(section.key("r"), written(r));
@@ -163,7 +153,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
     }
     if (!node->is_table()) source.refuse(*node, key, allowed);
     const Section table(source, *node->as_table(), key, {"reading", "length"});
-    scene.reading = source.choice<InteractionReading>(table.at("reading"), table.key("reading"));
+    source.read(table.at("reading"), table.key("reading"), scene.reading);
 
     const toml::node* length = table.find("length");
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
@@ -245,32 +235,19 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 
 }  // namespace
 
-double read_angle(Source& source, const toml::node& node, const std::string& key) {
-    if (node.is_string()) {
-        const double angle = source.located(node, [&] { return io::parse_angle(written(node), key); });
-        source.record(key, written(node), angle, "rad");
-        return angle;
-    }
-    if (!node.is_number())
-        source.refuse(node, key, "must be a number of radians or a text such as \"pi/4\" or \"45 deg\"");
-    const double angle = source.number(node, key);
-    source.inputs.back().unit = "rad";
-    return angle;
-}
-
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
-    for (const LawName law : laws_with_options())
+    for (const LawName law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
         scene.face.write([&](Face& face) { face.spectrum_of_map = spectrum == SpectrumSource::map; });
     std::vector<std::string_view> keys{"nominal_area", "washer", "pressures", "separations", "force",
                                        "seating",      "laws",   "peaks",     "interaction"};
-    for (const LawName law : laws_with_options()) keys.push_back(name_of(law));
+    for (const LawName law : laws_with_options) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     read_area(source, contact, scene, replaced);
     read_points(source, contact, scene);
     read_laws(source, root, contact, scene, replaced);
-    for (const LawName law : laws_with_options())  // checked, though no law of the scene takes them
+    for (const LawName law : laws_with_options)  // checked, though no law of the scene takes them
         if (!is_shared(law) && contact.find(name_of(law)) &&
             std::none_of(scene.laws.begin(), scene.laws.end(), [&](const Law* one) { return one->which == law; }))
             read_law_options(source, root, law, scene);

@@ -60,52 +60,6 @@ std::vector<std::string> files_of(Source& source, const toml::node& from, const 
     return files;
 }
 
-/// Reads one option of the surface, whose key messages call \p key.
-struct OptionReader {
-    Source& source;
-    const toml::node& node;
-    const std::string& key;
-    const SurfaceOptionRow& row;
-
-    void operator()(std::string& to) const {
-        if (row.more.form == TextForm::or_number && node.is_number()) {
-            source.record(key, to = written(node));
-            return;
-        }
-        if (row.more.form == TextForm::or_number && !node.is_string())
-            source.refuse(node, key, "must be a number or a text");
-        to = source.text(node, key);
-        if (row.more.form == TextForm::file) to = beside_scene(source, to);
-    }
-    void operator()(Lengths& to) const { to = source.text(node, key); }
-    void operator()(bool& to) const {
-        if (!node.is_boolean()) source.refuse(node, key, "must be true or false");
-        to = node.as_boolean()->get();
-        source.record(key, written(node));
-    }
-    void operator()(double& to) const {
-        const auto number = plain_number(node);
-        if (!number || !(*number >= row.more.low && *number <= row.more.high))
-            source.refuse(node, key, "must be a number " + row.range());
-        source.record(key, written(node), to = *number);
-    }
-    void operator()(int& to) const {
-        const auto* number = node.as_integer();
-        if (!number || number->get() < row.more.low || number->get() > row.more.high)
-            source.refuse(node, key, "must be a whole number " + row.range());
-        to = static_cast<int>(number->get());
-        source.record(key, written(node), static_cast<double>(to));
-    }
-    template <parts::NamedEnum Enum>
-    void operator()(Enum& to) const {
-        to = source.choice<Enum>(node, key);
-    }
-    template <parts::NamedEnum Enum>
-    void operator()(std::optional<Enum>& to) const {
-        to = source.choice<Enum>(node, key);
-    }
-};
-
 Measured read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
     MeasureOptions options;
@@ -114,9 +68,11 @@ Measured read_from(Source& source, const Section& surface, const ProgressHook& p
     bool defaults = true;
     for (const SurfaceOptionRow& row : surface_option_table())
         if (const toml::node* node = surface.find(row.key)) {
-            row.visit(options.input, OptionReader{source, *node, surface.key(row.key), row});
+            row.visit(options.input,
+                      [&](auto& to) { source.read(*node, surface.key(row.key), to, row.field_for(SurfaceKind::any)); });
             defaults = false;
         }
+    if (surface.find("mask")) options.input.mask = beside_scene(source, options.input.mask);
     return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
 }
 
@@ -129,30 +85,27 @@ void record_measured(Source& source, const MeasuredSurface& measured, const std:
                                              : line.unit);
 }
 
-/// One parameter of [surface], or of surface.errors.
-double read_parameter(Source& source, const Section& section, const parts::ParameterRow& row, const toml::node& node,
-                      bool zero_too = false) {
-    const std::string key = section.key(row.key);
-    if (row.unit.empty()) return source.number(node, key);
+/// What is known of a parameter of [surface], or with \p zero_too of one of surface.errors.
+Field field_of(const parts::ParameterRow& row, bool zero_too = false) {
+    if (row.unit.empty()) return {};
     for (const Dimension dimension : {Dimension::length, Dimension::inverse_area})
         if (row.unit == si_unit(dimension))
-            return zero_too ? source.quantity(node, key, dimension) : source.positive(node, key, dimension);
-    return read_angle(source, node, key);
+            return zero_too ? Field{.dimension = dimension} : request::positive(dimension);
+    return {.dimension = Dimension::angle};
 }
 
 /// rms_gradient, alpha and hurst, as they are written.
-void read_spectrum(Source& source, const Section& surface, JointFace& of) {
-    const auto read = [&](std::string_view name, double low, double high, const char* range) -> std::optional<double> {
-        const toml::node* node = surface.find(name);
-        if (!node) return std::nullopt;
-        const double value = source.number(*node, surface.key(name));
-        if (!(value > low && value <= high)) source.refuse(*node, surface.key(name), range);
-        return value;
-    };
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (const auto written = read("rms_gradient", 0, infinity, "must be greater than 0")) of.rms_gradient = written;
-    of.alpha = read("alpha", 1.5, infinity, "must be greater than 1.5, which every isotropic surface exceeds");
-    of.hurst = read("hurst", 0, 1, "must be greater than 0 and at most 1");
+void each_of_spectrum(JointFace& of, auto take) {
+    constexpr double most = std::numeric_limits<double>::max();
+    take("rms_gradient", of.rms_gradient, Field{.high = most, .above_low = true});
+    take("alpha", of.alpha,
+         Field{.low = 1.5, .high = most, .above_low = true, .why = "which every isotropic surface exceeds"});
+    take("hurst", of.hurst, Field{.high = 1, .above_low = true});
+}
+
+void each_length(JointFace& of, auto take) {
+    take("max_peak_height", of.max_peak_height, request::positive(Dimension::length));
+    take("fractal_roughness", of.fractal_roughness, request::positive(Dimension::length));
 }
 
 /// surface.errors: standard errors of parameters that are known.
@@ -166,9 +119,10 @@ void read_errors(Source& source, const Section& surface, JointFace& of) {
     keys.insert(keys.end(), heights.begin(), heights.end());
     for (const parts::ParameterRow& row : parts::surface_parameter_table) keys.push_back(row.key);
     const Section section(source, *errors->as_table(), surface.key("errors"), keys);
-    const auto require_error = [&](const toml::node& node, std::string_view key, bool known, const auto& read) {
+    const auto require_error = [&](const toml::node& node, std::string_view key, bool known, const Field& field) {
         if (!known) source.refuse(node, section.key(key), "needs the value of " + surface.key(key));
-        const double error = read();
+        double error = 0;
+        source.read(node, section.key(key), error, field);
         if (!(error >= 0 && std::isfinite(error)))
             source.refuse(node, section.key(key), "must be finite and not negative");
         return error;
@@ -178,8 +132,7 @@ void read_errors(Source& source, const Section& surface, JointFace& of) {
         const parts::ParameterRow& row = parts::row_of(which);
         const toml::node* node = section.find(row.key);
         if (!node) continue;
-        of.errors.*error = require_error(*node, row.key, surface.find(row.key) || measured(which),
-                                         [&] { return read_parameter(source, section, row, *node, true); });
+        of.errors.*error = require_error(*node, row.key, surface.find(row.key) || measured(which), field_of(row, true));
         const double half = static_cast<double>(row.high.value - row.low.value) / 2;
         if (row.variation == parts::Variation::between && *(of.errors.*error) > half)
             source.refuse(*node, section.key(row.key),
@@ -187,14 +140,11 @@ void read_errors(Source& source, const Section& surface, JointFace& of) {
     }
     for (const std::string_view key : heights)
         if (const toml::node* node = section.find(key))
-            of.errors.height = require_error(*node, key, surface.find(key), [&] {
-                return source.quantity(*node, section.key(key), Dimension::length);
-            });
+            of.errors.height = require_error(*node, key, surface.find(key), {.dimension = Dimension::length});
     for (const std::string_view key : gradients)
         if (const toml::node* node = section.find(key))
             of.errors.gradient = require_error(
-                *node, key, surface.find(key) || (key == "rms_gradient" && of.measured && of.measured->heights),
-                [&] { return source.number(*node, section.key(key)); });
+                *node, key, surface.find(key) || (key == "rms_gradient" && of.measured && of.measured->heights), {});
 }
 
 /// The keys of a face in \p table.
@@ -244,7 +194,8 @@ void read_parameters(Source& source, const Section& surface, JointFace& of) {
         if (!of.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
         const toml::node* node = surface.find(row.key);
         if (!node) continue;
-        const double value = read_parameter(source, surface, row, *node);
+        double value = 0;
+        source.read(*node, surface.key(row.key), value, field_of(row));
         if (!parts::parameter_in_range(which, value))
             source.refuse(*node, surface.key(row.key), "must be " + row.range());
         if (which == Parameter::fractal_dimension && value > greatest_dimension)
@@ -281,14 +232,12 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
         record_measured(source, *measured, path);
         of.measured = found_of(measured);
     }
-    if (const toml::node* node = surface.find("process"))
-        of.process = source.choice<parts::Process>(*node, surface.key("process"));
+    if (const toml::node* node = surface.find("process")) source.read(*node, surface.key("process"), of.process);
     if (!of.measured) following = read_roughness(source, surface, of);
-    read_spectrum(source, surface, of);
+    surface.read([&](auto take) { each_of_spectrum(of, take); });
     read_parameters(source, surface, of);
     read_errors(source, surface, of);
-    of.max_peak_height = surface.optional_positive("max_peak_height", Dimension::length);
-    of.fractal_roughness = surface.optional_positive("fractal_roughness", Dimension::length);
+    surface.read([&](auto take) { each_length(of, take); });
     read_bearing(source, surface, of);
     Face face = face_of_section(source, surface, of);
     if (surface.find("Sa"))
@@ -348,12 +297,8 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
     const std::string no_sum = no_sum_of_maps(upper, lower);
     scene.shifts = 4;
     if (const toml::node* node = surface.find("shifts")) {
-        const auto* count = node->as_integer();
-        if (!count || count->get() < 1 || count->get() > 1000)
-            source.refuse(*node, surface.key("shifts"), "must be a whole number from 1 to 1000");
-        if (!no_sum.empty()) source.refuse(*node, surface.key("shifts"), "needs two maps of one grid: " + no_sum);
-        scene.shifts = static_cast<int>(count->get());
-        source.record(surface.key("shifts"), written(*node), static_cast<double>(count->get()));
+        source.read(*node, surface.key("shifts"), scene.shifts, {.low = 1, .high = 1000});
+        if (!no_sum.empty()) surface.refuse("shifts", "needs two maps of one grid: " + no_sum);
     } else if (no_sum.empty()) {
         source.record_default(surface.key("shifts"), "4", 4);
     }

@@ -3,33 +3,18 @@
 #include "scene/readers.hpp"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 
 namespace fstiff::scene {
 namespace {
 
-using Keys = std::span<const std::string_view>;
-
 constexpr std::array<std::string_view, 5> height_keys{"rms_height", "Rq", "Sq", "Ra", "Sa"};
 constexpr std::array<std::string_view, 4> gradient_keys{"rms_gradient", "Sdq", "Rdq", "RSm"};
 
-/// The one of \p keys that is there; empty where none is.
-std::string_view one_of(const Source& source, const Section& surface, Keys keys) {
-    std::string_view found;
-    for (const std::string_view key : keys) {
-        const toml::node* node = surface.find(key);
-        if (!node) continue;
-        if (!found.empty())
-            throw domain_error(source.at(*node) + ": " + surface.key(key) + ": must not be given with " +
-                               surface.key(found) + "; give one of the two");
-        found = key;
-    }
-    return found;
-}
-
 std::optional<Following> read_height(Source& source, const Section& surface, JointFace& of) {
-    const std::string_view key = one_of(source, surface, height_keys);
+    const std::string_view key = surface.one_of(height_keys);
     if (key.empty())
         (void)surface.at("rms_height",
                          "is missing; the scene needs the height of the surface: rms_height, Rq, Sq, Ra or Sa");
@@ -39,15 +24,13 @@ std::optional<Following> read_height(Source& source, const Section& surface, Joi
 }
 
 std::optional<Following> read_gradient(Source& source, const Section& surface, JointFace& of) {
-    const std::string_view key = one_of(source, surface, gradient_keys);
+    const std::string_view key = surface.one_of(gradient_keys);
     if (key.empty() || key == "rms_gradient") return std::nullopt;  // read_spectrum() reads that
-    if (key == "RSm") {
-        of.profile_spacing = surface.positive(key, Dimension::length);
-    } else {
-        const double slope = source.number(surface.at(key), surface.key(key));
-        if (!(slope > 0)) source.refuse(surface.at(key), surface.key(key), "must be greater than 0");
-        (key == "Sdq" ? of.rms_gradient : of.profile_gradient) = slope;
-    }
+    auto& to = key == "RSm" ? of.profile_spacing : key == "Sdq" ? of.rms_gradient : of.profile_gradient;
+    source.read(surface.at(key), surface.key(key), to,
+                {.high = std::numeric_limits<double>::max(),
+                 .above_low = true,
+                 .dimension = key == "RSm" ? std::optional(Dimension::length) : std::nullopt});
     return Following{source.inputs.size(), Parameter::rms_gradient, key};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from its text: the sections in turn, what they leave in doubt, and what is computed of them.
 #include "document/file.hpp"
+#include "scene/column.hpp"
 #include "scene/readers.hpp"
 
 #include <fstiff/answer/concerns.hpp>
@@ -13,90 +14,44 @@
 namespace fstiff::scene {
 namespace {
 
-/// Key that a quantity needs and the scene does not have; empty where nothing is missing.
-std::string missing_for_quantities(const Scene& scene) {
-    const std::tuple<bool, bool, std::string_view> needs[]{
-        {scene.reflection, !scene.ultrasound, "the section ultrasound for \"reflection\""},
-        {scene.shear_reflection, !scene.ultrasound, "the section ultrasound for \"shear_reflection\""},
-        {scene.shear_reflection, !(scene.ultrasound && scene.ultrasound->shear),
-         "ultrasound.upper.shear_impedance or shear_velocity for \"shear_reflection\""},
-        {scene.joint_stiffness, !scene.nominal_area, "contact.nominal_area or contact.washer for \"joint_stiffness\""},
-        {scene.thermal_conductance, !scene.conduction.thermal,
-         "material.upper.thermal_conductivity for \"thermal_conductance\""},
-        {scene.electrical_conductance, !scene.conduction.electrical,
-         "material.upper.electrical_conductivity for \"electrical_conductance\""},
-        {scene.loss_factor, !(scene.friction && scene.friction->amplitude), "friction.amplitude for \"loss_factor\""}};
-    for (const auto& [asked, lacking, what] : needs)
-        if (asked && lacking) return std::string(what);
-    return {};
-}
-
 void read_output(Source& source, const toml::table* table, Scene& scene) {
-    const auto is_written = [&](std::string_view end) {
-        return std::any_of(source.inputs.begin(), source.inputs.end(), [&](const Input& input) {
-            return input.given && input.key.starts_with("material.") && input.key.ends_with(end);
-        });
-    };
-    const bool waves = scene.ultrasound.has_value(), slides = scene.friction && scene.friction->amplitude,
-               heat = scene.conduction.thermal && (scene.conduction.gap || is_written(".thermal_conductivity")),
-               current = scene.conduction.electrical && is_written(".electrical_conductivity");
-    struct Choice {
-        std::string_view name;
-        bool& chosen;
-        bool by_default;
-    };
-    const Choice choices[]{{"stiffness", scene.stiffness, true},
-                           {"separation", scene.separation, true},
-                           {"real_area", scene.real_area, true},
-                           {"contacts", scene.contacts, true},
-                           {"tangential_stiffness", scene.tangential_stiffness, waves || scene.friction},
-                           {"reflection", scene.reflection, waves},
-                           {"shear_reflection", scene.shear_reflection, waves && scene.ultrasound->shear},
-                           {"loading_stiffness", scene.loading_stiffness, false},
-                           {"joint_stiffness", scene.joint_stiffness, scene.is_joint},
-                           {"approach", scene.approach, scene.is_joint},
-                           {"thermal_conductance", scene.thermal_conductance, heat},
-                           {"electrical_conductance", scene.electrical_conductance, current},
-                           {"loss_factor", scene.loss_factor, slides}};
     static const toml::table none;
     const Section output(source, table ? *table : none, "output", {"quantities"});
     const std::string key = output.key("quantities");
-    if (const auto* quantities = output.find("quantities")) {
-        std::array<std::string_view, std::size(choices)> names{};
-        std::transform(std::begin(choices), std::end(choices), names.begin(),
-                       [](const Choice& one) { return one.name; });
-        for (const auto i : source.choices(*quantities, key, names)) choices[i].chosen = true;
-        if (const auto missing = missing_for_quantities(scene); !missing.empty())
-            throw domain_error(source.at(*quantities) + ": " + key + ": needs " + missing);
+    const std::vector<const CurveQuantityRow*> quantities = chosen_quantities();
+    std::vector<std::string_view> words;
+    std::string usual;
+    for (const CurveQuantityRow* row : quantities) {
+        words.push_back(row->choice.word);
+        if (output.find("quantities") || !row->choice.is_usual(scene)) continue;
+        scene.*row->asked = true;
+        usual += (usual.empty() ? "" : ", ") + std::string(row->choice.word);
+    }
+    if (const auto* node = output.find("quantities")) {
+        for (const auto i : source.choices(*node, key, words)) scene.*quantities[i]->asked = true;
+        for (const CurveQuantityRow* row : quantities) {
+            const std::string_view lack = row->choice.lack && scene.*row->asked ? row->choice.lack(scene) : "";
+            if (!lack.empty())
+                throw domain_error(source.at(*node) + ": " + key + ": needs " + std::string(lack) + " for \"" +
+                                   std::string(row->choice.word) + "\"");
+        }
     } else {
-        std::string text;
-        for (const Choice& one : choices)
-            if (one.by_default) one.chosen = true, text += (text.empty() ? "" : ", ") + std::string(one.name);
-        source.record_default(key, text);
+        source.record_default(key, usual);
     }
     scene.thermal_conductance_gap = scene.thermal_conductance && scene.conduction.gap;
-    if (scene.approach && std::none_of(source.inputs.begin(), source.inputs.end(),
+    if (scene.approach && std::none_of(scene.inputs.begin(), scene.inputs.end(),
                                        [](const Input& input) { return input.key == "contact.seating"; }))
         source.record_default("contact.seating", "1 kPa", scene.seating, si_unit(Dimension::pressure));
 }
 
 void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
-    const Section section(source, table, "uncertainty", {"samples", "seed"});
-    const auto whole = [&](std::string_view name, long long most) -> std::optional<long long> {
-        const toml::node* node = section.find(name);
-        if (!node) return std::nullopt;
-        const auto* number = node->as_integer();
-        if (!number || number->get() < 0 || number->get() > most)
-            source.refuse(*node, section.key(name), "must be a whole number from 0 to " + std::to_string(most));
-        source.record(section.key(name), written(*node), static_cast<double>(number->get()));
-        return number->get();
+    const auto fields = [&](auto take) {
+        take("samples", scene.samples, Field{.high = 100000});
+        take("seed", scene.seed, Field{});
     };
-    if (const auto samples = whole("samples", 100000)) {
-        if (*samples > 0 && *samples < 20)
-            source.refuse(*section.find("samples"), section.key("samples"), "must be 0 for no band, or at least 20");
-        scene.samples = static_cast<int>(*samples);
-    }
-    if (const auto seed = whole("seed", (1LL << 53) - 1)) scene.seed = static_cast<std::uint64_t>(*seed);
+    const Section section(source, table, "uncertainty", request::keys_of(fields));
+    section.read(fields);
+    if (scene.samples > 0 && scene.samples < 20) section.refuse("samples", "must be 0 for no band, or at least 20");
 }
 
 /// Warning about a Hurst exponent and a fractal dimension that contradict each other.
@@ -234,8 +189,10 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (top.find("gap")) read_gap(source, top.subtable("gap"), scene);
     if (top.find("friction")) read_friction(source, top.subtable("friction"), scene);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
+    scene.inputs.swap(source.inputs);  // which quantities look at
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
-    scene.inputs.swap(source.inputs), scene.files.swap(source.files);
+    scene.inputs.insert(scene.inputs.end(), source.inputs.begin(), source.inputs.end());
+    scene.files.swap(source.files);
     return scene;
 }
 

@@ -42,7 +42,5 @@ struct Following {
 [[nodiscard]] std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& of);
 /// Refuses Rz and its like in \p table, the section \p path.
 void refuse_extremes(const Source& source, const toml::table& table, const std::string& path);
-/// An angle with its unit, or a number of radians.
-[[nodiscard]] double read_angle(Source& source, const toml::node& node, const std::string& key);
 
 }  // namespace fstiff::scene

@@ -28,7 +28,7 @@ double impedance_of(const BodyRequest& body, const ReflectionRequest& request, c
 /// The number that \p given is; none: the name of a file. "nan" and "inf" are numbers, so that they are refused as
 /// such.
 std::optional<double> as_number(const Amount& given) {
-    if (given.number()) return given.number();
+    if (!given.numbers().empty()) return given.numbers().front();
     const std::string text = given.text();
     const std::string word = io::detail::lower_case(text);
     if (word == "nan" || word == "inf" || word == "-inf")

@@ -32,21 +32,22 @@ struct ReflectionRequest {
     std::string prefix{};              ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
-    void each_option(Take take) {
-        take("stiffness", stiffness, "normal contact stiffness K per nominal area, such as \"1.764 GPa/um\"");
-        take("reflection", reflection,
-             "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, "
-             "reflection "
-             "and, if known, reflection_error, to K(p); - is standard input");
+    void each_field(Take take) {
+        take("stiffness", stiffness, {.help = "normal contact stiffness K per nominal area, such as \"1.764 GPa/um\""});
+        take(
+            "reflection", reflection,
+            {.help = "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, "
+                     "reflection "
+                     "and, if known, reflection_error, to K(p); - is standard input"});
         take("reflection_error", reflection_error,
-             "standard error of the reflection coefficient, where a file has no column of it");
-        take("frequency", frequency, "frequency of the wave, such as \"7 MHz\"", {.required = true});
+             {.help = "standard error of the reflection coefficient, where a file has no column of it"});
+        take("frequency", frequency, {.help = "frequency of the wave, such as \"7 MHz\"", .required = true});
         const auto take_body = [&](BodyRequest& body, const std::string& suffix, const std::string& which) {
-            take("impedance" + suffix, body.impedance, "impedance of " + which + ", such as \"46 MRayl\"");
+            take("impedance" + suffix, body.impedance, {.help = "impedance of " + which + ", such as \"46 MRayl\""});
             take("density" + suffix, body.density,
-                 "density of that body, such as \"7850 kg/m^3\"; needs --velocity" + suffix);
+                 {.help = "density of that body, such as \"7850 kg/m^3\"; needs --velocity" + suffix});
             take("velocity" + suffix, body.velocity,
-                 "velocity of sound in that body, such as \"5900 m/s\"; needs --density" + suffix);
+                 {.help = "velocity of sound in that body, such as \"5900 m/s\"; needs --density" + suffix});
         };
         take_body(incident, "", "the body that the wave comes from");
         take_body(beyond, "2", "the body beyond (default: the same)");

@@ -40,7 +40,7 @@ const Law& law_for(const MeasuredSurface& surface) {
     return *find_law(face.has_peaks() ? "hertz" : "greenwood_williamson");
 }
 
-Lengths option_of(const std::optional<double>& cut_off) { return cut_off ? Lengths(*cut_off) : Lengths("none"); }
+Amount option_of(const std::optional<double>& cut_off) { return cut_off ? Amount(*cut_off) : Amount("none"); }
 
 /// The row of the cut-offs that \p surface has.
 Scale scale_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {

@@ -119,46 +119,6 @@ bool is_surface(std::string_view text) {
 
 }  // namespace
 
-std::string_view si_unit(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::length: return "m";
-        case Dimension::area: return "m^2";
-        case Dimension::inverse_area: return "1/m^2";
-        case Dimension::pressure: return "Pa";
-        case Dimension::angle: return "rad";
-        case Dimension::frequency: return "Hz";
-        case Dimension::velocity: return "m/s";
-        case Dimension::density: return "kg/m^3";
-        case Dimension::impedance: return "kg/(m^2 s)";
-        case Dimension::force: return "N";
-        case Dimension::thermal_conductivity: return "W/(m K)";
-        case Dimension::electrical_conductivity: return "S/m";
-        case Dimension::thermal_film: return "m^2 K/W";
-        case Dimension::electrical_film: return "ohm m^2";
-        case Dimension::temperature: return "K";
-        default: return "";
-    }
-}
-
-std::string_view example(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::area: return "195 mm^2";
-        case Dimension::inverse_area: return "500 /mm^2";
-        case Dimension::pressure: return "10 MPa";
-        case Dimension::frequency: return "7 MHz";
-        case Dimension::velocity: return "5900 m/s";
-        case Dimension::density: return "7850 kg/m^3";
-        case Dimension::impedance: return "46 MRayl";
-        case Dimension::force: return "20 kN";
-        case Dimension::thermal_conductivity: return "40 W/(m K)";
-        case Dimension::electrical_conductivity: return "7 MS/m";
-        case Dimension::thermal_film: return "1 mm^2 K/W";
-        case Dimension::electrical_film: return "1 ohm um^2";
-        case Dimension::temperature: return "293 K";
-        default: return "0.8 um";
-    }
-}
-
 std::string written(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* number = node.as_floating_point())
@@ -173,12 +133,23 @@ std::string written(const toml::node& node) {
     return "a date or a time";
 }
 
-std::optional<double> plain_number(const toml::node& node) {
-    constexpr std::int64_t most = std::int64_t(1) << 53;
-    if (const auto* real = node.as_floating_point()) return real->get();
-    const auto* whole = node.as_integer();
-    if (!whole || whole->get() > most || whole->get() < -most) return std::nullopt;
-    return static_cast<double>(whole->get());
+request::Value value_of(const toml::node& node) {
+    using Kind = request::Value::Kind;
+    request::Value value{.kind = Kind::other, .written = written(node), .giver = request::Value::Giver::scene};
+    if (node.is_string()) value.kind = Kind::text;
+    if (const auto* truth = node.as_boolean()) value.kind = Kind::truth, value.number = truth->get();
+    if (const auto* real = node.as_floating_point()) value.kind = Kind::real, value.number = real->get();
+    if (const auto* whole = node.as_integer()) {
+        constexpr std::int64_t most = std::int64_t(1) << 53;  // which a double may not hold beyond
+        const bool is_exact = whole->get() <= most && whole->get() >= -most;
+        value.kind = Kind::whole;
+        value.number = is_exact ? static_cast<double>(whole->get()) : std::numeric_limits<double>::quiet_NaN();
+    }
+    if (const auto* list = node.as_array()) {
+        value.kind = Kind::list;
+        for (const toml::node& item : *list) value.items.push_back(value_of(item));
+    }
+    return value;
 }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {

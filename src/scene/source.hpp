@@ -3,10 +3,10 @@
 // The TOML of a scene while it is read: values with their units, refusals with their place, and a record of the inputs.
 // Private to the files that read a scene: it brings in toml++.
 
+#include "request/field.hpp"
 #include "scene/scene.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/io/quantity.hpp>
 
 // toml++ 3.3 asserts, or assumes in an optimised build, what some malformed texts break. Its assertions are made to
 // throw in every build; no other file includes toml++.
@@ -22,31 +22,25 @@ constexpr void expect_toml(bool whole) {
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace fstiff::scene {
 
 using io::Dimension;
+using request::Field;
+using request::si_unit;
 
-[[nodiscard]] std::string_view si_unit(Dimension dimension);
-/// A quantity as an example of how to write one.
-[[nodiscard]] std::string_view example(Dimension dimension);
 /// The text of a value for messages and for the echo of the inputs.
 [[nodiscard]] std::string written(const toml::node& node);
 
-/// \p node as double: none where it is no number, or a whole one beyond 2^53, which a double may not hold.
-[[nodiscard]] std::optional<double> plain_number(const toml::node& node);
-
-/// The end of a refusal of several values where there must be one.
-inline std::string of_a_grid(const toml::node& node) {
-    return node.is_table() || node.is_array() ? "; several values are for a grid, which fstiff sweep reads" : "";
-}
+/// \p node as a value of a field.
+[[nodiscard]] request::Value value_of(const toml::node& node);
 
 /// Common data of all parts of one scene: its place for messages, and the record of its inputs.
 struct Source {
@@ -82,55 +76,41 @@ struct Source {
         inputs.push_back({std::move(key), std::move(text), value, std::string(unit), false});
     }
 
+    /// Puts \p node into \p to, and on record.
+    template <class Member>
+    void read(const toml::node& node, const std::string& key, Member& to, const Field& field = {}) {
+        const request::Value value = value_of(node);
+        located(node, [&] { request::put(value, to, key, field); });
+        record(key, value, to, field);
+    }
     double quantity(const toml::node& node, const std::string& key, Dimension dimension) {
-        if (node.is_number())
-            refuse(node, key,
-                   "a number without a unit; write it as a text such as \"" + std::string(example(dimension)) + "\"");
-        if (!node.is_string())
-            refuse(node, key, "must be a text such as \"" + std::string(example(dimension)) + "\"" + of_a_grid(node));
-        const double value = located(node, [&] { return io::parse_quantity(written(node), dimension, key); });
-        constexpr double most = 1e100;
-        if (value != 0 && !(std::abs(value) <= most && std::abs(value) >= 1 / most))
-            refuse(node, key,
-                   "must be 0, or from 1e-100 to 1e100 " + std::string(si_unit(dimension)) +
-                       " in size, so that results are in the range of double precision");
-        record(key, written(node), value, si_unit(dimension));
+        double value = 0;
+        read(node, key, value, {.dimension = dimension});
         return value;
     }
     double positive(const toml::node& node, const std::string& key, Dimension dimension) {
-        const double value = quantity(node, key, dimension);
-        if (!(value > 0) || !std::isfinite(value)) refuse(node, key, "must be finite and greater than 0");
+        double value = 0;
+        read(node, key, value, request::positive(dimension));
         return value;
     }
-    /// The number \p node as double; of whole numbers those that all are doubles.
-    double plain(const toml::node& node, const std::string& key) const {
-        const auto value = plain_number(node);
-        if (!value) refuse(node, key, "must be at most 2^53 as a whole number; write a greater one with an exponent");
-        return *value;
-    }
     double number(const toml::node& node, const std::string& key) {
-        if (!node.is_number()) refuse(node, key, "must be a plain number" + of_a_grid(node));
-        const double value = plain(node, key);
-        if (!std::isfinite(value)) refuse(node, key, "must be a finite number");
-        record(key, written(node), value);
+        double value = 0;
+        read(node, key, value);
         return value;
     }
     std::string text(const toml::node& node, const std::string& key) {
-        if (!node.is_string()) refuse(node, key, "must be a text in quotation marks");
-        record(key, written(node));
-        return written(node);
-    }
-    /// One of the words of \p Enum.
-    template <parts::NamedEnum Enum>
-    Enum choice(const toml::node& node, const std::string& key) {
-        return names<Enum>[choice(node, key, parts::choices<Enum>())].value;
+        std::string text;
+        read(node, key, text);
+        return text;
     }
     /// One of \p allowed, by its place in that list.
     std::size_t choice(const toml::node& node, const std::string& key, std::span<const std::string_view> allowed) {
-        const auto found = std::find(allowed.begin(), allowed.end(), node.is_string() ? written(node) : "");
-        if (found == allowed.end()) refuse(node, key, "must be one of " + list_of(allowed));
-        record(key, written(node));
-        return static_cast<std::size_t>(found - allowed.begin());
+        const request::Value value = value_of(node);
+        const std::size_t place = located(node, [&] {
+            return request::word(value, key, {allowed.begin(), allowed.end()});
+        });
+        record(key, value.written);
+        return place;
     }
     /// A non-empty list of choices, none twice.
     std::vector<std::size_t> choices(const toml::node& node, const std::string& key,
@@ -145,6 +125,23 @@ struct Source {
             if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1) refuse(item, item_key, "is listed twice");
         }
         return chosen;
+    }
+
+private:
+    /// The number of a field of numbers with its unit; of other fields the text alone.
+    template <class Member>
+    void record(const std::string& key, const request::Value& value, const Member& to, const Field& field) {
+        if constexpr (requires {
+                          typename Member::value_type;
+                          to.has_value();
+                      })
+            record(key, value, *to, field);
+        else if constexpr (std::is_arithmetic_v<Member>)
+            std::is_same_v<Member, bool>&& field.form == request::Form::plain
+                ? record(key, value.written)
+                : record(key, value.written, static_cast<double>(to), field.dimension ? si_unit(*field.dimension) : "");
+        else
+            record(key, value.written);
     }
 };
 
@@ -167,6 +164,38 @@ public:
     const toml::node& at(std::string_view name, const std::string& why = "is missing; the scene needs it") const {
         if (const auto* found = find(name)) return *found;
         throw domain_error((path_.empty() ? source_.file : source_.at(table_)) + ": " + key(name) + ": " + why);
+    }
+    /// Reads the fields that \p each hands over, in their order; \p absent is called with the key and the member of one
+    /// that is not there.
+    template <class Each, class Absent>
+    void read(const Each& each, const Absent& absent) const {
+        each([&](std::string_view name, auto& to, const Field& field) {
+            if (const toml::node* node = find(name))
+                source_.read(*node, key(name), to, field);
+            else
+                absent(name, to);
+        });
+    }
+    template <class Each>
+    void read(const Each& each) const {
+        read(each, [](std::string_view, const auto&) {});
+    }
+    /// \throws domain_error with the place of the key \p name, which is there, and its value.
+    [[noreturn]] void refuse(std::string_view name, const std::string& reason) const {
+        source_.refuse(at(name), key(name), reason);
+    }
+    /// \throws domain_error where more than one of \p names is there. \return the one that is; empty where none is
+    std::string_view one_of(std::span<const std::string_view> names,
+                            const char* way_out = "give one of the two") const {
+        std::string_view there;
+        for (const std::string_view name : names) {
+            if (!find(name)) continue;
+            if (!there.empty())
+                throw domain_error(source_.at(at(name)) + ": " + key(name) + ": must not be given with " + key(there) +
+                                   "; " + way_out);
+            there = name;
+        }
+        return there;
     }
     const toml::table& subtable(std::string_view name) const {
         const toml::node& found = at(name, "is missing; the scene needs this section");

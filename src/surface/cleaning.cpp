@@ -48,7 +48,7 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
     const std::size_t wanted = surface.is_profile() ? 2 : 4;
     if (box.size() != wanted)
         throw option_error(
-            name + " = \"" + options.crop.text() + "\": must be " +
+            name + " = \"" + options.crop.text("m") + "\": must be " +
             (wanted == 2 ? "two lengths of a profile, \"x0,x1\"" : "four lengths of a map, \"x0,x1,y0,y1\""));
     const double dx = surface.is_profile() ? surface.profile().spacing : surface.map().dx;
     extent.columns = points_of(box[0], box[1], extent.columns, dx, name);
@@ -117,7 +117,7 @@ void describe(const SurfaceOptions& options, const parts::CleaningReport& report
                                    : std::to_string(report.columns) + " x " + std::to_string(report.rows) + " of " +
                                          std::to_string(report.columns_read) + " x " +
                                          std::to_string(report.rows_read) + " points") +
-                          " kept (" + options.crop.text() + ")");
+                          " kept (" + options.crop.text("m") + ")");
     if (!options.mask.empty())
         details.push_back("mask: " + of(report.masked, points) + " became missing (" + display_name(options.mask) +
                           ")");

@@ -64,7 +64,7 @@ std::string left_out(const std::optional<parts::RobustOutcome>& robust) {
 }  // namespace
 
 Instrument instrument_of(const SurfaceOptions& options) {
-    const auto length = [&](const Lengths& given, const char* key) {
+    const auto length = [&](const Amount& given, const char* key) {
         return given.empty() ? 0. : parse_length(given, options.name(key));
     };
     return {length(options.tip_radius, "tip_radius"), length(options.resolution, "resolution")};
@@ -87,7 +87,7 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
     const std::string short_name = options.name("lambda_s"), long_name = options.name("lambda_c");
     const std::string& name = refused->long_waves ? long_name : short_name;
     const std::string quoted =
-        name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s).text() + "\"";
+        name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s).text("m") + "\"";
     const int steps = refused->long_waves ? parts::min_steps_of_lambda_c : parts::min_steps_of_lambda_s;
     switch (refused->why) {
         case parts::CutOffRefusal::below_steps:

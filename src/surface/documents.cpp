@@ -60,7 +60,7 @@ Json json_of(bool value) { return value; }
 Json json_of(int value) { return value; }
 Json json_of(double value) { return value; }
 Json json_of(const std::string& text) { return text; }
-Json json_of(const Lengths& given) { return given.text(); }
+Json json_of(const Amount& given) { return given.text("m"); }
 template <parts::NamedEnum Enum>
 Json json_of(Enum value) {
     return name_of(value);

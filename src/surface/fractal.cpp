@@ -99,9 +99,9 @@ Json json_start(const FractalOptions& options, const SurfaceInput& input, const 
     Json document = json_document("fit");
     document["source"] = json_source(options.surface, input);
     Json inputs = json_inputs(options.surface, form);
-    inputs.update({{"window", options.surface.window.text()},
-                   {"tip_radius", options.surface.tip_radius.text()},
-                   {"resolution", options.surface.resolution.text()},
+    inputs.update({{"window", options.surface.window.text("m")},
+                   {"tip_radius", options.surface.tip_radius.text("m")},
+                   {"resolution", options.surface.resolution.text("m")},
                    {"seed", options.seed},
                    {"resamples", options.resamples},
                    {"convention", name_of(options.convention)}});

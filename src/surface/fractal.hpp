@@ -29,13 +29,15 @@ struct FractalOptions {
     ProgressHook progress{};  ///< called while the bootstrap draws
 
     template <class Take>
-    void each_option(Take take) {
-        take("convention", convention, "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien");
-        take("seed", seed, "seed of the random numbers of the bootstrap; the default is 2014");
+    void each_field(Take take) {
+        take("convention", convention,
+             {.help = "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien"});
+        take("seed", seed, {.help = "seed of the random numbers of the bootstrap; the default is 2014"});
         take("resamples", resamples,
-             "number of resamples of the bootstrap; the default is 200, and 0 leaves the bootstrap out",
-             {.low = 0, .high = 100000});
-        take("all_lags", all_lags, "compute the structure function at every lag (profiles only)");
+             {.help = "number of resamples of the bootstrap; the default is 200, and 0 leaves the bootstrap out",
+              .low = 0,
+              .high = 100000});
+        take("all_lags", all_lags, {.help = "compute the structure function at every lag (profiles only)"});
     }
 };
 

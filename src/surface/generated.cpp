@@ -100,7 +100,7 @@ std::string Generated::origin() const {
 
 Generated generate(const GenerateRequest& given) {
     const GenerateRequest request = with_points(given);
-    const auto length = [&](const Lengths& of, const char* key, double otherwise) {
+    const auto length = [&](const Amount& of, const char* key, double otherwise) {
         return of.empty() ? otherwise : parse_length(of, option_name(request.prefix, key));
     };
     const double spacing = length(request.spacing, "spacing", 0);

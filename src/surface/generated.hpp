@@ -48,37 +48,44 @@ struct GenerateRequest {
     GeneratedKind kind = GeneratedKind::profile;
     std::size_t points = 0,
                 rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
-    Lengths spacing{};
-    std::optional<double> dimension{};     ///< D
-    Lengths roughness{};                   ///< G
-    double gamma = 1.5;                    ///< ratio of neighbouring wavelengths
-    std::optional<double> hurst{};         ///< H
-    Lengths rms{}, longest{}, shortest{};  ///< wavelengths: the longest side and two spacings by default
+    Amount spacing{};
+    std::optional<double> dimension{};    ///< D
+    Amount roughness{};                   ///< G
+    double gamma = 1.5;                   ///< ratio of neighbouring wavelengths
+    std::optional<double> hurst{};        ///< H
+    Amount rms{}, longest{}, shortest{};  ///< wavelengths: the longest side and two spacings by default
     parts::LongWaves long_waves = parts::LongWaves::plateau;
     std::uint64_t seed = 1;
     GeneratedForm format = GeneratedForm::csv;
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
-    void each_option(Take take) {
-        const OptionTraits side{.low = min_side, .high = max_points};
-        take("kind", kind, "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic",
-             {.required = true, .positional = true});
-        take("points", points, "number of points of the profile (default 4096) or of a row of the map (default 256)",
-             side);
-        take("rows", rows, "number of rows of the map; the default is the number of points", side);
-        take("spacing", spacing, "distance between neighbouring points, such as \"0.5 um\"");
-        take("dimension", dimension, "fractal dimension D of a wm profile, between 1 and 2");
-        take("roughness", roughness, "fractal roughness G of a wm profile, such as \"12 nm\"");
-        take("gamma", gamma, "ratio of neighbouring wavelengths of a wm profile; default 1.5");
-        take("hurst", hurst, "Hurst exponent H of a profile or map, between 0 and 1; a section has D = 2 - H");
-        take("rms", rms, "rms height (Rq or Sq) of the profile or map, such as \"1 um\"");
-        take("longest", longest, "longest wavelength; the default is the longest side");
-        take("shortest", shortest, "shortest wavelength; the default is two spacings");
+    void each_field(Take take) {
+        take("kind", kind,
+             {.help = "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic",
+              .required = true,
+              .positional = true});
+        take("points", points,
+             {.help = "number of points of the profile (default 4096) or of a row of the map (default 256)",
+              .low = min_side,
+              .high = max_points});
+        take("rows", rows,
+             {.help = "number of rows of the map; the default is the number of points",
+              .low = min_side,
+              .high = max_points});
+        take("spacing", spacing, {.help = "distance between neighbouring points, such as \"0.5 um\""});
+        take("dimension", dimension, {.help = "fractal dimension D of a wm profile, between 1 and 2"});
+        take("roughness", roughness, {.help = "fractal roughness G of a wm profile, such as \"12 nm\""});
+        take("gamma", gamma, {.help = "ratio of neighbouring wavelengths of a wm profile; default 1.5"});
+        take("hurst", hurst,
+             {.help = "Hurst exponent H of a profile or map, between 0 and 1; a section has D = 2 - H"});
+        take("rms", rms, {.help = "rms height (Rq or Sq) of the profile or map, such as \"1 um\""});
+        take("longest", longest, {.help = "longest wavelength; the default is the longest side"});
+        take("shortest", shortest, {.help = "shortest wavelength; the default is two spacings"});
         take("long_waves", long_waves,
-             "waves beyond the longest wavelength: plateau (default), as strong as it, or none");
-        take("seed", seed, "seed of the random phases or amplitudes; the default is 1");
-        take("format", format, "form of the file: csv (default), sdf (binary) or sdf-text", {.type = "FORMAT"});
+             {.help = "waves beyond the longest wavelength: plateau (default), as strong as it, or none"});
+        take("seed", seed, {.help = "seed of the random phases or amplitudes; the default is 1"});
+        take("format", format, {.help = "form of the file: csv (default), sdf (binary) or sdf-text", .type = "FORMAT"});
     }
 };
 

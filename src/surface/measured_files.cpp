@@ -63,10 +63,10 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
 /// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are
 /// such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>& parts) {
-    const auto share = [&](Lengths& option, std::optional<double> parts::CutOffs<double>::*of) {
+    const auto share = [&](Amount& option, std::optional<double> parts::CutOffs<double>::*of) {
         const CutOff<double> asked = parse_cut_off(option, ""), shared = parts::shared_cut_off(asked, parts, of);
         if (!asked.automatic() || shared.automatic()) return false;
-        option = shared.length() ? Lengths(*shared.length()) : Lengths("none");
+        option = shared.length() ? Amount(*shared.length()) : Amount("none");
         return true;
     };
     const bool short_waves = share(options.lambda_s, &parts::CutOffs<double>::lambda_s);

@@ -25,11 +25,12 @@ struct MeasureOptions {
     bool keep_maps = true;             ///< of the neighbours, with what a face takes of them
 
     template <class Take>
-    void each_option(Take take) {
+    void each_field(Take take) {
         take("resamples", resamples,
-             "number of resamples that the standard errors are computed from; the default is 400",
-             {.low = 2, .high = 100000});
-        take("seed", seed, "seed of the random numbers of the resamples; the default is 2014");
+             {.help = "number of resamples that the standard errors are computed from; the default is 400",
+              .low = 2,
+              .high = 100000});
+        take("seed", seed, {.help = "seed of the random numbers of the resamples; the default is 2014"});
     }
 };
 

@@ -36,11 +36,12 @@ struct SpectrumRequest {
     SpectrumWindow taper = SpectrumWindow::hann;  ///< of a psd
 
     template <class Take>
-    void each_option(Take take) {
-        take("of", of, "psd (default), the power spectral density, or acf, the autocorrelation function");
+    void each_field(Take take) {
+        take("of", of, {.help = "psd (default), the power spectral density, or acf, the autocorrelation function"});
         take("taper", taper,
-             "window that the heights are multiplied by before a psd: hann (default), or none for a surface that "
-             "repeats itself");
+             {.help =
+                  "window that the heights are multiplied by before a psd: hann (default), or none for a surface that "
+                  "repeats itself"});
     }
 };
 

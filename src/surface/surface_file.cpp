@@ -96,7 +96,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     if (!options.prefix.empty()) how.names = {std::string(options.prefix), std::string(options.format_name), " "};
     how.column = static_cast<std::size_t>(options.column);
     how.x_column = static_cast<std::size_t>(options.x_column);
-    const auto length = [&](const Lengths& given, const char* key) {
+    const auto length = [&](const Amount& given, const char* key) {
         return given.empty() ? std::optional<double>() : parse_length(given, options.name(key));
     };
     how.spacing = length(options.spacing, "spacing");
@@ -129,7 +129,7 @@ Form form_of_profile(const SurfaceOptions& options) {
     }
     const std::string name = options.name("cutoff"), form = options.name("detrend") + " gaussian ";
     if (options.cutoff.empty()) throw option_error(form + "needs " + name + ", such as \"0.8 mm\"");
-    if (!options.lambda_c.empty() && options.lambda_c != Lengths("none"))
+    if (!options.lambda_c.empty() && options.lambda_c != Amount("none"))
         throw option_error(form + "has the cut-off " + name +
                            " already; must not be given with another cut-off of long waves");
     return Form::line;

@@ -75,7 +75,7 @@ constexpr SurfaceOptionRow rows[] = {
     {"missing", file, &Of::missing, if_not_default,
      "number or word that marks missing points in a text or .npy file, such as -9999; none: every number is a "
      "height",
-     {.form = TextForm::or_number}},
+     {.form = request::Form::or_number}},
     {"thousands", file, &Of::thousands, if_not_default,
      "separator of thousands in a text file: a comma, a point, an apostrophe or a blank in quotes; none: a comma or "
      "point is decimal"},
@@ -97,7 +97,7 @@ constexpr SurfaceOptionRow rows[] = {
      {.help_of_profile = "part that is kept: \"x0,x1\", such as \"0,1 mm\""}},
     {"mask", cleaning, &Of::mask, if_not_default,
      "text or .npy file of zeros and ones, as large as the surface: points with 0 become missing",
-     {.form = TextForm::file}},
+     {.form = request::Form::file}},
     {"spikes", cleaning, &Of::spikes, if_not_default,
      "points farther from the median of their neighbours than this many robust standard deviations, such as 5, "
      "become missing",
@@ -117,11 +117,6 @@ std::string SurfaceOptionRow::flag_name() const {
     return "--" + (more.flag.empty() ? with_dashes(key) : std::string(more.flag));
 }
 
-std::string_view SurfaceOptionRow::help_for(SurfaceKind kind) const {
-    if (kind == SurfaceKind::profile && !more.help_of_profile.empty()) return more.help_of_profile;
-    return kind == SurfaceKind::map && !more.help_of_map.empty() ? more.help_of_map : help;
-}
-
 bool SurfaceOptionRow::is_for(SurfaceKind kind) const {
     using enum OptionGroup;
     const bool profile = group == step_of_profile || group == file_of_profile || group == form_of_profile;
@@ -134,14 +129,17 @@ bool SurfaceOptionRow::is_of_file() const {
     return group == file || group == file_of_profile || group == file_of_map;
 }
 
-OptionTraits SurfaceOptionRow::traits(SurfaceKind kind) const {
-    OptionTraits traits{.low = static_cast<double>(more.low), .high = static_cast<double>(more.high)};
-    if (more.words) traits.words = more.words(kind);
-    return traits;
-}
-
-std::string SurfaceOptionRow::range() const {
-    return "from " + std::to_string(more.low) + " to " + std::to_string(more.high);
+Field SurfaceOptionRow::field_for(SurfaceKind kind) const {
+    const bool of_profile = kind == SurfaceKind::profile && !more.help_of_profile.empty(),
+               of_map = kind == SurfaceKind::map && !more.help_of_map.empty();
+    Field field{.help = std::string(of_profile ? more.help_of_profile
+                                    : of_map   ? more.help_of_map
+                                               : help),
+                .low = static_cast<double>(more.low),
+                .high = static_cast<double>(more.high),
+                .form = more.form};
+    if (more.words) field.words = more.words(kind);
+    return field;
 }
 
 std::span<const SurfaceOptionRow> surface_option_table() { return of_surface::rows; }

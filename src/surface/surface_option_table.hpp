@@ -34,13 +34,10 @@ enum class OptionGroup {
 };
 
 /// The field of an option, whose type is the kind of its value.
-using SurfaceField = std::variant<std::string SurfaceOptions::*, Lengths SurfaceOptions::*, int SurfaceOptions::*,
+using SurfaceField = std::variant<std::string SurfaceOptions::*, Amount SurfaceOptions::*, int SurfaceOptions::*,
                                   double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
                                   std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
                                   parts::PeakSource SurfaceOptions::*>;
-
-/// Forms of a text in a scene, other than a plain text.
-enum class TextForm { plain, or_number, file };
 
 /// When an option is in a JSON document.
 enum class Echo { always, if_not_default };
@@ -55,22 +52,19 @@ struct SurfaceOptionRow {
     struct More {
         std::string_view help_of_profile{}, help_of_map{};  ///< where only these are read, and it is another
         int low = 0, high = 0;                              ///< of a number, both allowed
-        TextForm form = TextForm::plain;
+        request::Form form = request::Form::plain;
         std::vector<std::string_view> (*words)(SurfaceKind) = nullptr;  ///< of a text: those of the command line
         std::string_view flag{}, json{};  ///< its names on the command line and in documents, where they are others
     } more{};
 
     [[nodiscard]] std::string flag_name() const;
     [[nodiscard]] std::string_view json_name() const { return more.json.empty() ? key : more.json; }
-    [[nodiscard]] std::string_view help_for(SurfaceKind kind) const;
     /// Whether a command that reads \p kind has a use for it.
     [[nodiscard]] bool is_for(SurfaceKind kind) const;
     /// Whether it has no meaning for heights in memory.
     [[nodiscard]] bool is_of_file() const;
-    /// Its range and words for \p kind, as those of a request.
-    [[nodiscard]] OptionTraits traits(SurfaceKind kind) const;
-    /// "from 3 to 1000".
-    [[nodiscard]] std::string range() const;
+    /// Its help, range and words where \p kind is read.
+    [[nodiscard]] Field field_for(SurfaceKind kind) const;
     /// \p call(options.*field), with the type of the field.
     template <class Options, class Call>
     decltype(auto) visit(Options& options, const Call& call) const {
@@ -86,6 +80,13 @@ struct SurfaceOptionRow {
 [[nodiscard]] std::span<const SurfaceOptionRow> surface_option_table();
 /// The row of \p key. \throws std::logic_error for a key that is none.
 [[nodiscard]] const SurfaceOptionRow& surface_option(std::string_view key);
+
+template <class Take>
+void SurfaceOptions::each_field(Take take) {
+    take("file", file, Field{.form = request::Form::file});
+    for (const SurfaceOptionRow& row : surface_option_table())
+        row.visit(*this, [&](auto& to) { take(row.key, to, row.field_for(SurfaceKind::any)); });
+}
 
 /// Columns of a profile of text, as io/number_table.hpp bounds them.
 inline constexpr int most_columns = static_cast<int>(io::max_profile_columns);

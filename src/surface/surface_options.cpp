@@ -6,18 +6,9 @@
 #include <fstiff/io/quantity.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fstiff::scene {
 namespace {
-
-/// A length greater than 0 that came as a number.
-double positive_metres(double metres, std::string_view name) {
-    if (!(metres > 0 && std::isfinite(metres)))
-        throw domain_error(
-            {.parameter = name, .value = "\"" + parts::shortest_text(metres) + " m\"", .allowed = "greater than 0"});
-    return metres;
-}
 
 /// The parts of \p text between its commas.
 std::vector<std::string> split_at_commas(const std::string& text) {
@@ -39,25 +30,13 @@ bool is_bare_zero(const std::string& text) {
 
 }  // namespace
 
-std::string Lengths::text() const {
-    if (metres_.empty()) return text_;
-    std::string all;
-    for (const double one : metres_) all += (all.empty() ? "" : ",") + parts::shortest_text(one) + " m";
-    return all;
+double parse_length(const Amount& given, std::string_view name) {
+    return parse_positive(given.text("m"), io::Dimension::length, name);
 }
 
-double parse_length(const Lengths& given, std::string_view name) {
-    if (given.metres().empty()) return parse_positive(given.text(), io::Dimension::length, name);
-    if (given.metres().size() != 1)
-        throw domain_error({.parameter = name, .value = "\"" + given.text() + "\"", .allowed = "one length"});
-    return positive_metres(given.metres().front(), name);
-}
-
-LagWindow<double> parse_window(const Lengths& given, std::string_view name) {
-    std::vector<Lengths> ends(given.metres().begin(), given.metres().end());
-    if (ends.empty())
-        for (std::string& part : split_at_commas(given.text())) ends.emplace_back(std::move(part));
-    const std::string quoted = std::string(name) + " = \"" + given.text() + "\": ";
+LagWindow<double> parse_window(const Amount& given, std::string_view name) {
+    const std::vector<std::string> ends = split_at_commas(given.text("m"));
+    const std::string quoted = std::string(name) + " = \"" + given.text("m") + "\": ";
     if (ends.size() < 2) throw option_error(quoted + "must be two lengths, such as \"1 um,100 um\"");
     if (ends.size() > 2)
         throw option_error(quoted + "must be two lengths with one comma between them; the decimal mark is the point");
@@ -66,17 +45,17 @@ LagWindow<double> parse_window(const Lengths& given, std::string_view name) {
     return window;
 }
 
-std::vector<double> parse_lengths(const Lengths& given, std::string_view name) {
-    if (!given.metres().empty()) return given.metres();
+std::vector<double> parse_lengths(const Amount& given, std::string_view name) {
+    if (!given.numbers().empty()) return given.numbers();
     std::vector<double> values;
     for (const std::string& part : split_at_commas(given.text()))
         values.push_back(is_bare_zero(part) ? 0 : io::parse_quantity(part, io::Dimension::length, name));
     return values;
 }
 
-CutOff<double> parse_cut_off(const Lengths& given, std::string_view name) {
-    if (given.empty() || given == Lengths("auto")) return {};
-    if (given == Lengths("none")) return no_cut_off;
+CutOff<double> parse_cut_off(const Amount& given, std::string_view name) {
+    if (given.empty() || given == Amount("auto")) return {};
+    if (given == Amount("none")) return no_cut_off;
     return parse_length(given, name);
 }
 

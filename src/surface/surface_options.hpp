@@ -2,6 +2,8 @@
 #pragma once
 // The options of a measured surface. surface_option_table.hpp has their names, ranges and help.
 
+#include "request/field.hpp"
+
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/measured/measure_options.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -14,35 +16,16 @@
 
 namespace fstiff::scene {
 
-/// The lengths of one option: a text such as "1 um" or "1 um,100 um", numbers [m], or a word of the option. A text is
-/// read where the lengths are needed, so that a refusal quotes it after the name of the file.
-class Lengths {
-public:
-    Lengths() = default;  ///< none
-    Lengths(std::string text) : text_(std::move(text)) {}
-    Lengths(const char* text) : text_(text) {}
-    Lengths(double metres) : metres_{metres} {}
-    Lengths(std::vector<double> metres) : metres_(std::move(metres)) {}
-
-    [[nodiscard]] bool empty() const { return text_.empty() && metres_.empty(); }
-    /// As it was written; numbers with their unit, m.
-    [[nodiscard]] std::string text() const;
-    /// The numbers [m]; none of a text.
-    [[nodiscard]] const std::vector<double>& metres() const { return metres_; }
-    bool operator==(const Lengths&) const = default;
-
-private:
-    std::string text_;
-    std::vector<double> metres_;
-};
+using request::Amount;
+using request::Field;
 
 /// How a file is read, cleaned and measured. What is left empty is taken from the file, or by default.
 struct SurfaceOptions {
     std::string file;  ///< "-" is standard input
     io::SurfaceFormat format = io::SurfaceFormat::automatic;
     std::string units;                              ///< "um,nm" (lengths, heights) or "um" (both)
-    Lengths spacing;                                ///< of a profile
-    Lengths dx, dy, width, height;                  ///< of a matrix
+    Amount spacing;                                 ///< of a profile
+    Amount dx, dy, width, height;                   ///< of a matrix
     int column = 0;                                 ///< of the heights of a profile, counted from 1
     int x_column = 0;                               ///< of its positions
     std::string missing;                            ///< marks missing points of a text: "-9999", or "none"
@@ -50,21 +33,24 @@ struct SurfaceOptions {
     bool resample = false;                          ///< unequally spaced positions of a profile are interpolated
     std::optional<io::X3pIncrement> x3p_increment;  ///< none: apply
     std::string channel;                            ///< of gwy: its number or its title
-    Lengths crop;                                   ///< a part of the surface: x0, x1, and y0, y1 of a map
+    Amount crop;                                    ///< a part of the surface: x0, x1, and y0, y1 of a map
     std::string mask;                               ///< a file of 0 and 1
     double spikes = 0;                              ///< become missing beyond so many standard deviations; 0: none
     bool fill = false;                              ///< missing points are filled
     std::string detrend;                            ///< empty: "line" of a profile, "plane" of a map
-    Lengths cutoff;                                 ///< of detrend = "gaussian"
-    Lengths lambda_s, lambda_c;  ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
+    Amount cutoff;                                  ///< of detrend = "gaussian"
+    Amount lambda_s, lambda_c;  ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
     CutOffFilter filter = CutOffFilter::gaussian;          ///< of lambda_c
     parts::PeakSource peaks = parts::PeakSource::islands;  ///< of a map
-    Lengths tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
-    Lengths window;                  ///< of the lags that give D: the shortest and the longest
+    Amount tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
+    Amount window;                  ///< of the lags that give D: the shortest and the longest
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
     std::string_view prefix{};
     std::string_view format_name = "format";
 
+    /// The file and every option; defined with their table, in surface_option_table.hpp.
+    template <class Take>
+    void each_field(Take take);
     /// How messages call the option of \p key: "x_column", or "--x-column" on a command line.
     [[nodiscard]] std::string name(std::string_view key) const;
 };
@@ -73,13 +59,13 @@ struct SurfaceOptions {
 inline constexpr std::string_view gaussian_form = "gaussian";
 
 /// One length greater than 0 [m], of the option called \p name in messages. \throws domain_error, which quotes it.
-[[nodiscard]] double parse_length(const Lengths& given, std::string_view name);
+[[nodiscard]] double parse_length(const Amount& given, std::string_view name);
 /// Two lengths greater than 0, the first the shorter.
 /// \throws option_error unless they are two and rise, domain_error as above.
-[[nodiscard]] LagWindow<double> parse_window(const Lengths& given, std::string_view name);
+[[nodiscard]] LagWindow<double> parse_window(const Amount& given, std::string_view name);
 /// Any number of lengths, which may be 0. \throws domain_error for a text that is none.
-[[nodiscard]] std::vector<double> parse_lengths(const Lengths& given, std::string_view name);
+[[nodiscard]] std::vector<double> parse_lengths(const Amount& given, std::string_view name);
 /// A cut-off: a length greater than 0, "none", or "auto" (or empty). \throws domain_error as above.
-[[nodiscard]] CutOff<double> parse_cut_off(const Lengths& given, std::string_view name);
+[[nodiscard]] CutOff<double> parse_cut_off(const Amount& given, std::string_view name);
 
 }  // namespace fstiff::scene

@@ -35,7 +35,7 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
         throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
     for (const double pressure : options.pressures) require_positive("pressure", pressure);
     SurfaceOptions surface = options.surface;
-    if (const std::string text = surface.lambda_s.text(); text.empty() || text == "auto")
+    if (const std::string text = surface.lambda_s.text("m"); text.empty() || text == "auto")
         surface.lambda_s = "none";  // K is of all short waves
     const parts::PreparedMap<double> map = level_map(surface, input);
     TruthOfMap solved;

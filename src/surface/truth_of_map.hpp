@@ -25,10 +25,12 @@ struct TruthRequest {
     ProgressHook progress{};
 
     template <class Take>
-    void each_option(Take take) {
-        take("points", points, "points along the longer side after coarsening the map; the default is 256",
-             {.low = 16, .high = 4096});
-        take("edges", edges, "continuation of the map beyond its edges: mirrored (default) or periodic");
+    void each_field(Take take) {
+        take("points", points,
+             {.help = "points along the longer side after coarsening the map; the default is 256",
+              .low = 16,
+              .high = 4096});
+        take("edges", edges, {.help = "continuation of the map beyond its edges: mirrored (default) or periodic"});
     }
 };
 

@@ -16,21 +16,12 @@ namespace fstiff::sweep {
 namespace {
 
 using io::Dimension;
+using request::Field;
 using scene::Section;
 using scene::Source;
 
 constexpr std::uint64_t most_scenes = std::uint64_t(1) << 53;  // whole numbers that JSON readers keep
 constexpr std::array<std::string_view, 3> kinds{"normal", "lognormal", "uniform"};
-
-/// A whole number of TOML, of which 1e18 is none.
-std::uint64_t whole_number(const Source& source, const toml::node& node, const std::string& key, std::uint64_t least) {
-    const auto number = node.is_integer() ? node.as_integer()->get() : -1;
-    if (number < static_cast<std::int64_t>(least) || static_cast<std::uint64_t>(number) > most_scenes)
-        source.refuse(node, key,
-                      "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most_scenes) +
-                          ", written without a point and an exponent");
-    return static_cast<std::uint64_t>(number);
-}
 
 /// A swept quantity as it was found, with its place for the order of the axes.
 struct Found {
@@ -53,7 +44,12 @@ bool names_text(const std::string& key) {
 
 /// \p node as a number, with a unit of any kind; none for other texts, lists, tables.
 std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node& node, const std::string& key) {
-    if (node.is_number()) return NumberWithUnit{source.plain(node, key), {}, node.is_integer()};
+    if (node.is_number()) {
+        double value = 0;
+        const auto number = scene::value_of(node);
+        source.located(node, [&] { request::put(number, value, key, {}); });
+        return NumberWithUnit{value, {}, node.is_integer()};
+    }
     if (!node.is_string()) return std::nullopt;
     const std::string text = scene::written(node);
     for (const auto& [dimension, name] : names<Dimension>) {
@@ -91,7 +87,8 @@ void read_range(Source& source, const toml::table& table, Found& found) {
     const Section section(source, table, key, {"from", "to", "count", "spacing"});
     const auto [from, to] =
         two_quantities(source, section.at("from"), section.at("to"), section.key("from"), section.key("to"));
-    const std::uint64_t count = whole_number(source, section.at("count"), section.key("count"), 2);
+    std::uint64_t count = 0;
+    source.read(section.at("count"), section.key("count"), count, {.low = 2, .high = most_scenes});
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
     const bool log = section.find("spacing")
                          ? source.choice(*section.find("spacing"), section.key("spacing"), spacings) == 0
@@ -248,23 +245,19 @@ void put(toml::table& root, const std::string& key, Node&& value) {
 /// [sweep]
 void read_sweep(Source& source, const toml::table* table, Grid& grid) {
     static const toml::table none;
-    const Section section(source, table ? *table : none, "sweep", {"mode", "samples", "seed", "tabulate"});
-    const auto whole = [&](std::string_view name, std::uint64_t least, std::uint64_t otherwise) {
-        const toml::node* node = section.find(name);
-        return node ? whole_number(source, *node, section.key(name), least) : otherwise;
-    };
-    if (const toml::node* node = section.find("mode")) grid.mode = source.choice<Mode>(*node, section.key("mode"));
     bool draws = false;
     for (const Axis& axis : grid.axes) draws = draws || axis.drawn;
+    grid.samples = draws ? 1000 : 1;
+    const auto fields = [&](auto take) {
+        take("mode", grid.mode, Field{});
+        take("samples", grid.samples, Field{.low = 1, .high = most_scenes});
+        take("seed", grid.seed, Field{});
+        take("tabulate", grid.tabulate, Field{});
+    };
+    const Section section(source, table ? *table : none, "sweep", request::keys_of(fields));
+    section.read(fields);
     if (section.find("samples") && !draws)
-        source.refuse(*section.find("samples"), section.key("samples"),
-                      "needs a distribution, such as { normal = [\"5 um\", \"0.2 um\"] }");
-    grid.samples = whole("samples", 1, draws ? 1000 : 1);
-    grid.seed = whole("seed", 0, grid.seed);
-    if (const toml::node* node = section.find("tabulate")) {
-        if (!node->is_boolean()) source.refuse(*node, section.key("tabulate"), "must be true or false");
-        grid.tabulate = node->as_boolean()->get();
-    }
+        section.refuse("samples", "needs a distribution, such as { normal = [\"5 um\", \"0.2 um\"] }");
 }
 
 /// Scenes of the grid. \throws domain_error for too many, and for axes of unlike length in zip mode.

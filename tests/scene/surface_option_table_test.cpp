@@ -22,7 +22,7 @@ namespace surface_option_table_test {
 
 namespace scene = fstiff::scene;
 using fstiff::parts::NamedEnum;
-using scene::Lengths;
+using scene::Amount;
 using scene::SurfaceOptionRow;
 using test::contains;
 
@@ -31,7 +31,7 @@ namespace {
 /// Puts a value that is not the default into an option.
 struct PutOther {
     void operator()(std::string& to) const { to = "other"; }
-    void operator()(Lengths& to) const { to = 2.5e-6; }
+    void operator()(Amount& to) const { to = 2.5e-6; }
     void operator()(int& to) const { to = 7; }
     void operator()(double& to) const { to = 7.5; }
     void operator()(bool& to) const { to = !to; }
@@ -58,11 +58,11 @@ struct Kind {
     const SurfaceOptionRow& row;
 
     std::string operator()(const std::string&) const {
-        return row.more.form == scene::TextForm::or_number ? "text or number" : "text";
+        return row.more.form == fstiff::request::Form::or_number ? "text or number" : "text";
     }
-    std::string operator()(const Lengths&) const { return "length"; }
-    std::string operator()(int) const { return "whole number " + row.range(); }
-    std::string operator()(double) const { return "number " + row.range(); }
+    std::string operator()(const Amount&) const { return "length"; }
+    std::string operator()(int) const { return row.field_for(scene::SurfaceKind::any).allowed(true).substr(2); }
+    std::string operator()(double) const { return row.field_for(scene::SurfaceKind::any).allowed().substr(2); }
     std::string operator()(bool) const { return "true or false"; }
     template <NamedEnum Enum>
     std::string operator()(Enum) const {
@@ -163,13 +163,13 @@ TEST_CASE("docs/scene.md has the table of the options of a surface") {
 
 TEST_CASE("Lengths are read from a text or taken as numbers, to the same bit") {
     for (const double metres : {1e-6, 0.1 * 3e-6, 1.0 / 3, 2.5e-9, 8e-4}) {
-        const Lengths number(metres), text(number.text());
-        CHECK(number.metres().front() == metres);
+        const Amount number(metres), text(number.text("m"));
+        CHECK(number.numbers().front() == metres);
         CHECK(scene::parse_length(number, "x") == metres);
         CHECK(scene::parse_length(text, "x") == metres);
         CHECK(scene::parse_cut_off(text, "x").length() == metres);
-        const Lengths two(std::vector<double>{metres, 10 * metres});
-        CHECK(scene::parse_lengths(Lengths(two.text()), "x") == two.metres());
+        const Amount two(std::vector<double>{metres, 10 * metres});
+        CHECK(scene::parse_lengths(Amount(two.text("m")), "x") == two.numbers());
         const auto window = scene::parse_window(two, "x");
         CHECK(window.from == metres);
         CHECK(window.to == 10 * metres);
@@ -183,18 +183,18 @@ TEST_CASE("Lengths are read from a text or taken as numbers, to the same bit") {
 
 TEST_CASE("Lengths that are numbers are refused as their text is") {
     for (const double metres : {0.0, -1e-6}) {
-        const Lengths number(metres), text(number.text());
+        const Amount number(metres), text(number.text("m"));
         CHECK(test::refusal([&] { (void)scene::parse_length(number, "--spacing"); }) ==
               test::refusal([&] { (void)scene::parse_length(text, "--spacing"); }));
     }
     const double infinity = std::numeric_limits<double>::infinity();
     CHECK(contains(test::refusal([&] { (void)scene::parse_length(infinity, "x"); }), "must be"));
-    const Lengths falling(std::vector<double>{2e-6, 1e-6}), three(std::vector<double>{1e-6, 2e-6, 3e-6});
-    for (const Lengths& wrong : {falling, three, Lengths(1e-6)})
+    const Amount falling(std::vector<double>{2e-6, 1e-6}), three(std::vector<double>{1e-6, 2e-6, 3e-6});
+    for (const Amount& wrong : {falling, three, Amount(1e-6)})
         CHECK(test::refusal([&] { (void)scene::parse_window(wrong, "x"); }) ==
-              test::refusal([&] { (void)scene::parse_window(Lengths(wrong.text()), "x"); }));
+              test::refusal([&] { (void)scene::parse_window(Amount(wrong.text("m")), "x"); }));
     CHECK(test::refusal([&] { (void)scene::parse_length(falling, "x"); }) ==
-          "x = \"2e-06 m,1e-06 m\": must be one length");
+          test::refusal([&] { (void)scene::parse_length("2e-06 m,1e-06 m", "x"); }));
 }
 
 }  // namespace surface_option_table_test

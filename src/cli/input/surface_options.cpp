@@ -9,9 +9,7 @@ namespace fstiff::cli {
 
 void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key, SurfaceKind kind) {
     const SurfaceOptionRow& row = surface_option(key);
-    row.visit(options, [&](auto& to) {
-        add_option(arguments, row.flag_name(), to, std::string(row.help_for(kind)), row.traits(kind));
-    });
+    row.visit(options, [&](auto& to) { add_option(arguments, row.flag_name(), to, row.field_for(kind)); });
 }
 
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind) {
