@@ -51,18 +51,18 @@ struct ExportRequest {
         take("tolerance", tolerance, {.help = "largest error of the pressure between two rows", .shows_default = true});
         take("slope_tolerance", slope_tolerance,
              {.help = "largest error of the slope between two rows, K of an elastic law", .shows_default = true});
-        take("from", from, {.help = "lowest pressure of the table; the default is that of the scene"});
-        take("until", until, {.help = "highest pressure of the table; the default is that of the scene"});
+        take("from", from, {"lowest pressure of the table; the default is that of the scene"});
+        take("until", until, {"highest pressure of the table; the default is that of the scene"});
         take("law", law,
-             {.help = "law of the scene; the default is that of the answer or, if the scene names laws, the first that "
-                      "gives a "
-                      "separation"});
+             {"law of the scene; the default is that of the answer or, if the scene names laws, the first that "
+              "gives a "
+              "separation"});
         take("peaks", peaks,
              {.help = "number of the entry in the scene's contact.peaks, from 1", .shows_default = true});
         take("at", at,
-             {.help = "pressure at which a friction card takes the tangential stiffness; the default is the "
-                      "logarithmic middle "
-                      "of the range"});
+             {"pressure at which a friction card takes the tangential stiffness; the default is the "
+              "logarithmic middle "
+              "of the range"});
     }
 };
 

@@ -61,7 +61,7 @@ struct IdentifyRequest {
              {.help = "law to fit; the default is contact.laws or, without it, plastic or hybrid",
               .words = fitted_law_names()});
         take("wave", wave,
-             {.help = "kind of wave whose reflection coefficients were measured: longitudinal (default) or shear"});
+             {"kind of wave whose reflection coefficients were measured: longitudinal (default) or shear"});
     }
 };
 

@@ -33,14 +33,13 @@ struct ReflectionRequest {
 
     template <class Take>
     void each_field(Take take) {
-        take("stiffness", stiffness, {.help = "normal contact stiffness K per nominal area, such as \"1.764 GPa/um\""});
-        take(
-            "reflection", reflection,
-            {.help = "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, "
-                     "reflection "
-                     "and, if known, reflection_error, to K(p); - is standard input"});
+        take("stiffness", stiffness, {"normal contact stiffness K per nominal area, such as \"1.764 GPa/um\""});
+        take("reflection", reflection,
+             {"reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, "
+              "reflection "
+              "and, if known, reflection_error, to K(p); - is standard input"});
         take("reflection_error", reflection_error,
-             {.help = "standard error of the reflection coefficient, where a file has no column of it"});
+             {"standard error of the reflection coefficient, where a file has no column of it"});
         take("frequency", frequency, {.help = "frequency of the wave, such as \"7 MHz\"", .required = true});
         const auto take_body = [&](BodyRequest& body, const std::string& suffix, const std::string& which) {
             take("impedance" + suffix, body.impedance, {.help = "impedance of " + which + ", such as \"46 MRayl\""});

@@ -31,13 +31,13 @@ struct FractalOptions {
     template <class Take>
     void each_field(Take take) {
         take("convention", convention,
-             {.help = "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien"});
-        take("seed", seed, {.help = "seed of the random numbers of the bootstrap; the default is 2014"});
+             {"constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien"});
+        take("seed", seed, {"seed of the random numbers of the bootstrap; the default is 2014"});
         take("resamples", resamples,
              {.help = "number of resamples of the bootstrap; the default is 200, and 0 leaves the bootstrap out",
               .low = 0,
               .high = 100000});
-        take("all_lags", all_lags, {.help = "compute the structure function at every lag (profiles only)"});
+        take("all_lags", all_lags, {"compute the structure function at every lag (profiles only)"});
     }
 };
 

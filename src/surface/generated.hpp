@@ -73,18 +73,17 @@ struct GenerateRequest {
              {.help = "number of rows of the map; the default is the number of points",
               .low = min_side,
               .high = max_points});
-        take("spacing", spacing, {.help = "distance between neighbouring points, such as \"0.5 um\""});
-        take("dimension", dimension, {.help = "fractal dimension D of a wm profile, between 1 and 2"});
-        take("roughness", roughness, {.help = "fractal roughness G of a wm profile, such as \"12 nm\""});
-        take("gamma", gamma, {.help = "ratio of neighbouring wavelengths of a wm profile; default 1.5"});
-        take("hurst", hurst,
-             {.help = "Hurst exponent H of a profile or map, between 0 and 1; a section has D = 2 - H"});
-        take("rms", rms, {.help = "rms height (Rq or Sq) of the profile or map, such as \"1 um\""});
-        take("longest", longest, {.help = "longest wavelength; the default is the longest side"});
-        take("shortest", shortest, {.help = "shortest wavelength; the default is two spacings"});
+        take("spacing", spacing, {"distance between neighbouring points, such as \"0.5 um\""});
+        take("dimension", dimension, {"fractal dimension D of a wm profile, between 1 and 2"});
+        take("roughness", roughness, {"fractal roughness G of a wm profile, such as \"12 nm\""});
+        take("gamma", gamma, {"ratio of neighbouring wavelengths of a wm profile; default 1.5"});
+        take("hurst", hurst, {"Hurst exponent H of a profile or map, between 0 and 1; a section has D = 2 - H"});
+        take("rms", rms, {"rms height (Rq or Sq) of the profile or map, such as \"1 um\""});
+        take("longest", longest, {"longest wavelength; the default is the longest side"});
+        take("shortest", shortest, {"shortest wavelength; the default is two spacings"});
         take("long_waves", long_waves,
-             {.help = "waves beyond the longest wavelength: plateau (default), as strong as it, or none"});
-        take("seed", seed, {.help = "seed of the random phases or amplitudes; the default is 1"});
+             {"waves beyond the longest wavelength: plateau (default), as strong as it, or none"});
+        take("seed", seed, {"seed of the random phases or amplitudes; the default is 1"});
         take("format", format, {.help = "form of the file: csv (default), sdf (binary) or sdf-text", .type = "FORMAT"});
     }
 };

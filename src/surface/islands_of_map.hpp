@@ -30,12 +30,11 @@ struct IslandsRequest {
         take(
             "neighbours", neighbours,
             {.help = "how many neighbours of a point can belong to its island: 8 (default) or 4", .words = {"4", "8"}});
-        take("border", border,
-             {.help = "whether islands that reach the edge of the map count: keep (default) or drop"});
+        take("border", border, {"whether islands that reach the edge of the map count: keep (default) or drop"});
         take("least_points", min_points,
              {.help = "smallest number of points of an island that counts; the default is 1", .low = 1, .high = 1e9});
         take("island_height", height,
-             {.help = "height of an island: peak (default), its highest point, or twice-mean, twice its mean height"});
+             {"height of an island: peak (default), its highest point, or twice-mean, twice its mean height"});
         take("levels", levels,
              {.help = "number of levels, at equal steps of bearing area; default 200, 0 for every height",
               .low = 0,
@@ -49,7 +48,7 @@ struct IslandsRequest {
              .high = 1e5});
         take("resamples", spread.resamples,
              {.help = "how often the tiles are drawn; the default is 400", .low = 2, .high = 1e5});
-        take("seed", spread.seed, {.help = "seed of the random numbers of the draws; the default is 2014"});
+        take("seed", spread.seed, {"seed of the random numbers of the draws; the default is 2014"});
     }
 };
 

@@ -30,7 +30,7 @@ struct MeasureOptions {
              {.help = "number of resamples that the standard errors are computed from; the default is 400",
               .low = 2,
               .high = 100000});
-        take("seed", seed, {.help = "seed of the random numbers of the resamples; the default is 2014"});
+        take("seed", seed, {"seed of the random numbers of the resamples; the default is 2014"});
     }
 };
 

@@ -29,14 +29,13 @@ struct PeakDensityRequest {
 
     template <class Take>
     void each_field(Take take) {
-        take("r", r, {.help = "correlation r of heights and curvatures, at least 0 and less than 1; needs --theta"});
-        take("theta", theta, {.help = "angle theta of the sampling: a number of radians, \"pi/4\" or \"45 deg\""});
-        take("exponential", exponential,
-             {.help = "take the r that belongs to --theta for an exponential autocorrelation"});
-        take("rho1", rho1, {.help = "autocorrelation at one sampling step, with --rho2"});
-        take("rho2", rho2, {.help = "autocorrelation at two sampling steps"});
+        take("r", r, {"correlation r of heights and curvatures, at least 0 and less than 1; needs --theta"});
+        take("theta", theta, {"angle theta of the sampling: a number of radians, \"pi/4\" or \"45 deg\""});
+        take("exponential", exponential, {"take the r that belongs to --theta for an exponential autocorrelation"});
+        take("rho1", rho1, {"autocorrelation at one sampling step, with --rho2"});
+        take("rho2", rho2, {"autocorrelation at two sampling steps"});
         take("heights", heights,
-             {.help = "FROM,TO,COUNT: print a table of the probability density of the height alone (Fig. 2)"});
+             {"FROM,TO,COUNT: print a table of the probability density of the height alone (Fig. 2)"});
     }
 };
 

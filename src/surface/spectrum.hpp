@@ -37,11 +37,10 @@ struct SpectrumRequest {
 
     template <class Take>
     void each_field(Take take) {
-        take("of", of, {.help = "psd (default), the power spectral density, or acf, the autocorrelation function"});
+        take("of", of, {"psd (default), the power spectral density, or acf, the autocorrelation function"});
         take("taper", taper,
-             {.help =
-                  "window that the heights are multiplied by before a psd: hann (default), or none for a surface that "
-                  "repeats itself"});
+             {"window that the heights are multiplied by before a psd: hann (default), or none for a surface that "
+              "repeats itself"});
     }
 };
 

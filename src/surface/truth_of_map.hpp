@@ -30,7 +30,7 @@ struct TruthRequest {
              {.help = "points along the longer side after coarsening the map; the default is 256",
               .low = 16,
               .high = 4096});
-        take("edges", edges, {.help = "continuation of the map beyond its edges: mirrored (default) or periodic"});
+        take("edges", edges, {"continuation of the map beyond its edges: mirrored (default) or periodic"});
     }
 };
 

@@ -3,7 +3,6 @@
 // tabulated law.
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
-#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "scene/exported_law.hpp"
 
@@ -42,7 +41,7 @@ Command add_export(Arguments& command) {
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
         "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
-    add_request_options(command, request);
+    command.fields(request);
     add_output_option(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

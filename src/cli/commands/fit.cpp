@@ -4,7 +4,6 @@
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "input/progress.hpp"
-#include "input/request_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/fractal.hpp"
 
@@ -170,14 +169,12 @@ Report execute(const Options& options) {
 Command add_fit(Arguments& command) {
     using namespace fit_command;
     auto options = std::make_shared<Options>();
-    command
-        .option("profile", options->fractal.surface.file,
-                "profile or map, as fstiff formats lists them; - is standard input")
-        .required();
+    command.option("profile", options->fractal.surface.file,
+                   {.help = "profile or map, as fstiff formats lists them; - is standard input", .required = true});
     add_surface_options(command, options->fractal.surface);
     for (const char* key : {"window", "tip_radius", "resolution"})
         add_surface_option(command, options->fractal.surface, key);
-    add_request_options(command, options->fractal);
+    command.fields(options->fractal);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff generate: Weierstrass-Mandelbrot profiles, self-affine Gaussian profiles and maps, as files to read back.
 #include "commands/commands.hpp"
-#include "input/request_options.hpp"
 #include "surface/generated.hpp"
 
 #include <memory>
@@ -31,7 +30,7 @@ Command add_generate(Arguments& command) {
     auto options = std::make_shared<Options>();
     GenerateRequest& request = options->request;
     request.prefix = "--";
-    add_request_options(command, request);
+    command.fields(request);
     add_output_option(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

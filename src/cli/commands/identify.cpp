@@ -2,7 +2,6 @@
 // fstiff identify: parameters of a scene from a measured K(p) or R(p), one fit per law and peak density.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
-#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "picture/fit_figure.hpp"
 #include "scene/identified.hpp"
@@ -168,7 +167,7 @@ Command add_identify(Arguments& command) {
     add_scene_options(command, options->scene,
                       "scene file (TOML) with the starting values; - is standard input; without it the fine "
                       "sand-blasted surface of the paper");
-    add_request_options(command, request);
+    command.fields(request);
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw the fit and its residuals");
     return {&options->output, [options] { return execute(*options); }};

@@ -4,7 +4,6 @@
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "input/progress.hpp"
-#include "input/request_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/islands_of_map.hpp"
 
@@ -81,10 +80,10 @@ Report execute(const Options& options) {
 Command add_islands(Arguments& command) {
     using namespace islands_command;
     auto options = std::make_shared<Options>();
-    command.option("map", options->islands.surface.file, "map, as fstiff formats lists them; - is standard input")
-        .required();
+    command.option("map", options->islands.surface.file,
+                   {.help = "map, as fstiff formats lists them; - is standard input", .required = true});
     add_surface_options(command, options->islands.surface, SurfaceKind::map);
-    add_request_options(command, options->islands);
+    command.fields(options->islands);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

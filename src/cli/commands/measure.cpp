@@ -5,7 +5,6 @@
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "input/progress.hpp"
-#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
@@ -171,26 +170,29 @@ Command add_measure(Arguments& command) {
     using namespace measure_command;
     auto options = std::make_shared<Options>();
     scene::MeasureOptions& measure = options->measure;
-    command
-        .option("files", options->files,
-                "profile or map of any form; - is standard input. Several files of one surface, or a folder of them, "
-                "are pooled")
-        .required();
+    command.option(
+        "files", options->files,
+        {.help = "profile or map of any form; - is standard input. Several files of one surface, or a folder of them, "
+                 "are pooled",
+         .required = true,
+         .form = request::Form::file});
     add_surface_options(command, measure.input);
     for (const char* key : {"peaks", "tip_radius", "resolution", "window"})
         add_surface_option(command, measure.input, key);
-    add_request_options(command, measure);
-    command.flag("--scales", options->scales,
-                 "repeat the measurement and K with the cut-offs varied by factors of two, to show their influence");
-    command.option("--pressure", options->pressure, "nominal pressure of the K of --scales").show_default();
-    command
-        .option("--modulus", options->modulus, "effective modulus of the K of --scales; the default is steel on steel")
-        .show_default();
-    command
-        .option("--show", options->show,
-                "another analysis of the file, with its own options (--show fit --help lists them): fit (D and G), "
-                "islands (for a map), peaks (for a profile) or spectrum")
-        .one_of({"fit", "islands", "peaks", "spectrum"});
+    command.fields(measure);
+    command.option(
+        "--scales", options->scales,
+        {"repeat the measurement and K with the cut-offs varied by factors of two, to show their influence"});
+    command.option("--pressure", options->pressure,
+                   {.help = "nominal pressure of the K of --scales", .shows_default = true});
+    command.option(
+        "--modulus", options->modulus,
+        {.help = "effective modulus of the K of --scales; the default is steel on steel", .shows_default = true});
+    command.option(
+        "--show", options->show,
+        {.help = "another analysis of the file, with its own options (--show fit --help lists them): fit (D and G), "
+                 "islands (for a map), peaks (for a profile) or spectrum",
+         .words = {"fit", "islands", "peaks", "spectrum"}});
     add_picture_option(command, options->picture, "draw what --scales computes");
     add_output_options(command, options->output, Format::json);
     return {&options->output, [options] { return execute(*options); }};

@@ -36,9 +36,12 @@ Report execute(const Options& options) {
 Command add_merge(Arguments& command) {
     using namespace merge_command;
     auto options = std::make_shared<Options>();
-    command.option("files", options->files, "files of results of fstiff sweep; names in .sweep are left out")
-        .required();
-    command.option("-o,--output", options->merged, "file of all results, lines of JSON").type_name("FILE").required();
+    command.option("files", options->files,
+                   {.help = "files of results of fstiff sweep; names in .sweep are left out",
+                    .required = true,
+                    .form = request::Form::file});
+    command.option("-o,--output", options->merged,
+                   {.help = "file of all results, lines of JSON", .required = true, .type = "FILE"});
     return {&options->output, [options] { return execute(*options); }};
 }
 

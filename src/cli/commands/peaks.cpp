@@ -3,7 +3,6 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
-#include "input/request_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/peak_density.hpp"
 
@@ -64,9 +63,9 @@ Command add_peaks(Arguments& command) {
     auto options = std::make_shared<Options>();
     PeakDensityRequest& request = options->request;
     request.profile = "--profile";
-    add_request_options(command, request);
+    command.fields(request);
     command.option("profile,--profile", request.surface.file,
-                   "measured profile, as fstiff formats lists them; - is standard input");
+                   {"measured profile, as fstiff formats lists them; - is standard input"});
     add_surface_options(command, request.surface, SurfaceKind::profile);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};

@@ -363,9 +363,10 @@ Command add_report(Arguments& command) {
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
         "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
-    command.option("-o,--output", options->place, "the page, FILE.html, or a folder for report.html; made when missing")
-        .type_name("FILE")
-        .required();
+    command.option("-o,--output", options->place,
+                   {.help = "the page, FILE.html, or a folder for report.html; made when missing",
+                    .required = true,
+                    .type = "FILE"});
     add_format_option(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

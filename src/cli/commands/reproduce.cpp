@@ -169,9 +169,9 @@ Report execute(const Options& options) {
 Command add_reproduce(Arguments& command) {
     using namespace reproduce_command;
     auto options = std::make_shared<Options>();
-    command.option("-o,--output", options->folder, "folder for the figures and index.html; made when missing")
-        .type_name("FOLDER")
-        .required();
+    command.option(
+        "-o,--output", options->folder,
+        {.help = "folder for the figures and index.html; made when missing", .required = true, .type = "FOLDER"});
     add_format_option(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

@@ -78,9 +78,9 @@ Command add_run(Arguments& command) {
                       "profile, map, or JSON of fstiff measure, in place of the scene's [surface] and contact.peaks; "
                       "- is standard input");
     add_output_options(command, options->output);
-    command.flag("--full", options->full, "the table has every point and quantity, not a summary");
+    command.option("--full", options->full, {"the table has every point and quantity, not a summary"});
     add_picture_option(command, options->picture, "draw K(p)");
-    command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
+    command.option("--example", options->example, {"print a scene with comments, to begin one of your own"});
     return {&options->output, [options] { return execute(*options); }};
 }
 

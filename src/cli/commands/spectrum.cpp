@@ -4,7 +4,6 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "document/shown_unit.hpp"
-#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
@@ -135,11 +134,9 @@ Report execute(const Options& options) {
 Command add_spectrum(Arguments& command) {
     using namespace spectrum_command;
     auto options = std::make_shared<Options>();
-    command
-        .option("file", options->request.surface.file,
-                "profile or map, as fstiff formats lists them; - is standard input")
-        .required();
-    add_request_options(command, options->request);
+    command.option("file", options->request.surface.file,
+                   {.help = "profile or map, as fstiff formats lists them; - is standard input", .required = true});
+    command.fields(options->request);
     add_surface_options(command, options->request.surface);
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw the curves");

@@ -208,21 +208,22 @@ Report execute(const Options& options) {
 Command add_sweep(Arguments& command) {
     using namespace sweep_command;
     auto options = std::make_shared<Options>();
-    command.option("grid", options->grid, "scene file (TOML) with swept quantities; - is standard input");
-    command
-        .option("-o,--output", options->results,
-                "file of results, one JSON object a line; {shard} in its name is the number of the shard. An "
-                "interrupted run continues with the same arguments")
-        .type_name("FILE");
-    command.option("--threads", options->threads, "threads that compute; the default is one for each core")
-        .between(1, 4096);
+    command.option("grid", options->grid, {"scene file (TOML) with swept quantities; - is standard input"});
+    command.option(
+        "-o,--output", options->results,
+        {.help = "file of results, one JSON object a line; {shard} in its name is the number of the shard. An "
+                 "interrupted run continues with the same arguments",
+         .type = "FILE"});
+    command.option("--threads", options->threads,
+                   {.help = "threads that compute; the default is one for each core", .low = 1, .high = 4096});
     command.option("--shard", options->shard,
-                   "part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun");
+                   {"part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun"});
     add_picture_option(command, options->picture, "draw K against the swept quantities");
-    command.flag("--sensitivity", options->sensitivity,
-                 "print which share of the variance of K each distributed input has");
-    command.flag("--merge", options->merge, "put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl");
-    command.flag("--example", options->example, "print a grid with comments, to begin one of your own");
+    command.option("--sensitivity", options->sensitivity,
+                   {"print which share of the variance of K each distributed input has"});
+    command.option("--merge", options->merge,
+                   {"put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl"});
+    command.option("--example", options->example, {"print a grid with comments, to begin one of your own"});
     return {&options->output, [options] { return execute(*options); }};
 }
 

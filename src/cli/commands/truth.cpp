@@ -3,7 +3,6 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "input/progress.hpp"
-#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/truth_of_map.hpp"
@@ -86,14 +85,15 @@ Report execute(const Options& options) {
 Command add_truth(Arguments& command) {
     using namespace truth_command;
     auto options = std::make_shared<Options>();
-    command.option("file", options->truth.surface.file, "map of any form; - is standard input").required();
+    command.option("file", options->truth.surface.file,
+                   {.help = "map of any form; - is standard input", .required = true});
     add_surface_options(command, options->truth.surface);
     command.option("--scene", options->scene,
-                   "scene that gives material and pressures; the default is the built-in scene");
-    command.option("--pressures", options->pressures, "nominal pressures instead, such as \"1 MPa,10 MPa\"");
-    command.option("--modulus", options->modulus, "effective modulus instead of that of the material");
-    command.option("--hardness", options->hardness, "hardness at which pressures are cut; the default is elastic");
-    add_request_options(command, options->truth);
+                   {"scene that gives material and pressures; the default is the built-in scene"});
+    command.option("--pressures", options->pressures, {"nominal pressures instead, such as \"1 MPa,10 MPa\""});
+    command.option("--modulus", options->modulus, {"effective modulus instead of that of the material"});
+    command.option("--hardness", options->hardness, {"hardness at which pressures are cut; the default is elastic"});
+    command.fields(options->truth);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

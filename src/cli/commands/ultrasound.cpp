@@ -2,7 +2,6 @@
 // fstiff ultrasound: reflection of an interface from its stiffness, or the stiffness from measured reflections.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
-#include "input/request_options.hpp"
 #include "scene/reflections.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -58,7 +57,7 @@ Command add_ultrasound(Arguments& command) {
     auto options = std::make_shared<Options>();
     ReflectionRequest& request = options->request;
     request.prefix = "--";
-    add_request_options(command, request);
+    command.fields(request);
     add_output_options(command, options->output);
     return {&options->output, [options] { return execute(*options); }};
 }

@@ -9,32 +9,17 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <limits>
 #include <sstream>
 #include <system_error>
-#include <type_traits>
 
 namespace fstiff::cli {
 
 extern const char* const bash_completion;  // of input/completion.bash
 
 namespace {
-
-/// A whole number that is not negative. CLI11 would take -1 for the greatest one.
-template <class Unsigned>
-CLI::Option* add_whole(CLI::App& app, const std::string& name, Unsigned& target, const std::string& help) {
-    const auto take = [&target, name](const std::string& text) {
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), target);
-        if (error != std::errc() || end != text.data() + text.size())
-            throw CLI::ValidationError(name + " = " + text, "must be a whole number from 0 to " +
-                                                                std::to_string(std::numeric_limits<Unsigned>::max()));
-    };
-    return app.add_option_function<std::string>(name, take, help)->type_name("UINT");
-}
 
 /// How many letters must be put in, left out, replaced or swapped with their neighbour to make \p a of \p b.
 std::size_t edits(std::string_view a, std::string_view b) {
@@ -123,75 +108,39 @@ void refuse_empty(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Option& Option::required() {
-    option_->required();
-    return *this;
-}
-Option& Option::type_name(const std::string& name) {
-    option_->type_name(name);
-    return *this;
-}
-Option& Option::one_of(std::span<const std::string_view> values) {
-    option_->check(CLI::IsMember(std::vector<std::string>(values.begin(), values.end())));
-    return *this;
-}
-Option& Option::one_of(std::initializer_list<const char*> values) {
-    return one_of(std::vector<std::string_view>(values.begin(), values.end()));
-}
-Option& Option::one_of(std::initializer_list<int> values) {
-    option_->check(CLI::IsMember(values));
-    return *this;
-}
-Option& Option::between(int least, int greatest) {
-    option_->check(CLI::Range(least, greatest));
-    return *this;
-}
-Option& Option::between(double least, double greatest) {
-    const std::string from = parts::shortest_text(least),
-                      to = parts::shortest_text(greatest);  // CLI::Range would show six decimals
-    const auto refusal = [=](const std::string& text) {
-        double value = 0;
-        return CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest
-                   ? std::string()
-                   : "Value " + text + " not in range " + from + " to " + to;
+void Arguments::add(const std::string& name, const request::Field& field, const char* kind, const std::string& initial,
+                    const std::function<void(const request::Value&)>& take) {
+    using request::Value;
+    const auto taken = [take](const Value& value) {
+        try {
+            take(value);
+        } catch (const domain_error& error) {
+            throw CLI::ValidationError(error.what());
+        }
     };
-    option_->check(refusal, "FLOAT in [" + from + " - " + to + "]");
-    return *this;
+    const bool several = std::string_view(kind) == "TEXT ...", are_files = field.form == request::Form::file;
+    CLI::Option* option =
+        several ? app_->add_option_function<std::vector<std::string>>(
+                      name,
+                      [taken](const std::vector<std::string>& texts) {
+                          Value list{.kind = Value::Kind::list};
+                          for (const std::string& text : texts) list.items.push_back({.written = text});
+                          taken(list);
+                      },
+                      field.help)
+                : app_->add_option_function<std::string>(
+                      name, [taken](const std::string& text) { taken(Value::of_line(text)); }, field.help);
+    if (several && !are_files) option->delimiter(',');
+    std::string type(several ? "TEXT" : kind), words;
+    if (field.has_range())
+        type += ":" + type + " in [" + parts::shortest_text(field.low) + " - " + parts::shortest_text(field.high) + "]";
+    if (!field.type.empty()) type = field.type;
+    for (const std::string_view word : field.words) words += (words.empty() ? "" : ",") + std::string(word);
+    option->type_name(type + (words.empty() ? "" : ":{" + words + "}"));
+    option->required(field.required);
+    if (field.shows_default) option->default_str(initial);
 }
-Option& Option::between(std::uint64_t least, std::uint64_t greatest) {
-    option_->check(CLI::Range(least, greatest));
-    return *this;
-}
-Option& Option::delimiter(char separator) {
-    option_->delimiter(separator);
-    return *this;
-}
-Option& Option::show_default() {
-    option_->capture_default_str();
-    return *this;
-}
-
-template <class Target>
-Option Arguments::option(const std::string& name, Target& target, const std::string& help) {
-    if constexpr (std::is_unsigned_v<Target>)
-        return Option(add_whole(*app_, name, target, help));
-    else
-        return Option(app_->add_option(name, target, help));
-}
-template Option Arguments::option(const std::string&, std::string&, const std::string&);
-template Option Arguments::option(const std::string&, std::vector<std::string>&, const std::string&);
-template Option Arguments::option(const std::string&, int&, const std::string&);
-template Option Arguments::option(const std::string&, unsigned long&, const std::string&);
-template Option Arguments::option(const std::string&, unsigned long long&, const std::string&);
-template Option Arguments::option(const std::string&, double&, const std::string&);
-template Option Arguments::option(const std::string&, std::optional<double>&, const std::string&);
-Option Arguments::option(const std::string& name, const std::function<void(const std::string&)>& take,
-                         const std::string& help) {
-    return Option(app_->add_option_function<std::string>(name, take, help));
-}
-void Arguments::flag(const std::string& name, bool& target, const std::string& help) {
-    app_->add_flag(name, target, help);
-}
+void Arguments::flag(const std::string& name, bool& to, const std::string& help) { app_->add_flag(name, to, help); }
 
 namespace {
 

@@ -3,84 +3,85 @@
 // The command line. CLI11 parses it, which arguments.cpp alone includes.
 
 #include "document/output.hpp"
+#include "request/field.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/core/names.hpp>
 
-#include <concepts>
-#include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace fstiff::cli {
-
-/// Further properties of one option.
-class Option {
-public:
-    explicit Option(CLI::Option* option) : option_(option) {}
-    Option& required();
-    Option& type_name(const std::string& name);
-    Option& one_of(std::span<const std::string_view> values);
-    Option& one_of(std::initializer_list<const char*> values);
-    Option& one_of(std::initializer_list<int> values);
-    Option& between(int least, int greatest);
-    Option& between(double least, double greatest);
-    Option& between(std::uint64_t least, std::uint64_t greatest);
-    /// Several values in one argument, with \p separator between them.
-    Option& delimiter(char separator);
-    /// Shows the present value of the target as the default in the help.
-    Option& show_default();
-
-private:
-    CLI::Option* option_;
-};
 
 /// The options of a command; they write into the targets, which must live as long as the program parses.
 class Arguments {
 public:
     explicit Arguments(CLI::App& app) : app_(&app) {}
 
-    /// \p target: a text, a list of texts, an int, a whole number that is not negative, a double, or an optional one.
-    template <class Target>
-    Option option(const std::string& name, Target& target, const std::string& help);
-    /// \p take is called with what was given.
-    Option option(const std::string& name, const std::function<void(const std::string&)>& take,
-                  const std::string& help);
-    /// One of the words of \p Enum.
-    template <parts::NamedEnum Enum>
-    Option option(const std::string& name, Enum& target, const std::string& help) {
-        return word<Enum>(name, target, help);
+    /// The option \p name, whose value goes to \p to; of a bool a flag.
+    template <class Member>
+    void option(const std::string& name, Member& to, const request::Field& field) {
+        if constexpr (std::is_same_v<Member, bool>) {
+            flag(name, to, field.help);
+        } else {
+            const std::string key = name.substr(name.find(',') + 1);
+            request::Field shown = field;
+            if constexpr (requires { parts::choices<Member>(); }) shown.words = words_of<Member>();
+            if constexpr (requires { parts::choices<typename Member::value_type>(); })
+                shown.words = words_of<typename Member::value_type>();
+            add(name, shown, kind_of(to), default_of(to),
+                [&to, key, field](const request::Value& value) { request::put(value, to, key, field); });
+        }
     }
-    template <parts::NamedEnum Enum>
-    Option option(const std::string& name, std::optional<Enum>& target, const std::string& help) {
-        return word<Enum>(name, target, help);
+    /// Every field of \p owner, which are the targets.
+    template <class Owner>
+    void fields(Owner& owner) {
+        owner.each_field([&](std::string_view key, auto& to, const request::Field& field) {
+            option((field.positional ? "" : "--") + scene::with_dashes(key), to, field);
+        });
     }
-    /// A quantity that keeps its text.
-    template <std::constructible_from<std::string> Quantity>
-    Option option(const std::string& name, Quantity& target, const std::string& help) {
-        const std::function<void(const std::string&)> take = [&target](const std::string& text) { target = text; };
-        return option(name, take, help);
-    }
-    void flag(const std::string& name, bool& target, const std::string& help);
+    /// \p take is called with the value, which the help calls \p kind where \p field has no name for it.
+    void add(const std::string& name, const request::Field& field, const char* kind, const std::string& initial,
+             const std::function<void(const request::Value&)>& take);
 
 private:
-    template <parts::NamedEnum Enum, class Target>
-    Option word(const std::string& name, Target& target, const std::string& help) {
-        const std::function<void(const std::string&)> take = [&target](const std::string& word) {
-            target = *parts::find_named<Enum>(word);
-        };
-        return option(name, take, help).one_of(parts::choices<Enum>());
+    template <class Enum>
+    static std::vector<std::string_view> words_of() {
+        constexpr auto words = parts::choices<Enum>();
+        return {words.begin(), words.end()};
     }
+    static const char* kind_of(const std::vector<std::string>&) { return "TEXT ..."; }
+    template <class Member>
+    static const char* kind_of(const std::optional<Member>&) {
+        return kind_of(Member{});
+    }
+    template <class Member>
+    static const char* kind_of(const Member&) {
+        return std::is_unsigned_v<Member>         ? "UINT"
+               : std::is_integral_v<Member>       ? "INT"
+               : std::is_floating_point_v<Member> ? "FLOAT"
+                                                  : "TEXT";
+    }
+    template <class Member>
+    static std::string default_of(const Member& value) {
+        if constexpr (std::is_arithmetic_v<Member>)
+            return std::to_string(value);
+        else if constexpr (std::is_convertible_v<Member, std::string>)
+            return value;
+        else
+            return {};
+    }
+    void flag(const std::string& name, bool& to, const std::string& help);
 
     CLI::App* app_;
 };

@@ -6,16 +6,14 @@ namespace fstiff::cli {
 void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
     options.format = initial;
     options.for_people = initial != Format::table;
-    const std::function<void(const std::string&)> take = [&options](const std::string& word) {
-        options.format = *parts::find_named<Format>(word);
+    request::Field field{.help = "table, csv or json; default " + std::string(name_of(initial)) +
+                                 (options.for_people ? ", and table on a terminal" : ""),
+                         .type = "FORMAT"};
+    for (const auto& [format, word] : names<Format>) field.words.push_back(word);
+    arguments.add("--format", field, "", "", [&options](const request::Value& value) {
+        request::put(value, options.format, "--format", {});
         options.for_people = false;
-    };
-    arguments
-        .option("--format", take,
-                "table, csv or json; default " + std::string(name_of(initial)) +
-                    (options.for_people ? ", and table on a terminal" : ""))
-        .one_of(parts::choices<Format>())
-        .type_name("FORMAT");
+    });
 }
 
 void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
@@ -24,8 +22,8 @@ void add_output_options(Arguments& arguments, OutputOptions& options, Format ini
 }
 
 void add_output_option(Arguments& arguments, OutputOptions& options) {
-    arguments.option("-o,--output", options.file, "write to FILE instead of standard output, which - is")
-        .type_name("FILE");
+    arguments.option("-o,--output", options.file,
+                     {.help = "write to FILE instead of standard output, which - is", .type = "FILE"});
 }
 
 }  // namespace fstiff::cli

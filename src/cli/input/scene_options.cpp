@@ -7,13 +7,14 @@ namespace fstiff::cli {
 
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& scene_help,
                        const std::string& surface_help) {
-    arguments.option("scene", options.scene, scene_help);
-    if (!surface_help.empty()) arguments.option("--surface", options.surface, surface_help);
+    arguments.option("scene", options.scene, {.help = scene_help});
+    if (!surface_help.empty()) arguments.option("--surface", options.surface, {.help = surface_help});
 }
 
 void add_picture_option(Arguments& arguments, std::string& picture, const std::string& draws) {
-    arguments.option("--plot", picture, draws + " into FILE (.svg or .html); its numbers go to .plot.csv next to it")
-        .type_name("FILE");
+    arguments.option(
+        "--plot", picture,
+        {.help = draws + " into FILE (.svg or .html); its numbers go to .plot.csv next to it", .type = "FILE"});
 }
 
 Scene read_scene(const SceneOptions& options) {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/surface_options.hpp"
 
-#include "input/request_options.hpp"
-
 #include <algorithm>
 
 namespace fstiff::cli {
 
 void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key, SurfaceKind kind) {
     const SurfaceOptionRow& row = surface_option(key);
-    row.visit(options, [&](auto& to) { add_option(arguments, row.flag_name(), to, row.field_for(kind)); });
+    row.visit(options, [&](auto& to) { arguments.option(row.flag_name(), to, row.field_for(kind)); });
 }
 
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind) {
