@@ -79,13 +79,13 @@ double Amount::positive(io::Dimension dimension, std::string_view name) const {
 }
 
 std::string Field::allowed(bool whole) const {
-    const std::string end = why.empty() ? "" : ", " + std::string(why), kind = whole ? "a whole number" : "a number";
-    if (!has_range()) return (whole ? kind : "a finite number") + end;
+    const std::string kind = whole ? "a whole number" : "a number";
+    if (!has_range()) return whole ? kind : "a finite number";
     const std::string from = scene::shortest(low), to = scene::shortest(high);
-    if (!above_low) return kind + " from " + from + " to " + to + end;
+    if (!above_low) return kind + " from " + from + " to " + to;
     const bool is_open = high == std::numeric_limits<double>::max();
     return (is_open && low == 0 ? "finite and " : "") + ("greater than " + from) +
-           (is_open ? "" : " and at most " + to) + end;
+           (is_open ? "" : " and at most " + to);
 }
 
 std::string_view si_unit(io::Dimension dimension) {

@@ -65,7 +65,6 @@ struct Field {
     bool required = false, positional = false, shows_default = false;  ///< on the command line
     std::string_view type{};                                           ///< there: how its help calls the value
     std::vector<std::string_view> words{};                             ///< of a text: those that are allowed
-    std::string_view why{};                                            ///< the range is: the end of its sentence
     Form form = Form::plain;
 
     [[nodiscard]] bool has_range() const { return low < high; }

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 namespace fstiff::scene {
 namespace {
@@ -96,11 +95,9 @@ Field field_of(const parts::ParameterRow& row, bool zero_too = false) {
 
 /// rms_gradient, alpha and hurst, as they are written.
 void each_of_spectrum(JointFace& of, auto take) {
-    constexpr double most = std::numeric_limits<double>::max();
-    take("rms_gradient", of.rms_gradient, Field{.high = most, .above_low = true});
-    take("alpha", of.alpha,
-         Field{.low = 1.5, .high = most, .above_low = true, .why = "which every isotropic surface exceeds"});
-    take("hurst", of.hurst, Field{.high = 1, .above_low = true});
+    take("rms_gradient", of.rms_gradient, Field{});  // the library knows their ranges
+    take("alpha", of.alpha, Field{});
+    take("hurst", of.hurst, Field{});
 }
 
 void each_length(JointFace& of, auto take) {
@@ -196,12 +193,6 @@ void read_parameters(Source& source, const Section& surface, JointFace& of) {
         if (!node) continue;
         double value = 0;
         source.read(*node, surface.key(row.key), value, field_of(row));
-        if (!parts::parameter_in_range(which, value))
-            source.refuse(*node, surface.key(row.key), "must be " + row.range());
-        if (which == Parameter::fractal_dimension && value > greatest_dimension)
-            source.refuse(*node, surface.key(row.key),
-                          "must be greater than 1 and at most " + rounded(greatest_dimension) +
-                              "; K of the fractal laws goes as 1/(2 - D)");
         of.*into = value;
     }
 }

@@ -40,7 +40,7 @@ TEST_CASE("A fault of the call ends measure, truth and run with exit code 2, one
         test::run_fstiff("generate profile --points 600 --spacing '1 um' --hurst 0.5 --rms '1 um'").out;
     test::check_refused("measure - --resamples 1", 2, {"--resamples"}, made);
     test::check_refused("measure - --column 4097", 2, {"--column"}, made);
-    test::check_refused("measure - --spikes 2.5", 2, {"--spikes: Value 2.5 not in range 3 to 1000;"}, made);
+    test::check_refused("measure - --spikes 2.5", 2, {"--spikes = 2.5: must be a number from 3 to 1000;"}, made);
     test::check_refused("measure - --filter spline", 2, {"--filter", "spline"}, made);
     test::check_refused("measure - --window '10 um'", 2, {"--window = \"10 um\": must be two lengths"}, made);
     test::check_refused("measure - --spacing '-1 um'", 3, {"--spacing = \"-1 um\": must be greater than 0"}, made);

@@ -94,7 +94,7 @@ TEST_CASE("Friction is printed where a scene has it, and refused where it lacks 
     CHECK(refusal(text + "[friction]\namplitude = \"1 um\"\n") ==
           "s.toml:8: friction.coefficient: is missing; the scene needs it");
     CHECK(refusal(text + "[friction]\ncoefficient = -0.1\n") ==
-          "s.toml:9: friction.coefficient = -0.1: must be greater than 0 and 10 at most");
+          "s.toml:9: friction.coefficient = -0.1: must be greater than 0 and at most 10");
     CHECK(refusal(text + "[friction]\ncoefficient = \"0.1\"\n").starts_with("s.toml:9: friction.coefficient"));
     CHECK(std::abs(at(results_of(text + "[friction]\ncoefficient = 0.1\namplitude = \"1e90 m\"\n").answer->curve, 0,
                       loss_factor, Statistic::p95) -

@@ -146,7 +146,7 @@ TEST_CASE("Contradictions and extremes are refused by one sentence") {
     refused("Rz = \"5 um\"", "s.toml:2: surface.Rz = \"5 um\": is the height from the deepest valley");
     refused("Ra = 0.8", "surface.Ra = 0.8: a number without a unit");
     refused("Ra = \"0 um\"", "must be finite and greater than 0");
-    refused("Rq = \"1 um\"\nRdq = 0", "must be greater than 0");
+    refused("Rq = \"1 um\"\nRdq = 0", "Rdq = 0: must be finite and greater than 0");
     refused("Rq = \"1 um\"\nprocess = \"cast\"", "must be one of");
     refused("Rq = \"1 um\"\nerrors = { Ra = \"0.1 um\" }", "needs the value of surface.Ra");
     refused("Rq = \"1 um\"\nerrors = { peak_radius = \"1 um\" }", "needs the value of surface.peak_radius");
