@@ -78,10 +78,15 @@ double Amount::positive(io::Dimension dimension, std::string_view name) const {
     return si;
 }
 
+std::string Field::text_of(double bound) {
+    const bool is_whole = bound == std::floor(bound) && std::abs(bound) <= 0x1p53;
+    return is_whole ? std::to_string(static_cast<std::int64_t>(bound)) : parts::shortest_text(bound);
+}
+
 std::string Field::allowed(bool whole) const {
     const std::string kind = whole ? "a whole number" : "a number";
     if (!has_range()) return whole ? kind : "a finite number";
-    const std::string from = scene::shortest(low), to = scene::shortest(high);
+    const std::string from = text_of(low), to = text_of(high);
     if (!above_low) return kind + " from " + from + " to " + to;
     const bool is_open = high == std::numeric_limits<double>::max();
     return (is_open && low == 0 ? "finite and " : "") + ("greater than " + from) +

@@ -72,6 +72,8 @@ struct Field {
     [[nodiscard]] bool holds(double value) const {
         return !has_range() || ((above_low ? value > low : value >= low) && value <= high);
     }
+    /// \p bound of the range: 100000, where shortest_text() has 1e+05.
+    [[nodiscard]] static std::string text_of(double bound);
     /// "a number from 3 to 1000", "greater than 0 and at most 1", "a whole number from 16 to 4096".
     [[nodiscard]] std::string allowed(bool whole = false) const;
 };

@@ -133,7 +133,8 @@ void Arguments::add(const std::string& name, const request::Field& field, const 
     if (several && !are_files) option->delimiter(',');
     std::string type(several ? "TEXT" : kind), words;
     if (field.has_range())
-        type += ":" + type + " in [" + parts::shortest_text(field.low) + " - " + parts::shortest_text(field.high) + "]";
+        type += ":" + type + " in [" + request::Field::text_of(field.low) + " - " +
+                request::Field::text_of(field.high) + "]";
     if (!field.type.empty()) type = field.type;
     for (const std::string_view word : field.words) words += (words.empty() ? "" : ",") + std::string(word);
     option->type_name(type + (words.empty() ? "" : ":{" + words + "}"));
