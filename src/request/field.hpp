@@ -56,7 +56,7 @@ enum class Form {
     file        ///< a text that names a file
 };
 
-/// What is known of one field besides its key and its member, whose type is the kind of its value.
+/// What is known of one field next to its key and its member, whose type is the kind of its value.
 struct Field {
     std::string help{};                                                ///< of the command line
     double low = 0, high = 0;                                          ///< of a number, both allowed; equal: any
@@ -91,7 +91,7 @@ struct Field {
 struct Value {
     enum class Kind { truth, whole, real, text, list, other };
     /// What gives it: a scene, whose quantities have a unit; a program, whose numbers are in SI; a line of text, which
-    /// knows no kinds.
+    /// has no kinds.
     enum class Giver { scene, program, line };
 
     Kind kind = Kind::text;

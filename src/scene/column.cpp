@@ -81,57 +81,59 @@ std::string_view unless(bool there, std::string_view what) { return there ? std:
 
 std::span<const CurveQuantityRow> curve_quantities() {
     using enum CurveQuantity;
-    using Of = Scene;
+    using enum OfStiffness;
     // clang-format off
-    static constexpr std::array<CurveQuantityRow, 17> table{{
-        {force, "force", "_N", "N", "F", Quantity::none, &Of::force},
-        {pressure, "pressure", "_Pa", "Pa", "p", Quantity::none, nullptr},
-        {eta, "eta", "", "", "eta", Quantity::separation, nullptr},
-        {separation, "separation", "_m", "m", "separation", Quantity::separation, &Of::separation, false, false,
+    static constexpr std::array<CurveQuantityRow, curve_quantity_count> table{{
+        {force, "force", "_N", "N", "F", Quantity::none},
+        {pressure, "pressure", "_Pa", "Pa", "p", Quantity::none},
+        {eta, "eta", "", "", "eta", Quantity::separation},
+        {separation, "separation", "_m", "m", "separation", Quantity::separation, none,
          {2, "separation", always}},
-        {approach, "approach", "_m", "m", "approach", Quantity::separation, &Of::approach, false, false,
+        {approach, "approach", "_m", "m", "approach", Quantity::separation, none,
          {10, "approach", is_joint}},
-        {stiffness, "stiffness", "_Pa_per_m", "Pa/m", "K/A0", Quantity::stiffness, &Of::stiffness, true, false,
+        {stiffness, "stiffness", "_Pa_per_m", "Pa/m", "K/A0", Quantity::stiffness, rises,
          {1, "stiffness", always}},
-        {joint_stiffness, "stiffness", "_N_per_m", "N/m", "K", Quantity::stiffness, &Of::joint_stiffness, true, false,
+        {joint_stiffness, "stiffness", "_N_per_m", "N/m", "K", Quantity::stiffness, rises,
          {9, "joint_stiffness", is_joint, [](const Scene& scene) {
               return unless(scene.nominal_area.has_value(), "contact.nominal_area or contact.washer");
           }}},
-        {loading_stiffness, "loading_stiffness", "_Pa_per_m", "Pa/m", "-dp/dd", Quantity::loading_stiffness,
-         &Of::loading_stiffness, false, false, {8, "loading_stiffness", never}},
-        {tangential_stiffness, "tangential_stiffness", "_Pa_per_m", "Pa/m", "Kt/A0", Quantity::stiffness,
-         &Of::tangential_stiffness, true, false,
+        {loading_stiffness, "loading_stiffness", "_Pa_per_m", "Pa/m", "-dp/dd", Quantity::loading_stiffness, none,
+         {8, "loading_stiffness", never}},
+        {tangential_stiffness, "tangential_stiffness", "_Pa_per_m", "Pa/m", "Kt/A0", Quantity::stiffness, rises,
          {5, "tangential_stiffness", [](const Scene& scene) { return has_waves(scene) || scene.friction; }}},
-        {loss_factor, "loss_factor", "", "", "loss factor", Quantity::stiffness, &Of::loss_factor, true, false,
+        {loss_factor, "loss_factor", "", "", "loss factor", Quantity::stiffness, rises,
          {13, "loss_factor", slides, [](const Scene& scene) { return unless(slides(scene), "friction.amplitude"); }}},
-        {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Of::reflection, true, true,
+        {reflection, "reflection", "", "", "|R|", Quantity::stiffness, falls,
          {6, "reflection", has_waves,
           [](const Scene& scene) { return unless(has_waves(scene), "the section ultrasound"); }}},
-        {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Of::shear_reflection, true,
-         true,
+        {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, falls,
          {7, "shear_reflection", has_shear, [](const Scene& scene) {
               return unless(has_shear(scene), has_waves(scene) ? "ultrasound.upper.shear_impedance or shear_velocity"
                                                                : "the section ultrasound");
           }}},
-        {thermal_conductance, "thermal_conductance", "_W_per_m2K", "W/(m^2 K)", "h", Quantity::stiffness,
-         &Of::thermal_conductance, true, false,
+        {thermal_conductance, "thermal_conductance", "_W_per_m2K", "W/(m^2 K)", "h", Quantity::stiffness, rises,
          {11, "thermal_conductance", conducts_heat, [](const Scene& scene) {
               return unless(scene.conduction.thermal.has_value(), "material.upper.thermal_conductivity");
           }}},
         {thermal_conductance_gap, "thermal_conductance_gap", "_W_per_m2K", "W/(m^2 K)", "h of the gap",
-         Quantity::separation, &Of::thermal_conductance_gap},
+         Quantity::separation},
         {electrical_conductance, "electrical_conductance", "_S_per_m2", "S/m^2", "electrical h", Quantity::stiffness,
-         &Of::electrical_conductance, true, false,
-         {12, "electrical_conductance", conducts_current, [](const Scene& scene) {
+         rises, {12, "electrical_conductance", conducts_current, [](const Scene& scene) {
               return unless(scene.conduction.electrical.has_value(), "material.upper.electrical_conductivity");
           }}},
-        {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, &Of::real_area, false,
-         false, {3, "real_area", always}},
-        {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contact_density, &Of::contacts, false, false,
+        {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, none,
+         {3, "real_area", always}},
+        {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contact_density, none,
          {4, "contacts", always}},
     }};
     // clang-format on
     return table;
+}
+
+bool Scene::needs_stiffness() const {
+    return std::any_of(curve_quantities().begin(), curve_quantities().end(), [&](const CurveQuantityRow& row) {
+        return row.of_law == Quantity::stiffness && asks(row.quantity);
+    });
 }
 
 std::vector<const CurveQuantityRow*> chosen_quantities() {
@@ -164,7 +166,8 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool band
         if (row.quantity == CurveQuantity::approach && curve.seated.empty()) return;
         if (row.quantity == CurveQuantity::loss_factor && curve.growth.empty()) return;
         using Band = parts::SampledBand<double>;
-        const auto end = (statistic == Statistic::p05) != row.falls ? &Band::low : &Band::high;
+        const auto end =
+            (statistic == Statistic::p05) != (row.of_stiffness == OfStiffness::falls) ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
@@ -178,10 +181,11 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool band
             column.values.clear();  // plastic boundary elements know unloading alone
     };
     for (const CurveQuantityRow& row : curve_quantities()) {
-        if (row.asked && !(scene.*row.asked)) continue;
+        if (!scene.asks(row.quantity)) continue;
+        const bool follows = row.of_stiffness != OfStiffness::none;
         add(row, Statistic::value);
-        if (row.has_band) add(row, Statistic::error);
-        if (row.has_band && bands)
+        if (follows) add(row, Statistic::error);
+        if (follows && bands)
             for (const Statistic end : {Statistic::p05, Statistic::p95}) add(row, end);
     }
     return columns;

@@ -36,8 +36,12 @@ enum class CurveQuantity {
     real_area,
     contacts
 };
+inline constexpr std::size_t curve_quantity_count = static_cast<std::size_t>(CurveQuantity::contacts) + 1;
 /// The number of the quantity: its value, its numerical error, or an end of its band.
 enum class Statistic { value, error, p05, p95 };
+
+/// Whether a quantity follows from K, so that it has an error and a band, and how.
+enum class OfStiffness { none, rises, falls };
 
 /// A row of the table of quantities.
 struct CurveQuantityRow {
@@ -46,9 +50,7 @@ struct CurveQuantityRow {
     std::string_view unit;          ///< SI, such as "Pa/m"; empty: a plain number
     std::string_view symbol;        ///< in headings
     Quantity of_law;                ///< that the law must give; none: every law has it
-    bool Scene::*asked;             ///< of output.quantities; null: always
-    bool has_band = false;          ///< follows from K, so that it has an error and a band
-    bool falls = false;             ///< as K rises
+    OfStiffness of_stiffness = OfStiffness::none;
     /// Its word in output.quantities, with its place among these words; where it is a default, and what it needs of a
     /// scene that lacks it.
     struct Choice {

@@ -56,11 +56,12 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     }
     fine.samples = 0;
     fine.best = fine.solves_map = false;
-    fine.separation = true;
-    fine.stiffness = fine.loading_stiffness = true;
-    fine.real_area = fine.contacts = false;
-    fine.tangential_stiffness = scene.tangential_stiffness || scene.friction;
-    fine.reflection = fine.shear_reflection = fine.loss_factor = fine.at_separations = false;
+    using enum CurveQuantity;
+    for (const CurveQuantity quantity : {separation, stiffness, loading_stiffness}) fine.ask(quantity);
+    for (const CurveQuantity quantity : {real_area, contacts, reflection, shear_reflection, loss_factor})
+        fine.ask(quantity, false);
+    fine.ask(tangential_stiffness, scene.asks(tangential_stiffness) || scene.friction);
+    fine.at_separations = false;
     // the chord of an exponential is off by (log ratio)^2/8, and its slope by (log ratio)/2
     const double decades = std::log(to / from), by_slope = 2 * options.slope_tolerance;
     const double step =
@@ -148,7 +149,7 @@ LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& poin
     columns.tangential = values_after(0, curve, CurveQuantity::tangential_stiffness);
     columns.current = values_after(0, curve, CurveQuantity::electrical_conductance);
     columns.heat = values_after(0, curve, CurveQuantity::thermal_conductance);
-    if (columns.heat.empty() || !scene.thermal_conductance_gap) return columns;
+    if (columns.heat.empty() || !scene.asks(CurveQuantity::thermal_conductance_gap)) return columns;
     const double open = conductance_of_gap(scene.conduction, zero_separation);
     const std::vector<double> gap = values_after(open, curve, CurveQuantity::thermal_conductance_gap);
     for (std::size_t i = 0; i < columns.heat.size(); ++i) columns.heat[i] += gap[i];

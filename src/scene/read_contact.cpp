@@ -100,7 +100,8 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
         throw domain_error(scene.points_where + "needs " + contact.key("nominal_area") + ", or " +
                            contact.key("washer") + ", over which a force is a pressure");
     scene.forces = scene.points;
-    scene.force = scene.is_joint = true;
+    scene.ask(CurveQuantity::force);
+    scene.is_joint = true;
     for (double& point : scene.points) {
         point /= *scene.nominal_area;
         if (!(point > 0) || !std::isfinite(point))

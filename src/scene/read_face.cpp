@@ -95,7 +95,7 @@ Field field_of(const parts::ParameterRow& row, bool zero_too = false) {
 
 /// rms_gradient, alpha and hurst, as they are written.
 void each_of_spectrum(JointFace& of, auto take) {
-    take("rms_gradient", of.rms_gradient, Field{});  // the library knows their ranges
+    take("rms_gradient", of.rms_gradient, Field{});  // the library has their ranges
     take("alpha", of.alpha, Field{});
     take("hurst", of.hurst, Field{});
 }

@@ -24,13 +24,13 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
     for (const CurveQuantityRow* row : quantities) {
         words.push_back(row->choice.word);
         if (output.find("quantities") || !row->choice.is_usual(scene)) continue;
-        scene.*row->asked = true;
+        scene.ask(row->quantity);
         usual += (usual.empty() ? "" : ", ") + std::string(row->choice.word);
     }
     if (const auto* node = output.find("quantities")) {
-        for (const auto i : source.choices(*node, key, words)) scene.*quantities[i]->asked = true;
+        for (const auto i : source.choices(*node, key, words)) scene.ask(quantities[i]->quantity);
         for (const CurveQuantityRow* row : quantities) {
-            const std::string_view lack = row->choice.lack && scene.*row->asked ? row->choice.lack(scene) : "";
+            const std::string_view lack = row->choice.lack && scene.asks(row->quantity) ? row->choice.lack(scene) : "";
             if (!lack.empty())
                 throw domain_error(source.at(*node) + ": " + key + ": needs " + std::string(lack) + " for \"" +
                                    std::string(row->choice.word) + "\"");
@@ -38,9 +38,11 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
     } else {
         source.record_default(key, usual);
     }
-    scene.thermal_conductance_gap = scene.thermal_conductance && scene.conduction.gap;
-    if (scene.approach && std::none_of(scene.inputs.begin(), scene.inputs.end(),
-                                       [](const Input& input) { return input.key == "contact.seating"; }))
+    scene.ask(CurveQuantity::thermal_conductance_gap,
+              scene.asks(CurveQuantity::thermal_conductance) && scene.conduction.gap);
+    if (scene.asks(CurveQuantity::approach) &&
+        std::none_of(scene.inputs.begin(), scene.inputs.end(),
+                     [](const Input& input) { return input.key == "contact.seating"; }))
         source.record_default("contact.seating", "1 kPa", scene.seating, si_unit(Dimension::pressure));
 }
 

@@ -114,8 +114,8 @@ Json answer_json(const Scene& scene, const Results& results) {
                     {"stiffness_p05_Pa_per_m", band.low},
                     {"stiffness_p95_Pa_per_m", band.high},
                     {"law", curve.law_at(i).name}};
-        if (scene.force) row["force_N"] = scene.forces[curve.places[i]];
-        if (scene.approach && !curve.seated.empty())
+        if (scene.asks(CurveQuantity::force)) row["force_N"] = scene.forces[curve.places[i]];
+        if (scene.asks(CurveQuantity::approach) && !curve.seated.empty())
             row["approach_m"] = curve.seated[i] - curve.states[i].separation.value;
         if (reason.loading_stiffness) row["loading_stiffness_Pa_per_m"] = *reason.loading_stiffness;
         if (scene.nominal_area) {
@@ -164,7 +164,8 @@ Json run_document(const Scene& scene, const Results& results) {
     if (const std::string next = measure_next(scene, results); !next.empty()) document["measure_next"] = next;
     document["effective_modulus_Pa"] = scene.effective_modulus;
     if (results.plasticity_index) document["plasticity_index"] = *results.plasticity_index;
-    if (scene.tangential_stiffness || scene.shear_reflection) document["tangential_ratio"] = results.tangential_ratio;
+    if (scene.asks(CurveQuantity::tangential_stiffness) || scene.asks(CurveQuantity::shear_reflection))
+        document["tangential_ratio"] = results.tangential_ratio;
     if (scene.ultrasound) {
         const Waves& waves = *scene.ultrasound;
         Json& entry = document["ultrasound"] = {{"frequency_Hz", waves.frequency},
@@ -208,7 +209,7 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
         if (const auto at = curve.state_at(place)) joint.push_back(area * curve.states[*at].stiffness.value);
     const ShownUnit unit = summary_units(scene, results).stiffness, joint_unit = shown_unit(joint, "N/m"),
                     height = unit_of_length(scene.face.parameters.rms_height.value);
-    const bool closes = scene.approach && !curve.seated.empty();
+    const bool closes = scene.asks(CurveQuantity::approach) && !curve.seated.empty();
     const auto number = [&](double K) { return rounded(K * unit.factor, 3); };
     TextRows rows{{scene.forces.empty() ? "pressure" : "force, pressure", unit.heading("K/A0"), "90 % band"}};
     if (area > 0) rows[0].push_back(joint_unit.heading("K"));

@@ -168,8 +168,8 @@ Request request_of(const Scene& scene) {
     Request request{.points = scene.points,
                     .at_separations = scene.at_separations,
                     .answered = points_of_answer(scene),
-                    .approach = scene.approach,
-                    .growth = scene.loss_factor,
+                    .approach = scene.asks(CurveQuantity::approach),
+                    .growth = scene.asks(CurveQuantity::loss_factor),
                     .seating = scene.seating,
                     .samples = scene.samples,
                     .seed = scene.seed,
@@ -181,10 +181,11 @@ Request request_of(const Scene& scene) {
         if (wanted) request.quantities = request.quantities | more;
     };
     add(scene.needs_stiffness(), Quantity::stiffness);
-    add(scene.real_area || scene.conduction.thermal_film > 0 || scene.conduction.electrical_film > 0,
+    add(scene.asks(CurveQuantity::real_area) || scene.conduction.thermal_film > 0 ||
+            scene.conduction.electrical_film > 0,
         Quantity::real_area_fraction);
-    add(scene.contacts, Quantity::contact_density | Quantity::real_area_fraction);
-    add(scene.loading_stiffness, Quantity::loading_stiffness);
+    add(scene.asks(CurveQuantity::contacts), Quantity::contact_density | Quantity::real_area_fraction);
+    add(scene.asks(CurveQuantity::loading_stiffness), Quantity::loading_stiffness);
     return request;
 }
 

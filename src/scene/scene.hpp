@@ -3,6 +3,7 @@
 // A scene: a surface, two bodies and what is asked of their contact, read from TOML. Every key, unit and default is in
 // docs/scene.md. results.hpp computes it.
 
+#include "scene/column.hpp"
 #include "scene/joint.hpp"
 #include "surface/measured_surface.hpp"
 
@@ -11,6 +12,7 @@
 #include <fstiff/core/progress.hpp>
 
 #include <algorithm>
+#include <bitset>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -76,19 +78,14 @@ struct Scene : Problem {
     int samples = 400;  ///< of the band; 0: no band
     std::uint64_t seed = 2014;
 
-    /// output.quantities
-    bool stiffness = false, separation = false, real_area = false, contacts = false, loading_stiffness = false;
-    bool tangential_stiffness = false, reflection = false, shear_reflection = false;
-    bool force = false, joint_stiffness = false, approach = false;  ///< force: where contact.force is there
-    bool loss_factor = false;                                       ///< where friction.amplitude is there
-    bool thermal_conductance = false, electrical_conductance = false;
-    bool thermal_conductance_gap = false;  ///< where [gap] is there
-
+    /// Pressure and eta, those of output.quantities, and force and the conductance of the gap where the scene has them.
+    std::bitset<curve_quantity_count> quantities{1u << static_cast<unsigned>(CurveQuantity::pressure) |
+                                                 1u << static_cast<unsigned>(CurveQuantity::eta)};
+    [[nodiscard]] bool asks(CurveQuantity quantity) const { return quantities[static_cast<std::size_t>(quantity)]; }
+    void ask(CurveQuantity quantity, bool wanted = true) { quantities[static_cast<std::size_t>(quantity)] = wanted; }
     /// Whether K is computed, though it may not be shown.
-    [[nodiscard]] bool needs_stiffness() const {
-        return stiffness || joint_stiffness || tangential_stiffness || loss_factor || reflection || shear_reflection ||
-               thermal_conductance || electrical_conductance;
-    }
+    [[nodiscard]] bool needs_stiffness() const;
+
     Body upper_body, lower_body;
     /// Takes `upper` and `lower` into the joint, in place of the elastic constants of the bodies.
     void take_bodies() {

@@ -151,7 +151,8 @@ void warn_of_named_laws(const Scene& scene, Results& results) {
                                          parts::Concern::above_highest_peak, parts::Concern::few_contacts})
         warn_if_any(results, concern);
     warn_of_plastic_ranges(scene.laws, results);
-    if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
+    if ((scene.asks(CurveQuantity::reflection) || scene.asks(CurveQuantity::shear_reflection)) &&
+        scene.reading != InteractionReading::none)
         results.warnings.push_back(
             "K with interaction includes the elasticity of the bulk over the interaction length: its reflection is not "
             "that of the interface alone");

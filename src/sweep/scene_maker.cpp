@@ -153,8 +153,9 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
         put(i, false);
     }
 
-    has_stiffness_ = first->stiffness || std::any_of(grid.axes.begin(), grid.axes.end(),
-                                                     [](const Axis& axis) { return axis.key.starts_with("output."); });
+    has_stiffness_ = first->asks(scene::CurveQuantity::stiffness) ||
+                     std::any_of(grid.axes.begin(), grid.axes.end(),
+                                 [](const Axis& axis) { return axis.key.starts_with("output."); });
     const auto point =
         std::find_if(setters_.begin(), setters_.end(), [](const Setter& one) { return one.put == put_point; });
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
@@ -171,7 +172,8 @@ void SceneMaker::find_table_range(const Scene& first) {
     if (!folds_ || grid_.axes[point_axis_].drawn || grid_.axes[point_axis_].count() < 2)
         refuse("needs a grid whose pressure or separation is swept as a range or a list");
     if (first.best) refuse("needs a grid whose contact.laws names a law: no table has the band of an answer");
-    if (first.real_area || first.contacts || first.loading_stiffness || first.approach)
+    if (first.asks(scene::CurveQuantity::real_area) || first.asks(scene::CurveQuantity::contacts) ||
+        first.asks(scene::CurveQuantity::loading_stiffness) || first.asks(scene::CurveQuantity::approach))
         refuse(
             "needs output.quantities without real_area, contacts, loading_stiffness and approach, which no table has");
     if (first.reading != InteractionReading::none) refuse("needs a grid without contact.interaction");

@@ -68,7 +68,9 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
 
 TEST_CASE("The columns of a curve are its states, and the band of a reflection is that of K turned round") {
     Scene scene;
-    scene.stiffness = scene.reflection = scene.tangential_stiffness = scene.joint_stiffness = scene.approach = true;
+    using enum CurveQuantity;
+    for (const auto quantity : {stiffness, reflection, tangential_stiffness, joint_stiffness, approach})
+        scene.ask(quantity);
     scene.nominal_area = 2e-4;
     scene.upper = scene.lower = {200e9, 0.25};
     constexpr double ratio = 2 * (1 - 0.25) / (2 - 0.25);  // of two equal bodies, by Mindlin
@@ -88,7 +90,6 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     const auto at = [&](CurveQuantity quantity, Statistic statistic = Statistic::value) {
         return curve.value_at(3, quantity, statistic).value();
     };
-    using enum CurveQuantity;
     CHECK(at(pressure) == 1e6);
     CHECK(at(stiffness, Statistic::p05) == 1e14);
     CHECK(at(joint_stiffness) == 2e14 * 2e-4);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A field is said once: what gives a value (a scene, a program, a line of options) is put into it by one rule, and every
-// field of a request is an option of its command.
+// One rule puts a value into a field, whether a scene, a program or a line of options gives it, and every field of a
+// request is an option of its command.
 #include "request/values.hpp"
 
 #include "cli/command.hpp"
@@ -102,7 +102,7 @@ std::string one_line(const std::string& text) {
     return line;
 }
 
-/// Whether each field of \p Request is an option of the command \p name with its help, and a key that options of C have.
+/// Whether each field of \p Request is an option of the command \p name with its help, and a key of options in C.
 template <class Request>
 void check_options(const std::string& name) {
     const std::string help = one_line(test::run_fstiff(name + " --help").out);

@@ -145,10 +145,14 @@ void tables_after_stiffness(Page& page, const Scene& scene, const Results& resul
     const auto show_rows = [&](bool asked, CurveQuantity quantity, const char* heading) {
         if (asked) page.table(quantity_rows(scene, results, quantity, heading));
     };
-    show_rows(scene.loss_factor, CurveQuantity::loss_factor, "loss factor of a tangential cycle, 5 % to 95 %");
-    show_rows(scene.thermal_conductance, CurveQuantity::thermal_conductance, "h of the spots [W/(m² K)], 5 % to 95 %");
-    show_rows(scene.thermal_conductance_gap, CurveQuantity::thermal_conductance_gap, "h of the gap [W/(m² K)]");
-    show_rows(scene.electrical_conductance, CurveQuantity::electrical_conductance, "h of current [S/m²], 5 % to 95 %");
+    show_rows(scene.asks(CurveQuantity::loss_factor), CurveQuantity::loss_factor,
+              "loss factor of a tangential cycle, 5 % to 95 %");
+    show_rows(scene.asks(CurveQuantity::thermal_conductance), CurveQuantity::thermal_conductance,
+              "h of the spots [W/(m² K)], 5 % to 95 %");
+    show_rows(scene.asks(CurveQuantity::thermal_conductance_gap), CurveQuantity::thermal_conductance_gap,
+              "h of the gap [W/(m² K)]");
+    show_rows(scene.asks(CurveQuantity::electrical_conductance), CurveQuantity::electrical_conductance,
+              "h of current [S/m²], 5 % to 95 %");
 }
 
 /// The table of the laws that are named, and what their bands are.
@@ -327,10 +331,11 @@ Report execute(const Options& options) {
         std::find(scene.laws.begin(), scene.laws.end(), &elements) == scene.laws.end())
         scene.laws.push_back(&elements);
     // a report shows everything, whatever output.quantities asks of run
-    scene.stiffness = scene.separation = scene.real_area = scene.contacts = true;
+    using enum CurveQuantity;
+    for (const CurveQuantity quantity : {stiffness, separation, real_area, contacts}) scene.ask(quantity);
     if (scene.ultrasound) {
-        scene.reflection = true;
-        scene.shear_reflection = scene.ultrasound->shear.has_value();
+        scene.ask(reflection);
+        scene.ask(shear_reflection, scene.ultrasound->shear.has_value());
     }
     const Results results = computed(scene);
     const std::string document = page_of(scene, results);

@@ -60,7 +60,7 @@ std::string answered(const Scene& scene, const Results& results) {
     for (const std::size_t causes : {2u, 1u, 0u})  // as many as the page has room for
         if (causes == 2 || width_of(text) > widest) text = TextTable(answer_table(scene, results, causes)).str();
     for (const std::string& sentence : results.explanation) text += in_text(sentence);
-    if (scene.approach && !results.answer->curve.seated.empty())
+    if (scene.asks(CurveQuantity::approach) && !results.answer->curve.seated.empty())
         text += in_text("Approach: how far the faces have closed since p was " + with_unit(scene.seating, "Pa") +
                         " (contact.seating).");
     return text + in_text(outside_band(scene, results));
@@ -185,12 +185,13 @@ std::string introduction(const Scene& scene, const Results& results) {
 /// Meaning of the symbols in the tables, and origin of a band.
 std::string explanations(const Scene& scene, const Results& results) {
     std::string text;
-    if (scene.stiffness) text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
-    if (scene.joint_stiffness) text += "K is that of the nominal area; 1 kN/µm = 1e9 N/m\n";
-    if (scene.tangential_stiffness || scene.shear_reflection)
+    if (scene.asks(CurveQuantity::stiffness))
+        text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
+    if (scene.asks(CurveQuantity::joint_stiffness)) text += "K is that of the nominal area; 1 kN/µm = 1e9 N/m\n";
+    if (scene.asks(CurveQuantity::tangential_stiffness) || scene.asks(CurveQuantity::shear_reflection))
         text +=
             "Kt/A0 is the tangential stiffness, " + rounded(results.tangential_ratio) + " K/A0 by Mindlin's ratio\n";
-    if (scene.reflection || scene.shear_reflection)
+    if (scene.asks(CurveQuantity::reflection) || scene.asks(CurveQuantity::shear_reflection))
         text += "|R| is the reflection of the interface as a spring, eq. (5.1); shear waves see Kt/A0\n";
     if (has_band(results))
         text += "5 % and 95 %: " + origin_of_band(scene) + "\n";
@@ -205,8 +206,8 @@ std::string full_table(const Scene& scene, const Results& results) {
     std::string text = introduction(scene, results);
     for (const Curve& curve : results.curves)
         text += "\n" + title(curve) + "\n" + rows_of(results, curve, units).text();
-    const std::string notes =
-        explanations(scene, results) + (scene.real_area ? "mean pressure is that on the real area\n" : "");
+    const std::string notes = explanations(scene, results) +
+                              (scene.asks(CurveQuantity::real_area) ? "mean pressure is that on the real area\n" : "");
     return notes.empty() ? text : text + "\n" + notes;
 }
 
@@ -228,7 +229,7 @@ public:
     [[nodiscard]] std::string block(CurveQuantity quantity, const Units& units) const {
         const Column column{quantity};
         const Heading heading = heading_of(column, units);
-        const bool band = has_band(results_) && column.row().has_band && !column.row().falls;
+        const bool band = has_band(results_) && column.row().of_stiffness == OfStiffness::rises;
         return table(heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
             const auto value = [&](Statistic statistic) {
                 const auto found = curve.value_at(i, quantity, statistic);
@@ -309,7 +310,7 @@ std::string blocks(const Scene& scene, const Results& results) {
     for (const CurveQuantity quantity : shown) {
         if (scene.best && (quantity == stiffness || quantity == joint_stiffness || quantity == approach))
             continue;  // in it
-        if (const auto asked = Column{quantity}.row().asked; !(scene.*asked)) continue;
+        if (!scene.asks(quantity)) continue;
         text += "\n" + in_parts(scene, results, [&](const Summary& summary) { return summary.block(quantity, units); });
     }
     if (!scene.needs_stiffness() || !results.answer || scene.best) return text;

@@ -172,11 +172,12 @@ std::vector<Panel> panels_after_stiffness(const Scene& scene, const Results& res
         }));
         panels.back().title = title;
     };
-    add(scene.loss_factor, CurveQuantity::loss_factor, "Loss factor of a tangential cycle", "loss factor");
-    add(scene.thermal_conductance, CurveQuantity::thermal_conductance, "Thermal conductance of the spots",
-        "h [W/(m² K)]");
-    add(scene.electrical_conductance, CurveQuantity::electrical_conductance, "Electrical conductance of the spots",
-        "h [S/m²]");
+    add(scene.asks(CurveQuantity::loss_factor), CurveQuantity::loss_factor, "Loss factor of a tangential cycle",
+        "loss factor");
+    add(scene.asks(CurveQuantity::thermal_conductance), CurveQuantity::thermal_conductance,
+        "Thermal conductance of the spots", "h [W/(m² K)]");
+    add(scene.asks(CurveQuantity::electrical_conductance), CurveQuantity::electrical_conductance,
+        "Electrical conductance of the spots", "h [S/m²]");
     return panels;
 }
 
