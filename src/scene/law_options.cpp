@@ -19,10 +19,10 @@ const toml::table* section_of_law(Source& source, const Section& root, LawName l
     if (within && at_root)
         throw domain_error(source.at(*at_root) + ": " + name + ": must not be given with " + path +
                            "; give one of the two");
-    const toml::node* found = within ? within : at_root;
-    if (!found) return nullptr;
-    if (!found->is_table()) source.refuse(*found, path, "must be a section of keys");
-    return found->as_table();
+    const toml::node* section = within ? within : at_root;
+    if (!section) return nullptr;
+    if (!section->is_table()) source.refuse(*section, path, "must be a section of keys");
+    return section->as_table();
 }
 
 }  // namespace

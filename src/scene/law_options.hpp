@@ -18,17 +18,17 @@ inline constexpr std::array laws_with_options{LawName::summits, LawName::persson
 
 /// Hands over the options of \p law.
 template <class Take>
-void each_law_option(LawName law, LawOptions& of, Take take) {
+void each_law_option(LawName law, LawOptions& options, Take take) {
     using request::Field;
-    if (law == LawName::summits) take("mutual", of.mutual, Field{.form = request::Form::or_number});
+    if (law == LawName::summits) take("mutual", options.mutual, Field{.form = request::Form::or_number});
     if (law == LawName::persson) {
-        take("gamma", of.gamma, Field{.high = 1, .above_low = true});
-        take("spectrum", of.spectrum, Field{});
+        take("gamma", options.gamma, Field{.high = 1, .above_low = true});
+        take("spectrum", options.spectrum, Field{});
     }
     if (law == LawName::boundary_elements) {
-        take("points", of.points, Field{.low = 16, .high = 4096});
-        take("edges", of.edges, Field{});
-        take("hardness", of.hardness, request::positive(io::Dimension::pressure));
+        take("points", options.points, Field{.low = 16, .high = 4096});
+        take("edges", options.edges, Field{});
+        take("hardness", options.hardness, request::positive(io::Dimension::pressure));
     }
 }
 

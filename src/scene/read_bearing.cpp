@@ -27,16 +27,18 @@ parts::BearingSlope<double> read_core(const Section& surface, const CoreKeys& ke
         for (std::size_t i = 0; i < keys.size(); ++i)
             take(keys[i], *members[i], i < 3 ? Field{.dimension = Dimension::length} : Field{});
     };
-    std::string all(keys[0]);
-    for (std::size_t i = 1; i < keys.size(); ++i) all += (i + 1 < keys.size() ? ", " : " and ") + std::string(keys[i]);
+    std::string names(keys[0]);
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        names += (i + 1 < keys.size() ? ", " : " and ") + std::string(keys[i]);
     surface.read(fields, [&](std::string_view key, double) {
-        static_cast<void>(surface.at(key, "is missing; " + all + " belong together"));
+        static_cast<void>(surface.at(key, "is missing; " + names + " belong together"));
     });
     try {
         return parts::bearing_of_core(core);
     } catch (const domain_error& error) {  // by the names of a map
-        const auto at = std::find(core_keys[0].begin(), core_keys[0].end(), error.parameter()) - core_keys[0].begin();
-        surface.refuse(keys[static_cast<std::size_t>(at)], std::string(error.reason()));
+        const auto place =
+            std::find(core_keys[0].begin(), core_keys[0].end(), error.parameter()) - core_keys[0].begin();
+        surface.refuse(keys[static_cast<std::size_t>(place)], std::string(error.reason()));
     }
 }
 
@@ -57,9 +59,9 @@ parts::BearingSlope<double> read_heights(Source& source, const toml::node& node,
 }  // namespace
 
 std::vector<std::string_view> bearing_keys() {
-    std::vector<std::string_view> all{"skewness", "kurtosis", "bearing_curve"};
-    for (const CoreKeys& keys : core_keys) all.insert(all.end(), keys.begin(), keys.end());
-    return all;
+    std::vector<std::string_view> keys{"skewness", "kurtosis", "bearing_curve"};
+    for (const CoreKeys& core : core_keys) keys.insert(keys.end(), core.begin(), core.end());
+    return keys;
 }
 
 std::string first_bearing_key(const Section& surface) {
@@ -68,7 +70,7 @@ std::string first_bearing_key(const Section& surface) {
     return {};
 }
 
-void read_bearing(Source& source, const Section& surface, JointFace& of) {
+void read_bearing(Source& source, const Section& surface, JointFace& face) {
     const auto first_of = [&](std::span<const std::string_view> keys) {
         const auto there =
             std::find_if(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key); });
@@ -80,13 +82,13 @@ void read_bearing(Source& source, const Section& surface, JointFace& of) {
     std::erase(ways, "");
     (void)surface.one_of(ways, "give one bearing curve");
     surface.read([&](auto take) {
-        take("skewness", of.skewness, Field{});
-        take("kurtosis", of.kurtosis, Field{});
+        take("skewness", face.skewness, Field{});
+        take("kurtosis", face.kurtosis, Field{});
     });
     for (const CoreKeys& keys : core_keys)
-        if (!first_of(keys).empty()) of.bearing = read_core(surface, keys);
+        if (!first_of(keys).empty()) face.bearing = read_core(surface, keys);
     if (const toml::node* node = surface.find("bearing_curve"))
-        of.bearing = read_heights(source, *node, surface.key("bearing_curve"));
+        face.bearing = read_heights(source, *node, surface.key("bearing_curve"));
 }
 
 }  // namespace fstiff::scene

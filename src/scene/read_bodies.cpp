@@ -32,11 +32,11 @@ struct ReadBody {
 
 const parts::NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
     const std::string name = source.text(node, key);
-    if (const auto* found = parts::find_material(name)) return *found;
+    if (const auto* material = parts::find_material(name)) return *material;
     std::vector<std::string_view> names = parts::near_materials(name);
     const bool near = !names.empty();
     if (!near)
-        for (const parts::NamedMaterial& one : parts::named_materials) names.push_back(one.name);
+        for (const parts::NamedMaterial& material : parts::named_materials) names.push_back(material.name);
     source.refuse(node, key,
                   (near ? "is no material that is known; did you mean " : "must be one of ") + list_of(names) +
                       (near ? "? Or give" : ", or") + " a section with youngs_modulus and poisson_ratio");
@@ -45,16 +45,17 @@ const parts::NamedMaterial& named_material(Source& source, const toml::node& nod
 /// "240 HV", "180 HBW", "60 HRC" or "HV 240", of a body with the modulus \p modulus [Pa], as a pressure [Pa]; none:
 /// \p text is a pressure.
 std::optional<double> indentation_pressure(std::string_view text, double modulus, const std::string& key) {
-    const auto trim = [](std::string_view one) {
-        const std::size_t first = one.find_first_not_of(" \t"), last = one.find_last_not_of(" \t");
-        return first == std::string_view::npos ? std::string_view() : one.substr(first, last - first + 1);
+    const auto trim = [](std::string_view part) {
+        const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
+        return first == std::string_view::npos ? std::string_view() : part.substr(first, last - first + 1);
     };
     text = trim(text);
-    const std::size_t at = text.find('H');
-    if (at == std::string_view::npos) return std::nullopt;
-    std::size_t end = at;
+    const std::size_t scale_begin = text.find('H');
+    if (scale_begin == std::string_view::npos) return std::nullopt;
+    std::size_t end = scale_begin;
     while (end < text.size() && text[end] >= 'A' && text[end] <= 'Z') ++end;
-    const std::string_view scale = text.substr(at, end - at), before = trim(text.substr(0, at)),
+    const std::string_view scale = text.substr(scale_begin, end - scale_begin),
+                           before = trim(text.substr(0, scale_begin)),
                            after = trim(text.substr(end));  // the load, or the number of "HV 240"
     const bool load = !before.empty() && after.find_first_not_of("0123456789./ ") == std::string_view::npos;
     if (!load && !before.empty()) return std::nullopt;
@@ -283,7 +284,7 @@ struct Gap {
     void each_field(auto take) {
         const Field share{.high = 1, .above_low = true};
         std::vector<std::string_view> names;
-        for (const parts::NamedMedium& one : parts::named_media) names.push_back(one.name);
+        for (const parts::NamedMedium& medium : parts::named_media) names.push_back(medium.name);
         take("medium", medium, Field{.words = names});
         take("accommodation", accommodation, share);
         take("conductivity", conductivity, request::positive(Dimension::thermal_conductivity));
@@ -309,8 +310,9 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
     if (gap.emissivity) static_cast<void>(section.at("temperature"));
     Conduction& conduction = scene.conduction;
     if (!gap.medium.empty()) {
-        const auto& filling = *std::find_if(parts::named_media.begin(), parts::named_media.end(),
-                                            [&](const parts::NamedMedium& one) { return one.name == gap.medium; });
+        const auto& filling =
+            *std::find_if(parts::named_media.begin(), parts::named_media.end(),
+                          [&](const parts::NamedMedium& medium) { return medium.name == gap.medium; });
         conduction.gap = {filling.gas.conductivity,
                           parts::temperature_jump(filling.gas, gap.accommodation.value_or(filling.accommodation))};
     } else if (gap.conductivity) {

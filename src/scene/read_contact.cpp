@@ -15,15 +15,15 @@ namespace {
 /// are positive.
 std::vector<double> read_values(Source& source, const toml::node& node, const std::string& key, Dimension dimension) {
     const bool loads = dimension != Dimension::length;
-    const auto one = [&](const toml::node& item, const std::string& item_key) {
+    const auto read_one = [&](const toml::node& item, const std::string& item_key) {
         return loads ? source.positive(item, item_key, dimension) : source.quantity(item, item_key, dimension);
     };
-    if (dimension == Dimension::force && !node.is_array() && !node.is_table()) return {one(node, key)};
+    if (dimension == Dimension::force && !node.is_array() && !node.is_table()) return {read_one(node, key)};
     if (const auto* list = node.as_array()) {
         if (list->empty()) source.refuse(node, key, "is an empty list; at least one value is needed");
         std::vector<double> points;
         for (std::size_t i = 0; i < list->size(); ++i)
-            points.push_back(one((*list)[i], key + "[" + std::to_string(i) + "]"));
+            points.push_back(read_one((*list)[i], key + "[" + std::to_string(i) + "]"));
         return points;
     }
     if (!node.is_table())
@@ -32,8 +32,8 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
     constexpr double most = 100000;
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
     const Section range(source, *node.as_table(), key, {"from", "to", "count", "spacing"});
-    const double from = one(range.at("from"), range.key("from"));
-    const double to = one(range.at("to"), range.key("to"));
+    const double from = read_one(range.at("from"), range.key("from"));
+    const double to = read_one(range.at("to"), range.key("to"));
     std::uint64_t count = 0;
     source.read(range.at("count"), range.key("count"), count, {.low = 2, .high = most});
     if (!(from < to)) source.refuse(range.at("to"), range.key("to"), "must be greater than " + range.key("from"));
@@ -87,7 +87,7 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
                                      "is missing; the scene needs contact.pressures, contact.force or "
                                      "contact.separations"));
     const Kind* const kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& one) { return one.name == name; });
+        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return kind.name == name; });
     const toml::node& node = contact.at(kind->name);
     const std::string key = contact.key(kind->name);
     scene.at_separations = kind->dimension == Dimension::length;
@@ -226,7 +226,7 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
                                                      contact.key("peaks") + "[" + std::to_string(i) + "]", scene.face));
     } else {
         take_peaks(scene);
-        for (Peaks& one : scene.peaks) one.where.file = source.file, one.key = "contact.peaks.";
+        for (Peaks& entry : scene.peaks) entry.where.file = source.file, entry.key = "contact.peaks.";
         const bool isotropic = has_isotropic_peaks(scene.face);
         source.record_default(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws "
                                                                 "theta = pi/4 and pi/3, r = exponential"
@@ -250,7 +250,7 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
     read_laws(source, root, contact, scene, replaced);
     for (const LawName law : laws_with_options)  // checked, though no law of the scene takes them
         if (!is_shared(law) && contact.find(name_of(law)) &&
-            std::none_of(scene.laws.begin(), scene.laws.end(), [&](const Law* one) { return one->which == law; }))
+            std::none_of(scene.laws.begin(), scene.laws.end(), [&](const Law* known) { return known->which == law; }))
             read_law_options(source, root, law, scene);
     read_peaks(source, contact, scene, replaced);
     read_interaction(source, contact, scene);

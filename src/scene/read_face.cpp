@@ -45,17 +45,17 @@ std::string beside_scene(Source& source, const std::string& file) {
 
 /// The files that \p from names, relative to the scene.
 std::vector<std::string> files_of(Source& source, const toml::node& from, const std::string& key) {
-    const auto one = [&](const toml::node& node, const std::string& name) {
+    const auto read_one = [&](const toml::node& node, const std::string& name) {
         const std::string file = source.text(node, name);
         if (file.empty()) source.refuse(node, name, "must name a file");
         return beside_scene(source, file);
     };
     const auto* list = from.as_array();
-    if (!list) return {one(from, key)};
+    if (!list) return {read_one(from, key)};
     if (list->empty()) source.refuse(from, key, "is an empty list; at least one file is needed");
     std::vector<std::string> files;
     for (std::size_t i = 0; i < list->size(); ++i)
-        files.push_back(one((*list)[i], key + "[" + std::to_string(i) + "]"));
+        files.push_back(read_one((*list)[i], key + "[" + std::to_string(i) + "]"));
     return files;
 }
 
@@ -94,19 +94,19 @@ Field field_of(const parts::ParameterRow& row, bool zero_too = false) {
 }
 
 /// rms_gradient, alpha and hurst, as they are written.
-void each_of_spectrum(JointFace& of, auto take) {
-    take("rms_gradient", of.rms_gradient, Field{});  // the library has their ranges
-    take("alpha", of.alpha, Field{});
-    take("hurst", of.hurst, Field{});
+void each_of_spectrum(JointFace& face, auto take) {
+    take("rms_gradient", face.rms_gradient, Field{});  // the library has their ranges
+    take("alpha", face.alpha, Field{});
+    take("hurst", face.hurst, Field{});
 }
 
-void each_length(JointFace& of, auto take) {
-    take("max_peak_height", of.max_peak_height, request::positive(Dimension::length));
-    take("fractal_roughness", of.fractal_roughness, request::positive(Dimension::length));
+void each_length(JointFace& face, auto take) {
+    take("max_peak_height", face.max_peak_height, request::positive(Dimension::length));
+    take("fractal_roughness", face.fractal_roughness, request::positive(Dimension::length));
 }
 
 /// surface.errors: standard errors of parameters that are known.
-void read_errors(Source& source, const Section& surface, JointFace& of) {
+void read_errors(Source& source, const Section& surface, JointFace& face) {
     const toml::node* errors = surface.find("errors");
     if (!errors) return;
     if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
@@ -124,24 +124,26 @@ void read_errors(Source& source, const Section& surface, JointFace& of) {
             source.refuse(node, section.key(key), "must be finite and not negative");
         return error;
     };
-    const auto measured = [&](Parameter which) { return of.measured && of.measured->find(which); };
+    const auto measured = [&](Parameter which) { return face.measured && face.measured->find(which); };
     for (const auto& [which, value, error] : face_parameters) {
         const parts::ParameterRow& row = parts::row_of(which);
         const toml::node* node = section.find(row.key);
         if (!node) continue;
-        of.errors.*error = require_error(*node, row.key, surface.find(row.key) || measured(which), field_of(row, true));
+        face.errors.*error =
+            require_error(*node, row.key, surface.find(row.key) || measured(which), field_of(row, true));
         const double half = static_cast<double>(row.high.value - row.low.value) / 2;
-        if (row.variation == parts::Variation::between && *(of.errors.*error) > half)
+        if (row.variation == parts::Variation::between && *(face.errors.*error) > half)
             source.refuse(*node, section.key(row.key),
                           "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
     for (const std::string_view key : heights)
         if (const toml::node* node = section.find(key))
-            of.errors.height = require_error(*node, key, surface.find(key), {.dimension = Dimension::length});
+            face.errors.height = require_error(*node, key, surface.find(key), {.dimension = Dimension::length});
     for (const std::string_view key : gradients)
         if (const toml::node* node = section.find(key))
-            of.errors.gradient = require_error(
-                *node, key, surface.find(key) || (key == "rms_gradient" && of.measured && of.measured->heights), {});
+            face.errors.gradient = require_error(
+                *node, key, surface.find(key) || (key == "rms_gradient" && face.measured && face.measured->heights),
+                {});
 }
 
 /// The keys of a face in \p table.
@@ -171,11 +173,12 @@ std::vector<std::string_view> keys_of_face(const toml::table& table) {
 /// Puts on record what follows from numbers of other names, at the place of these, and R and D_p of the moments.
 void record_following(Source& source, const Section& surface, const Face& face,
                       const std::vector<Following>& following) {
-    for (auto one = following.rbegin(); one != following.rend(); ++one) {
-        const parts::ParameterRow& row = parts::row_of(one->which);
-        const auto value = one->which == Parameter::rms_height ? face.value(one->which) : face.rms_gradient;
-        source.inputs.insert(source.inputs.begin() + static_cast<std::ptrdiff_t>(one->place),
-                             {surface.key(row.key), "of " + std::string(one->of), value, std::string(row.unit), false});
+    for (auto number = following.rbegin(); number != following.rend(); ++number) {
+        const parts::ParameterRow& row = parts::row_of(number->which);
+        const auto value = number->which == Parameter::rms_height ? face.value(number->which) : face.rms_gradient;
+        source.inputs.insert(
+            source.inputs.begin() + static_cast<std::ptrdiff_t>(number->place),
+            {surface.key(row.key), "of " + std::string(number->of), value, std::string(row.unit), false});
     }
     for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
                                          std::pair(face.density_follows, Parameter::peak_density)})
@@ -185,22 +188,22 @@ void record_following(Source& source, const Section& surface, const Face& face,
 }
 
 /// The parameters that \p surface writes.
-void read_parameters(Source& source, const Section& surface, JointFace& of) {
+void read_parameters(Source& source, const Section& surface, JointFace& face) {
     for (const auto& [which, into, error] : face_parameters) {
         const parts::ParameterRow& row = parts::row_of(which);
-        if (!of.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
+        if (!face.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
         const toml::node* node = surface.find(row.key);
         if (!node) continue;
         double value = 0;
         source.read(*node, surface.key(row.key), value, field_of(row));
-        of.*into = value;
+        face.*into = value;
     }
 }
 
-/// The face of \p of; what it lacks is refused at the key of \p surface that it follows from.
-Face face_of_section(const Source& source, const Section& surface, const JointFace& of) {
+/// The face of \p face; what it lacks is refused at the key of \p surface that it follows from.
+Face face_of_section(const Source& source, const Section& surface, const JointFace& given) {
     try {
-        return face_of(of);
+        return face_of(given);
     } catch (const domain_error& error) {
         const std::string key(error.parameter() == "bearing" ? first_bearing_key(surface) : error.parameter());
         if (key.empty()) throw error.with_place(source.place(surface.node()));
@@ -215,25 +218,25 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
                const ProgressHook& progress) {
     refuse_extremes(source, table, path);
     const Section surface(source, table, path, keys_of_face(table));
-    JointFace of;
+    JointFace given;
     std::vector<Following> following;
     Measured& measured = scene.measured.emplace_back();
     if (surface.find("from")) {
         measured = read_from(source, surface, progress);
         record_measured(source, *measured, path);
-        of.measured = found_of(measured);
+        given.measured = found_of(measured);
     }
-    if (const toml::node* node = surface.find("process")) source.read(*node, surface.key("process"), of.process);
-    if (!of.measured) following = read_roughness(source, surface, of);
-    surface.read([&](auto take) { each_of_spectrum(of, take); });
-    read_parameters(source, surface, of);
-    read_errors(source, surface, of);
-    surface.read([&](auto take) { each_length(of, take); });
-    read_bearing(source, surface, of);
-    Face face = face_of_section(source, surface, of);
+    if (const toml::node* node = surface.find("process")) source.read(*node, surface.key("process"), given.process);
+    if (!given.measured) following = read_roughness(source, surface, given);
+    surface.read([&](auto take) { each_of_spectrum(given, take); });
+    read_parameters(source, surface, given);
+    read_errors(source, surface, given);
+    surface.read([&](auto take) { each_length(given, take); });
+    read_bearing(source, surface, given);
+    Face face = face_of_section(source, surface, given);
     if (surface.find("Sa"))
-        for (Prior& one : face.priors)
-            if (one.origin == Origin::mean_height) one.origin = Origin::mean_heights;
+        for (Prior& prior : face.priors)
+            if (prior.origin == Origin::mean_height) prior.origin = Origin::mean_heights;
     record_following(source, surface, face, following);
     return face;
 }

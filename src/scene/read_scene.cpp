@@ -127,13 +127,13 @@ void take_assumed_numbers(Source& source, Scene& scene) {
     const std::vector<NamedFace> faces = named_faces(scene);
     for (const auto& [place, prior] : felt_priors(scene, scene.laws)) {
         if (prior->origin == Origin::measurement) continue;
-        const NamedFace& of = faces[place];
-        const auto [end, value] = key_and_value(*of.face, prior->which);
-        const std::string key = "surface." + (one_face ? "" : std::string(of.name) + ".") + std::string(end);
+        const NamedFace& named = faces[place];
+        const auto [end, value] = key_and_value(*named.face, prior->which);
+        const std::string key = "surface." + (one_face ? "" : std::string(named.name) + ".") + std::string(end);
         if (std::none_of(source.inputs.begin(), source.inputs.end(),
                          [&](const Input& input) { return input.key == key; }))
             source.record_default(key, "assumed", value);
-        scene.assumptions.push_back((one_face ? "" : std::string(of.name) + ": ") + phrase_of(*prior, *of.face));
+        scene.assumptions.push_back((one_face ? "" : std::string(named.name) + ": ") + phrase_of(*prior, *named.face));
     }
 }
 
@@ -174,16 +174,16 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
     if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
-    for (const Assumed& one : assumed(scene))
-        source.record_default("surface." + std::string(one.key), one.how, one.value);
+    for (const Assumed& number : assumed(scene))
+        source.record_default("surface." + std::string(number.key), number.how, number.value);
     take_assumed_numbers(source, scene);
     for (const auto& [name, face, file] : measured_files(scene)) {
-        const std::string of = scene.faces.empty() ? "" : std::string(name) + ": ";
+        const std::string label = scene.faces.empty() ? "" : std::string(name) + ": ";
         if (face->is_taken_across())
-            scene.assumptions.push_back(of +
+            scene.assumptions.push_back(label +
                                         "the trace across the lay, as ISO 21920 has it (along it K errs 2 to 5 times)");
         for (const std::string& warning : scene.best ? file->of_file : file->warnings)
-            scene.warnings.push_back(of + warning);
+            scene.warnings.push_back(label + warning);
     }
     for (const auto& [name, face, file] : named_faces(scene))
         warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);

@@ -162,7 +162,7 @@ public:
     const toml::node& node() const { return table_; }
     const toml::node* find(std::string_view name) const { return table_.get(name); }
     const toml::node& at(std::string_view name, const std::string& why = "is missing; the scene needs it") const {
-        if (const auto* found = find(name)) return *found;
+        if (const auto* node = find(name)) return *node;
         throw domain_error((path_.empty() ? source_.file : source_.at(table_)) + ": " + key(name) + ": " + why);
     }
     /// Reads the fields that \p each hands over, in their order; \p absent is called with the key and the member of one
@@ -198,9 +198,9 @@ public:
         return there;
     }
     const toml::table& subtable(std::string_view name) const {
-        const toml::node& found = at(name, "is missing; the scene needs this section");
-        if (!found.is_table()) source_.refuse(found, key(name), "must be a section of keys");
-        return *found.as_table();
+        const toml::node& node = at(name, "is missing; the scene needs this section");
+        if (!node.is_table()) source_.refuse(node, key(name), "must be a section of keys");
+        return *node.as_table();
     }
 
     double positive(std::string_view name, Dimension dimension) const {
