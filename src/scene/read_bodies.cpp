@@ -284,7 +284,7 @@ struct Gap {
     void each_field(auto take) {
         const Field share{.high = 1, .above_low = true};
         std::vector<std::string_view> names;
-        for (const parts::NamedMedium& medium : parts::named_media) names.push_back(medium.name);
+        for (const parts::NamedMedium& known : parts::named_media) names.push_back(known.name);
         take("medium", medium, Field{.words = names});
         take("accommodation", accommodation, share);
         take("conductivity", conductivity, request::positive(Dimension::thermal_conductivity));

@@ -87,7 +87,7 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
                                      "is missing; the scene needs contact.pressures, contact.force or "
                                      "contact.separations"));
     const Kind* const kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return kind.name == name; });
+        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& row) { return row.name == name; });
     const toml::node& node = contact.at(kind->name);
     const std::string key = contact.key(kind->name);
     scene.at_separations = kind->dimension == Dimension::length;
