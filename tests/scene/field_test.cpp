@@ -14,6 +14,7 @@
 #include "surface/islands_of_map.hpp"
 #include "surface/peak_density.hpp"
 #include "surface/spectrum.hpp"
+#include "surface/surface_option_table.hpp"
 #include "surface/truth_of_map.hpp"
 
 #include "support/accuracy.hpp"
