@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/law_options.hpp"
 
-#include "scene/source.hpp"
+#include "scene/readers.hpp"
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace {
 
 /// The section contact.\p law, or \p law at the root where it is shared; null where there is neither. \p path is where
 /// it was found.
-const toml::table* section_of_law(Source& source, const Section& root, LawName law, std::string& path) {
+const toml::table* section_of_law(request::Source& source, const Section& root, LawName law, std::string& path) {
     const std::string name(name_of(law));
     const toml::node* contact = root.find("contact");
     const toml::node* within = contact && contact->is_table() ? contact->as_table()->get(name) : nullptr;
@@ -27,7 +27,7 @@ const toml::table* section_of_law(Source& source, const Section& root, LawName l
 
 }  // namespace
 
-void read_law_options(Source& source, const Section& root, LawName law, Scene& scene) {
+void read_law_options(request::Source& source, const Section& root, LawName law, Scene& scene) {
     std::string path;
     static const toml::table none;
     const toml::table* table = section_of_law(source, root, law, path);

@@ -8,10 +8,12 @@
 #include <array>
 #include <string_view>
 
-namespace fstiff::scene {
-
+namespace fstiff::request {
 struct Source;
 class Section;
+}  // namespace fstiff::request
+
+namespace fstiff::scene {
 
 /// The laws that have options.
 inline constexpr std::array laws_with_options{LawName::summits, LawName::persson, LawName::boundary_elements};
@@ -37,6 +39,6 @@ void each_law_option(LawName law, LawOptions& options, Take take) {
 
 /// Reads the section contact.\p law, or \p law at \p root, into \p scene.law_options. Of a section that is not shared
 /// the defaults are recorded.
-void read_law_options(Source& source, const Section& root, LawName law, Scene& scene);
+void read_law_options(request::Source& source, const request::Section& root, LawName law, Scene& scene);
 
 }  // namespace fstiff::scene

@@ -82,6 +82,44 @@ void warn_of_gradients(Scene& scene) {
     }
 }
 
+/// Whether three lines of \p text hold numbers alone, as those of a trace or a map do.
+bool holds_numbers(std::string_view text) {
+    std::size_t found = 0;
+    for (std::size_t begin = 0; begin < text.size() && found < 3;) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        if (line.find_first_of("0123456789") != std::string_view::npos &&
+            line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos)
+            ++found;
+        begin = end + 1;
+    }
+    return found == 3;
+}
+
+/// Whether \p text, which is not valid TOML, may be a measured surface: numbers, the JSON of fstiff measure, or binary.
+bool is_surface(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return (first != std::string_view::npos && text[first] == '{') || text.find('\0') != std::string_view::npos ||
+           holds_numbers(text);
+}
+
+/// The text of a scene as TOML. \throws domain_error for a measured surface and for a grid too, naming what reads them.
+toml::table parse_scene(const std::string& text, const std::string& file) {
+    toml::table table;
+    try {
+        table = request::parse_toml(text, file);
+    } catch (const domain_error& error) {
+        if (is_surface(text))
+            throw domain_error(std::string(error.what()) +
+                               "; a measured surface is given by --surface, or by surface.from in a scene");
+        throw;
+    }
+    if (const toml::node* sweep = table.get("sweep"))
+        throw domain_error(file + ":" + std::to_string(sweep->source().begin.line) +
+                           ": sweep: is a section of a grid, which fstiff sweep reads; remove it from a scene");
+    return table;
+}
+
 }  // namespace
 
 Scene read_scene(const std::string& text, const SceneSource& from) {
@@ -142,7 +180,7 @@ void take_assumed_numbers(Source& source, Scene& scene) {
 Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
     const std::string &file = from.name, &surface = from.surface;
     Source source{
-        file, {}, builtin, root["uncertainty"]["samples"].value<std::int64_t>() != 0, needs_dimension_of_maps(root)};
+        {file}, builtin, root["uncertainty"]["samples"].value<std::int64_t>() != 0, needs_dimension_of_maps(root)};
     Scene scene;
     scene.file = file;
 

@@ -2,7 +2,8 @@
 #pragma once
 // The sections of a scene, each read by a file of its own. Private to the files that read a scene.
 
-#include "scene/source.hpp"
+#include "request/toml.hpp"
+#include "scene/scene.hpp"
 
 #include <fstiff/core/progress.hpp>
 
@@ -11,6 +12,23 @@
 #include <vector>
 
 namespace fstiff::scene {
+
+using io::Dimension;
+using request::Field;
+using request::Section;
+using request::si_unit;
+using request::written;
+
+/// The text of a scene, and what its parts tell each other.
+struct Source : request::Source {
+    bool builtin = false;                 ///< the scene is the built-in one, whose laws nobody chose
+    bool has_band = true;                 ///< asked for: a measured surface needs its neighbours
+    bool needs_dimension_of_maps = true;  ///< some law takes D of a map, or a band of its numbers, for which H is
+    std::vector<std::string> files{};     ///< that it names
+};
+
+/// As read_scene, of the parsed \p root; the scene has no sha256. \p builtin: nobody chose its laws.
+[[nodiscard]] Scene read_table(const toml::table& root, const SceneSource& from, bool builtin = false);
 
 /// Measures the file that --surface names, or reads what fstiff measure made of it.
 void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress);

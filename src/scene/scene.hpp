@@ -3,6 +3,7 @@
 // A scene: a surface, two bodies and what is asked of their contact, read from TOML. Every key, unit and default is in
 // docs/scene.md. results.hpp computes it.
 
+#include "request/input.hpp"
 #include "scene/column.hpp"
 #include "scene/joint.hpp"
 #include "surface/measured_surface.hpp"
@@ -21,16 +22,7 @@
 
 namespace fstiff::scene {
 
-/// One key of the scene as its author wrote it, and what it came to in SI units.
-struct Input {
-    std::string key;      ///< path, such as "surface.rms_height"
-    std::string written;  ///< the text of the scene
-    std::optional<double> value;
-    std::string unit;   ///< SI unit of value; empty when it has none
-    bool given = true;  ///< in the text of the scene
-
-    [[nodiscard]] std::string shown() const { return given ? written : written + " (default)"; }  ///< as printed
-};
+using request::Input;
 
 /// Values between two ends, by { from, to, count, spacing } of a scene.
 struct Range {

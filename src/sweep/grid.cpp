@@ -17,8 +17,8 @@ namespace {
 
 using io::Dimension;
 using request::Field;
-using scene::Section;
-using scene::Source;
+using request::Section;
+using request::Source;
 
 constexpr std::uint64_t most_scenes = std::uint64_t(1) << 53;  // whole numbers that JSON readers keep
 constexpr std::array<std::string_view, 3> kinds{"normal", "lognormal", "uniform"};
@@ -46,12 +46,12 @@ bool names_text(const std::string& key) {
 std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node& node, const std::string& key) {
     if (node.is_number()) {
         double value = 0;
-        const auto number = scene::value_of(node);
+        const auto number = request::value_of(node);
         source.located(node, [&] { request::put(number, value, key, {}); });
         return NumberWithUnit{value, {}, node.is_integer()};
     }
     if (!node.is_string()) return std::nullopt;
-    const std::string text = scene::written(node);
+    const std::string text = request::written(node);
     for (const auto& [dimension, name] : names<Dimension>) {
         try {
             return NumberWithUnit{io::parse_quantity(text, dimension, ""), dimension};
@@ -78,7 +78,7 @@ std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, c
 }
 
 std::string unit_of(const std::optional<Dimension>& dimension) {
-    return dimension ? std::string(scene::si_unit(*dimension)) : "";
+    return dimension ? std::string(request::si_unit(*dimension)) : "";
 }
 
 /// { from, to, count, spacing }
@@ -151,7 +151,7 @@ std::string shown(const toml::node& node) {
             text += (text.empty() ? "" : ", ") + std::string(key.str()) + " = " + shown(item);
         return "{" + text + "}";
     }
-    return scene::written(node);
+    return request::written(node);
 }
 
 void read_list(const Source& source, const toml::node& node, const std::string& key, Found& found) {
@@ -308,7 +308,7 @@ void add_files(const Source& source, const toml::node& node, bool is_file, std::
     } else if (const auto* list = node.as_array()) {
         for (const toml::node& item : *list) add_files(source, item, is_file, files);
     } else if (is_file && node.is_string()) {
-        const std::string file = scene::written(node);
+        const std::string file = request::written(node);
         if (file == "-")
             throw domain_error(source.at(node) + ": is standard input, which only one scene can read; must be a file");
         files.push_back(scene::name_of_path(scene::path_of(source.file).parent_path() / scene::path_of(file)));
@@ -355,7 +355,7 @@ toml::table table_of(const Grid& grid, const std::vector<Value>& values) {
 
 Grid read_grid(const std::string& text, const std::string& file) {
     Source source{file, {}};
-    toml::table root = scene::parse_toml(text, file);
+    toml::table root = request::parse_toml(text, file);
     Finder finder(source, root);
     const toml::node* sweep = root.get("sweep");
     if (sweep && !sweep->is_table()) source.refuse(*sweep, "sweep", "must be a section of keys");

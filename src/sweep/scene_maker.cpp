@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/scene_maker.hpp"
 
-#include "scene/source.hpp"
+#include "scene/readers.hpp"
 #include "sweep/template.hpp"
 
 #include <fstiff/contact/contact_law.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 // The TOML of a grid, and how a scene is made of it. Private to the files that make scenes: it brings in toml++.
 
-#include "scene/source.hpp"
+#include "request/toml.hpp"
 #include "sweep/grid.hpp"
 
 #include <vector>

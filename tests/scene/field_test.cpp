@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One rule puts a value into a field, whether a scene, a program or a line of options gives it, and every field of a
 // request is an option of its command.
+#include "request/toml.hpp"
 #include "request/values.hpp"
 
 #include "cli/command.hpp"
@@ -8,7 +9,6 @@
 #include "scene/exported_law.hpp"
 #include "scene/identified.hpp"
 #include "scene/reflections.hpp"
-#include "scene/source.hpp"
 #include "surface/fractal.hpp"
 #include "surface/generated.hpp"
 #include "surface/islands_of_map.hpp"
@@ -63,10 +63,10 @@ struct Owner {
 /// \p text of a scene's section, read.
 Owner of_scene(const std::string& text, std::vector<scene::Input>* inputs = nullptr) {
     Owner owner;
-    scene::Source source{.file = "s.toml"};
-    const toml::table root = scene::parse_toml(text, source.file);
+    fstiff::request::Source source{.file = "s.toml"};
+    const toml::table root = fstiff::request::parse_toml(text, source.file);
     const auto fields = [&](auto take) { owner.each_field(take); };
-    const scene::Section section(source, root, "", fstiff::request::keys_of(fields));
+    const fstiff::request::Section section(source, root, "", fstiff::request::keys_of(fields));
     section.read(fields);
     if (inputs) *inputs = source.inputs;
     return owner;

@@ -2,7 +2,7 @@
 // Lines of results. Truth: every scene of the grid read from its own table and computed by itself.
 #include "sweep/lines.hpp"
 
-#include "scene/source.hpp"
+#include "scene/readers.hpp"
 #include "support/catch.hpp"
 #include "sweep/template.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define TOML_IMPLEMENTATION
-#include "scene/source.hpp"
+#include "request/toml.hpp"
 
 #include "document/file.hpp"
 
-namespace fstiff::scene {
+namespace fstiff::request {
 namespace {
 
 /// The depth of the tables and lists of a text, character after character; the parts of a.b.c count. Each level takes a
@@ -96,33 +96,12 @@ std::size_t breaking_line(std::string_view text) {
     return static_cast<std::size_t>(broken - ends.begin()) + 1;
 }
 
-/// Whether three lines of \p text hold numbers alone, as those of a trace or a map do.
-bool holds_numbers(std::string_view text) {
-    std::size_t found = 0;
-    for (std::size_t begin = 0; begin < text.size() && found < 3;) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = text.substr(begin, end - begin);
-        if (line.find_first_of("0123456789") != std::string_view::npos &&
-            line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos)
-            ++found;
-        begin = end + 1;
-    }
-    return found == 3;
-}
-
-/// Whether \p text, which is not valid TOML, may be a measured surface: numbers, the JSON of fstiff measure, or binary.
-bool is_surface(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r\n");
-    return (first != std::string_view::npos && text[first] == '{') || text.find('\0') != std::string_view::npos ||
-           holds_numbers(text);
-}
-
 }  // namespace
 
 std::string written(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* number = node.as_floating_point())
-        return std::isfinite(number->get()) ? shortest(number->get())
+        return std::isfinite(number->get()) ? scene::shortest(number->get())
                : std::isnan(number->get())  ? "nan"
                : number->get() < 0          ? "-inf"
                                             : "inf";
@@ -133,9 +112,9 @@ std::string written(const toml::node& node) {
     return "a date or a time";
 }
 
-request::Value value_of(const toml::node& node) {
-    using Kind = request::Value::Kind;
-    request::Value value{.kind = Kind::other, .written = written(node), .giver = request::Value::Giver::scene};
+Value value_of(const toml::node& node) {
+    using Kind = Value::Kind;
+    Value value{.kind = Kind::other, .written = written(node), .giver = Value::Giver::scene};
     if (node.is_string()) value.kind = Kind::text;
     if (const auto* truth = node.as_boolean()) value.kind = Kind::truth, value.number = truth->get();
     if (const auto* real = node.as_floating_point()) value.kind = Kind::real, value.number = real->get();
@@ -153,7 +132,7 @@ request::Value value_of(const toml::node& node) {
 }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
-    if (text.size() > longest_scene)
+    if (text.size() > scene::longest_scene)
         throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes or more; must be at most 1 MiB");
     const auto refuse = [&](std::size_t line, const std::string& reason) {
         return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason);
@@ -170,20 +149,4 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     }
 }
 
-toml::table parse_scene(const std::string& text, const std::string& file) {
-    toml::table table;
-    try {
-        table = parse_toml(text, file);
-    } catch (const domain_error& error) {
-        if (is_surface(text))
-            throw domain_error(std::string(error.what()) +
-                               "; a measured surface is given by --surface, or by surface.from in a scene");
-        throw;
-    }
-    if (const toml::node* sweep = table.get("sweep"))
-        throw domain_error(file + ":" + std::to_string(sweep->source().begin.line) +
-                           ": sweep: is a section of a grid, which fstiff sweep reads; remove it from a scene");
-    return table;
-}
-
-}  // namespace fstiff::scene
+}  // namespace fstiff::request

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The TOML of a scene while it is read: values with their units, refusals with their place, and a record of the inputs.
-// Private to the files that read a scene: it brings in toml++.
+// TOML as a giver of values: refusals with their place, a record of the inputs, and sections of known keys. Private to
+// the files that read a scene: it brings in toml++.
 
+#include "document/file.hpp"
 #include "request/field.hpp"
-#include "scene/scene.hpp"
+#include "request/input.hpp"
 
 #include <fstiff/core/error.hpp>
 
 // toml++ 3.3 asserts, or assumes in an optimised build, what some malformed texts break. Its assertions are made to
 // throw in every build; no other file includes toml++.
-namespace fstiff::scene {
+namespace fstiff::request {
 struct BrokenToml {};
 constexpr void expect_toml(bool whole) {
     if (!whole) throw BrokenToml{};
 }
-}  // namespace fstiff::scene
+}  // namespace fstiff::request
 #undef NDEBUG
-#define TOML_ASSERT(expression) fstiff::scene::expect_toml(static_cast<bool>(expression))
-#define TOML_HEADER_ONLY 0  // source.cpp holds the implementation
+#define TOML_ASSERT(expression) fstiff::request::expect_toml(static_cast<bool>(expression))
+#define TOML_HEADER_ONLY 0  // toml.cpp holds the implementation
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -30,26 +31,21 @@ constexpr void expect_toml(bool whole) {
 #include <type_traits>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::request {
 
 using io::Dimension;
-using request::Field;
-using request::si_unit;
+using scene::list_of;
 
 /// The text of a value for messages and for the echo of the inputs.
 [[nodiscard]] std::string written(const toml::node& node);
 
 /// \p node as a value of a field.
-[[nodiscard]] request::Value value_of(const toml::node& node);
+[[nodiscard]] Value value_of(const toml::node& node);
 
-/// Common data of all parts of one scene: its place for messages, and the record of its inputs.
+/// Common data of all parts of one text: its name for messages, and the record of its inputs.
 struct Source {
     std::string file;
-    std::vector<Input> inputs;
-    bool builtin = false;                 ///< the scene is the built-in one, whose laws nobody chose
-    bool has_band = true;                 ///< asked for: a measured surface needs its neighbours
-    bool needs_dimension_of_maps = true;  ///< some law takes D of a map, or a band of its numbers, for which H is
-    std::vector<std::string> files{};     ///< that it names
+    std::vector<Input> inputs{};
 
     std::string at(const toml::node& node) const {
         const auto line = node.source().begin.line;
@@ -79,8 +75,8 @@ struct Source {
     /// Puts \p node into \p to, and on record.
     template <class Member>
     void read(const toml::node& node, const std::string& key, Member& to, const Field& field = {}) {
-        const request::Value value = value_of(node);
-        located(node, [&] { request::put(value, to, key, field); });
+        const Value value = value_of(node);
+        located(node, [&] { put(value, to, key, field); });
         record(key, value, to, field);
     }
     double quantity(const toml::node& node, const std::string& key, Dimension dimension) {
@@ -105,10 +101,8 @@ struct Source {
     }
     /// One of \p allowed, by its place in that list.
     std::size_t choice(const toml::node& node, const std::string& key, std::span<const std::string_view> allowed) {
-        const request::Value value = value_of(node);
-        const std::size_t place = located(node, [&] {
-            return request::word(value, key, {allowed.begin(), allowed.end()});
-        });
+        const Value value = value_of(node);
+        const std::size_t place = located(node, [&] { return word(value, key, {allowed.begin(), allowed.end()}); });
         record(key, value.written);
         return place;
     }
@@ -130,14 +124,14 @@ struct Source {
 private:
     /// The number of a field of numbers with its unit; of other fields the text alone.
     template <class Member>
-    void record(const std::string& key, const request::Value& value, const Member& to, const Field& field) {
+    void record(const std::string& key, const Value& value, const Member& to, const Field& field) {
         if constexpr (requires {
                           typename Member::value_type;
                           to.has_value();
                       })
             record(key, value, *to, field);
         else if constexpr (std::is_arithmetic_v<Member>)
-            std::is_same_v<Member, bool>&& field.form == request::Form::plain
+            std::is_same_v<Member, bool>&& field.form == Form::plain
                 ? record(key, value.written)
                 : record(key, value.written, static_cast<double>(to), field.dimension ? si_unit(*field.dimension) : "");
         else
@@ -218,10 +212,5 @@ private:
 
 /// \throws domain_error with the line of \p file where \p text is not valid TOML.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
-/// The same of a scene. \throws domain_error for a measured surface and for a grid too, naming what reads them.
-[[nodiscard]] toml::table parse_scene(const std::string& text, const std::string& file);
 
-/// As read_scene, of the parsed \p root; the scene has no sha256. \p builtin: nobody chose its laws.
-[[nodiscard]] Scene read_table(const toml::table& root, const SceneSource& from, bool builtin = false);
-
-}  // namespace fstiff::scene
+}  // namespace fstiff::request
