@@ -19,7 +19,7 @@ using request::Section;
 using request::si_unit;
 using request::written;
 
-/// The text of a scene, and what its parts tell each other.
+/// The text of a scene, and what one part of it needs of another.
 struct Source : request::Source {
     bool builtin = false;                 ///< the scene is the built-in one, whose laws nobody chose
     bool has_band = true;                 ///< asked for: a measured surface needs its neighbours
