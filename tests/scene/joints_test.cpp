@@ -92,8 +92,8 @@ TEST_CASE("The nominal area of a washer is that of its ring") {
     CHECK(test::relative_error(*m8.nominal_area, pi / 4 * (16e-3 * 16e-3 - 8.4e-3 * 8.4e-3)) < 1e-14);
     CHECK(test::relative_error(*read("{ inner = \"0 mm\", outer = \"2 mm\" }").nominal_area, pi * 1e-6) < 1e-14);
     CHECK(input_of(m8, "contact.nominal_area").value == m8.nominal_area);
-    CHECK(m8.joint_stiffness);
-    CHECK(m8.approach);
+    CHECK(m8.asks(scene::CurveQuantity::joint_stiffness));
+    CHECK(m8.asks(scene::CurveQuantity::approach));
 }
 
 TEST_CASE("The approach is 0 at the seating pressure and grows by dp/K") {
