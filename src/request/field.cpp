@@ -58,10 +58,11 @@ double quantity(const Value& value, std::string_view key, io::Dimension dimensio
 
 std::string Amount::text(std::string_view unit) const {
     if (si_.empty()) return text_;
-    std::string all;
-    for (const double one : si_)
-        all += (all.empty() ? "" : ",") + parts::shortest_text(one) + (unit.empty() ? "" : " ") + std::string(unit);
-    return all;
+    std::string joined;
+    for (const double number : si_)
+        joined +=
+            (joined.empty() ? "" : ",") + parts::shortest_text(number) + (unit.empty() ? "" : " ") + std::string(unit);
+    return joined;
 }
 
 double Amount::value(io::Dimension dimension, std::string_view name) const {
@@ -142,11 +143,11 @@ Value Value::of_line(std::string text) {
         value.number = value.written == "true";
         return value;
     }
-    const auto found = io::detail::leading_number(value.written);
-    if (value.written.empty() || found.length != value.written.size() || found.status != io::detail::NumberStatus::ok)
+    const auto number = io::detail::leading_number(value.written);
+    if (value.written.empty() || number.length != value.written.size() || number.status != io::detail::NumberStatus::ok)
         return value;
-    value.kind = found.value == std::floor(found.value) ? Kind::whole : Kind::real;
-    value.number = found.value;
+    value.kind = number.value == std::floor(number.value) ? Kind::whole : Kind::real;
+    value.number = number.value;
     return value;
 }
 
@@ -179,11 +180,11 @@ void put(const Value& value, std::vector<std::string>& to, std::string_view key,
         for (const Value& item : value.items) put(item, to.emplace_back(), key, {});
         return;
     }
-    std::string all;
-    put(value, all, key, {});
-    for (std::size_t begin = 0; begin < all.size();) {
-        const std::size_t end = std::min(all.find(',', begin), all.size());
-        to.push_back(all.substr(begin, end - begin));
+    std::string joined;
+    put(value, joined, key, {});
+    for (std::size_t begin = 0; begin < joined.size();) {
+        const std::size_t end = std::min(joined.find(',', begin), joined.size());
+        to.push_back(joined.substr(begin, end - begin));
         begin = end + 1;
     }
 }
@@ -212,12 +213,12 @@ void put(const Value& value, Amount& to, std::string_view key, const Field& fiel
 
 std::int64_t whole(const Value& value, std::string_view key, const Field& field, std::int64_t least,
                    std::int64_t most) {
-    Field of = field;
-    if (!of.has_range()) of.low = static_cast<double>(least), of.high = static_cast<double>(most);
-    if (value.kind != Kind::whole || !of.holds(value.number)) {
+    Field range = field;
+    if (!range.has_range()) range.low = static_cast<double>(least), range.high = static_cast<double>(most);
+    if (value.kind != Kind::whole || !range.holds(value.number)) {
         const bool is_written_so = value.kind == Kind::real && value.number == std::floor(value.number);
         refuse(value, key,
-               "must be " + of.allowed(true) + (is_written_so ? ", written without a point and an exponent" : ""));
+               "must be " + range.allowed(true) + (is_written_so ? ", written without a point and an exponent" : ""));
     }
     const auto& words = field.words;
     if (!words.empty() && std::find(words.begin(), words.end(), value.written) == words.end())
@@ -226,9 +227,9 @@ std::int64_t whole(const Value& value, std::string_view key, const Field& field,
 }
 
 std::size_t word(const Value& value, std::string_view key, const std::vector<std::string_view>& words) {
-    const auto found = std::find(words.begin(), words.end(), value.kind == Kind::text ? value.written : "");
-    if (found == words.end()) refuse(value, key, "must be one of " + scene::list_of(words));
-    return static_cast<std::size_t>(found - words.begin());
+    const auto place = std::find(words.begin(), words.end(), value.kind == Kind::text ? value.written : "");
+    if (place == words.end()) refuse(value, key, "must be one of " + scene::list_of(words));
+    return static_cast<std::size_t>(place - words.begin());
 }
 
 }  // namespace fstiff::request

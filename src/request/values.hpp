@@ -19,10 +19,10 @@ public:
     template <class Member>
     void read(std::string_view key, Member& to, const Field& field = {}) {
         known_ += (known_.empty() ? "" : ", ") + std::string(key);
-        const auto found = values_.find(key);
-        if (found == values_.end()) return;
-        put(found->second, to, key, field);
-        values_.erase(found);
+        const auto entry = values_.find(key);
+        if (entry == values_.end()) return;
+        put(entry->second, to, key, field);
+        values_.erase(entry);
     }
     /// Reads every field of \p owner.
     template <class Owner>

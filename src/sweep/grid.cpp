@@ -24,7 +24,7 @@ constexpr std::uint64_t most_scenes = std::uint64_t(1) << 53;  // whole numbers 
 constexpr std::array<std::string_view, 3> kinds{"normal", "lognormal", "uniform"};
 
 /// A swept quantity as it was found, with its place for the order of the axes.
-struct Found {
+struct Swept {
     Axis axis;
     toml::array listed;
     toml::source_position begin;
@@ -65,13 +65,13 @@ std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node
 std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const toml::node& first,
                                                          const toml::node& second, const std::string& first_key,
                                                          const std::string& second_key) {
-    const auto one = [&](const toml::node& node, const std::string& key) {
-        const auto found = quantity_of(source, node, key);
-        if (!found || !std::isfinite(found->value))
+    const auto finite = [&](const toml::node& node, const std::string& key) {
+        const auto number = quantity_of(source, node, key);
+        if (!number || !std::isfinite(number->value))
             source.refuse(node, key, "must be a finite number, or a text of a number and its unit such as \"0.8 um\"");
-        return *found;
+        return *number;
     };
-    const auto a = one(first, first_key), b = one(second, second_key);
+    const auto a = finite(first, first_key), b = finite(second, second_key);
     if (a.dimension != b.dimension)
         source.refuse(second, second_key, "must be a quantity of the same kind as " + first_key);
     return {a, b};
@@ -82,8 +82,8 @@ std::string unit_of(const std::optional<Dimension>& dimension) {
 }
 
 /// { from, to, count, spacing }
-void read_range(Source& source, const toml::table& table, Found& found) {
-    const std::string& key = found.axis.key;
+void read_range(Source& source, const toml::table& table, Swept& swept) {
+    const std::string& key = swept.axis.key;
     const Section section(source, table, key, {"from", "to", "count", "spacing"});
     const auto [from, to] =
         two_quantities(source, section.at("from"), section.at("to"), section.key("from"), section.key("to"));
@@ -97,43 +97,43 @@ void read_range(Source& source, const toml::table& table, Found& found) {
         source.refuse(section.at("to"), section.key("to"), "must be greater than " + section.key("from"));
     if (log && !(from.value > 0))
         source.refuse(section.at("from"), section.key("from"), "must be greater than 0 for spacing = \"log\"");
-    found.axis.range = scene::Range{from.value, to.value, count, log};
-    found.axis.whole = from.whole && to.whole;
-    found.axis.unit = unit_of(from.dimension);
+    swept.axis.range = scene::Range{from.value, to.value, count, log};
+    swept.axis.whole = from.whole && to.whole;
+    swept.axis.unit = unit_of(from.dimension);
 }
 
 /// { normal = [a, b] } and its like.
-void read_distribution(Source& source, const toml::table& table, std::size_t kind, Found& found) {
-    const Section section(source, table, found.axis.key, kinds);
+void read_distribution(Source& source, const toml::table& table, std::size_t kind, Swept& swept) {
+    const Section section(source, table, swept.axis.key, kinds);
     const std::string key = section.key(kinds[kind]);
     const toml::node& node = section.at(kinds[kind]);
     const auto* pair = node.as_array();
     const bool log = kind == 1;
-    const std::string wanted =
+    const std::string allowed =
         log         ? "must be a list of the median and the standard deviation of the logarithm, such as "
                       "[\"40 um\", 0.1], or of the mean and the standard deviation, such as [\"40 um\", \"4 um\"]"
         : kind == 0 ? "must be a list of the mean and the standard deviation, such as [\"5 um\", \"0.2 um\"]"
                     : "must be a list of the lowest and the highest value, such as [\"4 um\", \"6 um\"]";
-    if (table.size() != 1 || !pair || pair->size() != 2) source.refuse(node, key, wanted);
+    if (table.size() != 1 || !pair || pair->size() != 2) source.refuse(node, key, allowed);
     const toml::node &first = (*pair)[0], &second = (*pair)[1];
-    Distribution& drawn = found.axis.drawn.emplace();
+    Distribution& drawn = swept.axis.drawn.emplace();
     drawn.kind = static_cast<Distribution::Kind>(kind);
     if (log) {
         const auto middle = quantity_of(source, first, key), spread = quantity_of(source, second, key);
-        if (!middle || !spread || !(middle->value > 0) || !(spread->value > 0)) source.refuse(node, key, wanted);
+        if (!middle || !spread || !(middle->value > 0) || !(spread->value > 0)) source.refuse(node, key, allowed);
         drawn.a = middle->value, drawn.b = spread->value;
         if (!second.is_number()) {  // a mean and a standard deviation of the quantity itself
-            if (spread->dimension != middle->dimension) source.refuse(node, key, wanted);
+            if (spread->dimension != middle->dimension) source.refuse(node, key, allowed);
             const double relative = spread->value / middle->value;
             drawn.a = middle->value / std::sqrt(1 + relative * relative);
             drawn.b = std::sqrt(std::log1p(relative * relative));
         }
-        found.axis.unit = unit_of(middle->dimension);
+        swept.axis.unit = unit_of(middle->dimension);
         return;
     }
     const auto [a, b] = two_quantities(source, first, second, key + "[0]", key + "[1]");
     drawn.a = a.value, drawn.b = b.value;
-    found.axis.unit = unit_of(a.dimension);
+    swept.axis.unit = unit_of(a.dimension);
     if (kind == 0 && !(b.value > 0)) source.refuse(second, key + "[1]", "must be greater than 0");
     if (kind == 2 && !(a.value < b.value)) source.refuse(second, key + "[1]", "must be greater than " + key + "[0]");
 }
@@ -154,25 +154,25 @@ std::string shown(const toml::node& node) {
     return request::written(node);
 }
 
-void read_list(const Source& source, const toml::node& node, const std::string& key, Found& found) {
+void read_list(const Source& source, const toml::node& node, const std::string& key, Swept& swept) {
     const auto* list = node.as_array();
     if (!list || list->empty()) source.refuse(node, key, "must be a list of at least one value");
-    found.listed = *list;
+    swept.listed = *list;
     std::optional<NumberWithUnit> first;
-    if (!names_text(found.axis.key)) first = quantity_of(source, (*list)[0], key + "[0]");
+    if (!names_text(swept.axis.key)) first = quantity_of(source, (*list)[0], key + "[0]");
     for (std::size_t i = 0; i < list->size(); ++i) {
         const toml::node& item = (*list)[i];
         if (!first) {
-            found.axis.texts.push_back(shown(item));
+            swept.axis.texts.push_back(shown(item));
             continue;
         }
         const std::string item_key = key + "[" + std::to_string(i) + "]";
-        const auto one = quantity_of(source, item, item_key);
-        if (!one || one->dimension != first->dimension)
+        const auto number = quantity_of(source, item, item_key);
+        if (!number || number->dimension != first->dimension)
             source.refuse(item, item_key, "must be of the same kind as the first of the list");
-        found.axis.numbers.push_back(one->value);
+        swept.axis.numbers.push_back(number->value);
     }
-    if (first) found.axis.unit = unit_of(first->dimension);
+    if (first) swept.axis.unit = unit_of(first->dimension);
 }
 
 /// { from, to, count, spacing }; from alone is the file of a surface.
@@ -187,7 +187,7 @@ public:
 
     void walk(const toml::node& node, const std::string& key) {
         if (const auto* list = node.as_array()) {
-            if (!takes_list(key)) return found(node, key, [&](Found& one) { read_list(source_, node, key, one); });
+            if (!takes_list(key)) return add(node, key, [&](Swept& axis) { read_list(source_, node, key, axis); });
             for (std::size_t i = 0; i < list->size(); ++i) walk((*list)[i], key + "[" + std::to_string(i) + "]");
             return;
         }
@@ -195,19 +195,19 @@ public:
         if (!table) return;
         for (std::size_t kind = 0; kind < kinds.size(); ++kind)
             if (table->contains(kinds[kind]))
-                return found(node, key, [&](Found& one) { read_distribution(source_, *table, kind, one); });
+                return add(node, key, [&](Swept& axis) { read_distribution(source_, *table, kind, axis); });
         if (table->contains("values")) {
-            return found(node, key, [&](Found& one) {
+            return add(node, key, [&](Swept& axis) {
                 const Section section(source_, *table, key, {"values"});
-                read_list(source_, section.at("values"), section.key("values"), one);
+                read_list(source_, section.at("values"), section.key("values"), axis);
             });
         }
         if (is_range(*table) && !takes_list(key))
-            return found(node, key, [&](Found& one) { read_range(source_, *table, one); });
+            return add(node, key, [&](Swept& axis) { read_range(source_, *table, axis); });
         for (const auto& [name, child] : *table) walk(child, key + "." + std::string(name.str()));
     }
 
-    std::vector<Found> all;
+    std::vector<Swept> axes;
 
 private:
     /// Whether the scene has a list here, so that one means many values of one scene.
@@ -218,13 +218,13 @@ private:
         return lists.contains(key);
     }
     template <class Read>
-    void found(const toml::node& node, const std::string& key, const Read& read) {
+    void add(const toml::node& node, const std::string& key, const Read& read) {
         if (key.find('.') == std::string::npos || toml::at_path(root_, key).node() != &node)
             source_.refuse(node, key, "cannot be swept; sweep the keys of a section of the scene");
-        Found& one = all.emplace_back();
-        one.axis.key = key;
-        one.begin = node.source().begin;
-        read(one);
+        Swept& swept = axes.emplace_back();
+        swept.axis.key = key;
+        swept.begin = node.source().begin;
+        read(swept);
     }
 
     Source& source_;
@@ -261,7 +261,7 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
 }
 
 /// Scenes of the grid. \throws domain_error for too many, and for axes of unlike length in zip mode.
-std::uint64_t count_scenes(const Source& source, const std::vector<Found>& found, const Grid& grid) {
+std::uint64_t count_scenes(const Source& source, const std::vector<Swept>& swept, const Grid& grid) {
     std::uint64_t size = 1, zipped = 0;
     const std::string* first = nullptr;
     const auto times = [&](std::uint64_t count) {
@@ -269,8 +269,8 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Found>& found
             throw domain_error(source.file + ": has more than 2^53 scenes; must have fewer");
         size *= count;
     };
-    for (const Found& one : found) {
-        const Axis& axis = one.axis;
+    for (const Swept& entry : swept) {
+        const Axis& axis = entry.axis;
         if (axis.drawn) continue;
         if (grid.mode == Mode::product) {
             times(axis.count());
@@ -279,7 +279,7 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Found>& found
             zipped = axis.count();
             times(zipped);
         } else if (axis.count() != zipped) {
-            throw domain_error(source.file + ":" + std::to_string(one.begin.line) + ": " + axis.key + ": has " +
+            throw domain_error(source.file + ":" + std::to_string(entry.begin.line) + ": " + axis.key + ": has " +
                                std::to_string(axis.count()) + " values; mode = \"zip\" must have as many as of " +
                                *first + ", " + std::to_string(zipped));
         }
@@ -290,12 +290,14 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Found>& found
 
 /// Appends the sha256 of \p file to \p text, and of the files of a folder.
 void add_hash(std::string& text, const std::filesystem::path& file) {
-    const auto hash = [](const auto& one) { return scene::sha256(scene::read_all(scene::name_of_path(one))) + "\n"; };
+    const auto hash = [](const auto& member) {
+        return scene::sha256(scene::read_all(scene::name_of_path(member))) + "\n";
+    };
     if (!std::filesystem::is_directory(file)) return void(text += hash(file));
     std::set<std::filesystem::path> inside;
     for (const auto& entry : std::filesystem::directory_iterator(file))
         if (entry.is_regular_file()) inside.insert(entry.path());
-    for (const auto& one : inside) text += scene::name_of_path(one.filename()) + " " + hash(one);
+    for (const auto& member : inside) text += scene::name_of_path(member.filename()) + " " + hash(member);
 }
 
 /// Appends the files that \p node names at the keys from and mask to \p files.
@@ -361,19 +363,19 @@ Grid read_grid(const std::string& text, const std::string& file) {
     if (sweep && !sweep->is_table()) source.refuse(*sweep, "sweep", "must be a section of keys");
     for (const auto& [key, node] : root)
         if (key.str() != "sweep") finder.walk(node, std::string(key.str()));
-    std::sort(finder.all.begin(), finder.all.end(), [](const Found& a, const Found& b) { return a.begin < b.begin; });
+    std::sort(finder.axes.begin(), finder.axes.end(), [](const Swept& a, const Swept& b) { return a.begin < b.begin; });
 
     Grid grid;
     grid.file = file;
     auto form = std::make_shared<Template>();
     std::uint32_t input = 0;
-    for (Found& one : finder.all) {
-        if (one.axis.drawn) one.axis.input = input++;
-        grid.axes.push_back(one.axis);
-        form->listed.push_back(std::move(one.listed));
+    for (Swept& entry : finder.axes) {
+        if (entry.axis.drawn) entry.axis.input = input++;
+        grid.axes.push_back(entry.axis);
+        form->listed.push_back(std::move(entry.listed));
     }
     read_sweep(source, sweep ? sweep->as_table() : nullptr, grid);
-    grid.size = count_scenes(source, finder.all, grid);
+    grid.size = count_scenes(source, finder.axes, grid);
     std::string hashed = "fstiff sweep " FSTIFF_VERSION_TEXT "\n" + scene::sha256(text) + "\n";
     if (const toml::node* surface = root.get("surface")) add_files(source, *surface, false, grid.files);
     for (const std::string& named : grid.files) add_hash(hashed, named);
