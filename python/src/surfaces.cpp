@@ -201,7 +201,11 @@ void add_surfaces(nb::module_& m) {
     m.def("truth", &truth, nb::arg("options"), nb::arg("heights"), nb::arg("pressures"), nb::arg("modulus"));
     m.def(
         "parse_length",
-        [](const nb::handle& value, const std::string& name) { return parse_length(lengths_of(value, name), name); },
+        [](const nb::handle& value, const std::string& name) {
+            request::Amount length;
+            request::put(value_of(value), length, name, {});
+            return parse_length(length, name);
+        },
         nb::arg("value"), nb::arg("name"));
     m.def("surface_options", [] {  // the keys of the table, and whether they are of files alone
         nb::dict keys;
