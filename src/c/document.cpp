@@ -41,7 +41,8 @@ request::Values values_of(const char* text) {
         if (key.empty() || sign == std::string::npos)
             throw domain_error("options: \"" + line.substr(0, 40) + "\": must be key = value");
         values.add(key,
-                   request::Value::of_line(std::string(io::detail::trimmed(std::string_view(line).substr(sign + 1)))));
+                   request::Value::of_text(std::string(io::detail::trimmed(std::string_view(line).substr(sign + 1))),
+                                           request::Value::Giver::line));
     }
     return values;
 }

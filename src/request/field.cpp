@@ -40,7 +40,7 @@ double plain(const Value& value, std::string_view key) {
 double quantity(const Value& value, std::string_view key, io::Dimension dimension) {
     const std::string such = "a text such as \"" + std::string(example(dimension)) + "\"";
     const bool is_angle = dimension == io::Dimension::angle;
-    if (is_number(value) && (is_angle || value.giver != Giver::scene)) return plain(value, key);
+    if (is_number(value) && (is_angle || !value.is_of_person())) return plain(value, key);
     if (is_angle && value.kind != Kind::text)
         refuse(value, key, "must be a number of radians or a text such as \"pi/4\" or \"45 deg\"");
     if (is_number(value)) refuse(value, key, "a number without a unit; write it as " + such);
@@ -136,8 +136,8 @@ std::string_view example(io::Dimension dimension) {
     }
 }
 
-Value Value::of_line(std::string text) {
-    Value value{.written = std::move(text), .giver = Giver::line};
+Value Value::of_text(std::string text, Giver giver) {
+    Value value{.written = std::move(text), .giver = giver};
     if (value.written == "true" || value.written == "false") {
         value.kind = Kind::truth;
         value.number = value.written == "true";
@@ -165,7 +165,8 @@ void put(const Value& value, double& to, std::string_view key, const Field& fiel
 
 void put(const Value& value, std::string& to, std::string_view key, const Field& field) {
     const bool by_number = field.form == Form::or_number;
-    if (value.kind != Kind::text && value.giver != Giver::line && !(by_number && is_number(value)))
+    const bool has_kinds = value.giver == Giver::scene || value.giver == Giver::program;
+    if (value.kind != Kind::text && has_kinds && !(by_number && is_number(value)))
         refuse(value, key,
                by_number                     ? "must be a number or a text"
                : value.giver == Giver::scene ? "must be a text in quotation marks"
@@ -191,7 +192,7 @@ void put(const Value& value, std::vector<std::string>& to, std::string_view key,
 
 void put(const Value& value, Amount& to, std::string_view key, const Field& field) {
     const io::Dimension dimension = field.dimension.value_or(io::Dimension::length);
-    if (value.kind == Kind::text) {
+    if (value.kind == Kind::text || value.giver == Giver::command) {
         to = value.written;
         return;
     }

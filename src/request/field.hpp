@@ -90,9 +90,9 @@ struct Field {
 /// A value as it was given.
 struct Value {
     enum class Kind { truth, whole, real, text, list, other };
-    /// What gives it: a scene, whose quantities have a unit; a program, whose numbers are in SI; a line of text, which
-    /// has no kinds.
-    enum class Giver { scene, program, line };
+    /// What gives it: a person by a scene or a command, whose quantities have a unit; a program, whose numbers are in
+    /// SI, by its types or by a line of text. Texts of a command and of a line have no kinds.
+    enum class Giver { scene, command, program, line };
 
     Kind kind = Kind::text;
     std::string written{};  ///< for messages and for texts
@@ -100,8 +100,10 @@ struct Value {
     std::vector<Value> items{};
     Giver giver = Giver::program;
 
-    /// \p text of a line: a word of truth or a number, if it can be one.
-    [[nodiscard]] static Value of_line(std::string text);
+    /// \p text of a line or of a command: a word of truth or a number, if it can be one.
+    [[nodiscard]] static Value of_text(std::string text, Giver giver);
+    /// Whether a quantity must have its unit.
+    [[nodiscard]] bool is_of_person() const { return giver == Giver::scene || giver == Giver::command; }
 };
 
 /// Puts \p value into \p to. \throws domain_error "<key> = <value>: must be ..." where it is of another kind or out of

@@ -74,7 +74,7 @@ Owner of_scene(const std::string& text, std::vector<scene::Input>* inputs = null
 Owner of_line(const std::string& key, const std::string& text) {
     Owner owner;
     Values values;
-    values.add(key, Value::of_line(text));
+    values.add(key, Value::of_text(text, Value::Giver::line));
     values.fill(owner);
     values.require_known();
     return owner;
@@ -114,7 +114,7 @@ void check_options(const std::string& name) {
         CHECK(contains(help, one_line(field.help)));
     });
     Values values;
-    values.add("no_such_key", Value::of_line("1"));
+    values.add("no_such_key", Value::of_text("1", Value::Giver::line));
     values.fill(request);
     const std::string refused = test::refusal([&] { values.require_known(); });
     request.each_field(
@@ -173,6 +173,14 @@ TEST_CASE("A field refuses by its key, its value and what it allows, whatever gi
         contains(test::refusal([] { (void)of_scene("heigth = 1"); }), "heigth: unknown key; valid keys are \"fills\""));
     CHECK(
         contains(test::refusal([] { (void)of_line("heigth", "1"); }), "heigth is not an option; must be one of fills"));
+}
+
+TEST_CASE("A quantity that a person gives has its unit") {
+    Amount length;
+    fstiff::request::put(Value::of_text("5", Value::Giver::command), length, "--length", {});
+    CHECK(length == Amount("5"));  // which is refused where it is read
+    CHECK(contains(test::refusal([&] { (void)length.positive(Dimension::length, "--length"); }), "without a unit"));
+    CHECK(of_line("length", "5").length == Amount(5.0));
 }
 
 TEST_CASE("What a section holds is on record with its number in SI and its unit") {
