@@ -2,7 +2,7 @@
 #pragma once
 // fstiff identify: which parameters are fitted to which curve, and what was found as a document.
 
-#include "document/rows.hpp"
+#include "document/document.hpp"
 #include "scene/identification.hpp"
 #include "surface/request.hpp"
 
@@ -73,9 +73,7 @@ struct Identified {
 /// read_measured_curve() and identify().
 [[nodiscard]] Identified identify_scene(const Scene& scene, const IdentifyRequest& request,
                                         std::optional<MeasuredCurve> curve = {});
-/// Measured and fitted values at the points of \p fit.
-[[nodiscard]] Rows rows_of(const MeasuredCurve& curve, const Fit& fit);
 /// The document of fstiff identify.
-[[nodiscard]] Answer answer_of(const Scene& scene, const Identified& identified);
+[[nodiscard]] Document document_of(const Scene& scene, const Identified& identified);
 
 }  // namespace fstiff::scene

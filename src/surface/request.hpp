@@ -8,8 +8,6 @@
 //     void each_option(Take take) { take("points", points, "points of a row; the default is 256", {.low = 16, .high =
 //     4096}); }
 
-#include "document/json.hpp"
-
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/quantity.hpp>
@@ -77,20 +75,5 @@ struct OptionTraits {
 /// Name of the option of \p key in messages: "reflection_error", or after the prefix of a command line
 /// "--reflection-error".
 [[nodiscard]] std::string option_name(std::string_view prefix, std::string_view key);
-
-/// Named numbers: a line of CSV under a header, keys of a JSON document.
-using NamedNumbers = std::vector<std::pair<std::string, double>>;
-[[nodiscard]] std::string csv(const NamedNumbers& numbers);
-void put(Json& document, const NamedNumbers& numbers);
-
-/// Result of a command: its document without the warnings, the warnings, and whether the result is doubtful.
-struct Answer {
-    Json document;
-    std::vector<std::string> warnings{};
-    bool doubtful = false;
-
-    /// The document with the warnings as its last key.
-    [[nodiscard]] Json with_warnings() const;
-};
 
 }  // namespace fstiff::scene

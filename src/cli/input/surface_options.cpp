@@ -24,10 +24,4 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     for (const SurfaceOptionRow* row : rows) add_surface_option(arguments, options, row->key, kind);
 }
 
-std::string source_lines(const SurfaceInput& input, std::string_view indent) {
-    std::string text;
-    for (const std::string& decision : input.surface.record.sentences()) text += std::string(indent) + decision + "\n";
-    return text;
-}
-
 }  // namespace fstiff::cli
