@@ -3,9 +3,9 @@
 // The options of a request as the package was given them, a dict; the heights; and the document that answers.
 #include "module.hpp"
 
+#include "document/document.hpp"
 #include "request/values.hpp"
 #include "surface/measured_surface.hpp"
-#include "surface/request.hpp"
 #include "surface/surface_file.hpp"
 #include "surface/surface_option_table.hpp"
 
@@ -38,11 +38,8 @@ struct Found {
     std::shared_ptr<const scene::MeasuredSurface> measured{};
 };
 
-inline Found found(scene::Json document, const std::vector<std::string>& warnings, bool doubtful,
-                   std::shared_ptr<const scene::MeasuredSurface> measured = {}) {
-    document["warnings"] = warnings;
-    return {document.str(), doubtful, std::move(measured)};
+inline Found found(const scene::Document& document, std::shared_ptr<const scene::MeasuredSurface> measured = {}) {
+    return {document.values().str(), document.doubtful, std::move(measured)};
 }
-inline Found found(const scene::Answer& answer) { return {answer.with_warnings().str(), answer.doubtful}; }
 
 }  // namespace fstiff::python

@@ -115,24 +115,24 @@ MeasuredCurve curve(const In& pressures, const In& values, const std::optional<I
 Found identified(const Scene& scene, const nb::dict& options, const std::optional<MeasuredCurve>& curve) {
     const auto how = request_of<IdentifyRequest>(options);
     const nb::gil_scoped_release free;
-    return found(answer_of(scene, identify_scene(scene, how, curve)));
+    return found(document_of(scene, identify_scene(scene, how, curve)));
 }
 
 Found ultrasound(const nb::dict& options, const std::optional<MeasuredCurve>& curve) {
     const auto how = request_of<ReflectionRequest>(options);
     const nb::gil_scoped_release free;
-    return found(answer_of(reflection_of(how, curve)));
+    return found(document_of(how, curve));
 }
 
 /// The text of the file, warnings, and whether they are ones to doubt the law.
 nb::tuple exported(const Scene& scene, const nb::dict& options) {
     auto how = request_of<ExportRequest>(options);
     how.progress = until_interrupted();
-    const ExportedLaw made = [&] {
+    const Document document = [&] {
         const nb::gil_scoped_release free;
-        return export_law(scene, how);
+        return document_of(scene, how);
     }();
-    return nb::make_tuple(made.text, made.warnings, made.doubtful);
+    return nb::make_tuple(document.file(), document.warnings, document.doubtful);
 }
 
 }  // namespace

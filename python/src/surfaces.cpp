@@ -58,9 +58,9 @@ struct Heights {
     std::string name, origin;  ///< in messages, and where they come from
 };
 
-/// Reads the file, or copies the heights. Without the GIL.
-SurfaceInput input_of(const SurfaceOptions& options, const Heights& heights) {
-    if (!heights.array) return read_surface_input(options);
+/// The heights, copied; none: those of the file of \p options. Without the GIL.
+std::optional<SurfaceInput> input_of(const SurfaceOptions& options, const Heights& heights) {
+    if (!heights.array) return std::nullopt;
     const In& array = *heights.array;
     if (array.ndim() == 1) {
         const auto numbers = numbers_of(array);
@@ -89,60 +89,32 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
     const auto measure = [&](scene::MeasureOptions of, std::size_t i) {
         of.input.file = arrays.empty() ? files[i] : arrays[i].name;
         return arrays.empty() ? measure_surface(of, bytes[i], until_interrupted())
-                              : measure_surface(of, input_of(of.input, arrays[i]), until_interrupted());
+                              : measure_surface(of, *input_of(of.input, arrays[i]), until_interrupted());
     };
     const auto surface =
         std::make_shared<const MeasuredSurface>(!arrays.empty()  ? measure_parts(how, arrays.size(), measure, "array")
                                                 : !bytes.empty() ? measure_parts(how, bytes.size(), measure)
                                                                  : measure_files(how, files, until_interrupted()));
-    return found(measure_json(how, *surface), surface->warnings, is_doubtful(*surface), surface);
+    return found(document_of(how, surface), surface);
 }
 
-Found fit(const nb::dict& options, const Heights& heights) {
-    auto how = request_of<FractalOptions>(options);
-    how.progress = until_interrupted();
+/// The answer to a request about heights, or about numbers if there are none.
+template <class Request>
+Found answered(const nb::dict& options, const std::optional<Heights>& heights) {
+    auto request = request_of<Request>(options);
+    if constexpr (requires { request.progress; }) request.progress = until_interrupted();
     const nb::gil_scoped_release free;
-    (void)fit_options(how);  // their errors are reported before the file is read
-    SurfaceInput input = input_of(how.surface, heights);
-    const auto of = [&](const auto& result) {
-        return found(fractal_json(how, input, result), warnings_of(how, input, result), result.doubtful());
-    };
-    return input.surface.is_profile() ? of(fractal_of_profile(how, input)) : of(fractal_of_map(how, input));
-}
-
-Found islands(const nb::dict& options, const Heights& heights) {
-    auto how = request_of<IslandsRequest>(options);
-    how.progress = until_interrupted();
-    const nb::gil_scoped_release free;
-    SurfaceInput input = input_of(how.surface, heights);
-    const IslandsOfMap result = islands_of_map(how, input);
-    return found(islands_json(how, input, result), warnings_of(input, result), result.doubtful());
+    return found(document_of(request, heights ? input_of(request.surface, *heights) : std::nullopt));
 }
 
 Found truth(const nb::dict& options, const Heights& heights, const In& pressures, double modulus) {
-    auto how = request_of<TruthRequest>(options);
-    how.modulus = modulus;
-    how.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
-    values_of(options).read("hardness", how.hardness);
-    how.progress = until_interrupted();
+    auto request = request_of<TruthRequest>(options);
+    request.progress = until_interrupted();
+    request.modulus = modulus;
+    request.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
+    values_of(options).read("hardness", request.hardness);
     const nb::gil_scoped_release free;
-    const TruthOfMap solved = truth_of_map(how, input_of(how.surface, heights));
-    return found(truth_json(solved), warnings_of(solved), solved.doubtful());
-}
-
-Found spectrum(const nb::dict& options, const Heights& heights) {
-    auto how = request_of<SpectrumRequest>(options);
-    const nb::gil_scoped_release free;
-    const SurfaceInput input = input_of(how.surface, heights);
-    return found(answer_of(how, input, spectrum_of(how, input)));
-}
-
-/// Density from heights; from numbers if there are no \p heights.
-Found peaks(const nb::dict& options, const std::optional<Heights>& heights) {
-    auto how = request_of<PeakDensityRequest>(options);
-    const nb::gil_scoped_release free;
-    auto input = heights ? std::optional(input_of(how.surface, *heights)) : std::nullopt;
-    return found(answer_of(how, peak_density_of(how, std::move(input))));
+    return found(document_of(request, input_of(request.surface, heights)));
 }
 
 /// Heights, dx and dy (0 of a profile).
@@ -193,10 +165,10 @@ void add_surfaces(nb::module_& m) {
         .def_ro("measured", &Found::measured);
     m.def("measure", &measure, nb::arg("options"), nb::arg("files"), nb::arg("contents"), nb::arg("arrays"));
     m.def("without_folders", &without_folders, nb::arg("names"));
-    m.def("fit", &fit, nb::arg("options"), nb::arg("heights"));
-    m.def("islands", &islands, nb::arg("options"), nb::arg("heights"));
-    m.def("spectrum", &spectrum, nb::arg("options"), nb::arg("heights"));
-    m.def("peaks", &peaks, nb::arg("options"), nb::arg("heights").none());
+    m.def("fit", &answered<FractalOptions>, nb::arg("options"), nb::arg("heights"));
+    m.def("islands", &answered<IslandsRequest>, nb::arg("options"), nb::arg("heights"));
+    m.def("spectrum", &answered<SpectrumRequest>, nb::arg("options"), nb::arg("heights"));
+    m.def("peaks", &answered<PeakDensityRequest>, nb::arg("options"), nb::arg("heights").none());
     m.def("generate", &generated, nb::arg("options"));
     m.def("truth", &truth, nb::arg("options"), nb::arg("heights"), nb::arg("pressures"), nb::arg("modulus"));
     m.def(

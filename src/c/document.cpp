@@ -104,28 +104,13 @@ std::vector<double> numbers_at(const Json& document, const std::string& path) {
     return numbers;
 }
 
-/// The document \p made; its warnings become the message.
-fstiff_document* warned(fstiff_document made, const std::vector<std::string>& warnings) {
-    std::string lines;
-    for (const std::string& one : warnings) lines += (lines.empty() ? "" : "\n") + one;
+/// The text and the values of \p document; its warnings become the message.
+fstiff_document* handle_of(const Document& document) {
+    Json values = document.values();
+    std::string text = document.file ? document.file() : values.str(), lines;
+    for (const std::string& one : document.warnings) lines += (lines.empty() ? "" : "\n") + one;
     set_message(lines);
-    return new fstiff_document(std::move(made));
-}
-fstiff_document* document_of(const Answer& answer) {
-    Json whole = answer.with_warnings();
-    std::string text = whole.str();
-    return warned({std::move(text), std::move(whole), answer.doubtful}, answer.warnings);
-}
-
-Json arrays_of(const io::ProfileOrMap& surface) {
-    if (const auto* profile = std::get_if<Profile<double>>(&surface))
-        return {{"heights_m", profile->heights}, {"columns", profile->size()}, {"rows", 1}, {"dx_m", profile->spacing}};
-    const auto& map = std::get<HeightMap<double>>(surface);
-    return {{"heights_m", std::vector<double>(map.heights.data(), map.heights.data() + map.size())},
-            {"columns", map.columns()},
-            {"rows", map.rows()},
-            {"dx_m", map.dx},
-            {"dy_m", map.dy}};
+    return new fstiff_document{std::move(text), std::move(values), document.doubtful};
 }
 
 }  // namespace
@@ -136,9 +121,9 @@ using namespace fstiff::c;
 int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
         auto how = request_of<fstiff::scene::SpectrumRequest>(options);
-        const auto input = surface_of(how.surface, heights);
+        auto input = surface_of(how.surface, heights);
         if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
-        return document_of(answer_of(how, *input, spectrum_of(how, *input)));
+        return handle_of(document_of(how, std::move(input)));
     });
 }
 
@@ -146,22 +131,18 @@ int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_docu
     return made_by(made, [&] {
         auto how = request_of<fstiff::scene::PeakDensityRequest>(options);
         auto input = surface_of(how.surface, profile);
-        return document_of(answer_of(how, peak_density_of(how, std::move(input))));
+        return handle_of(document_of(how, std::move(input)));
     });
 }
 
 int fstiff_generate(const char* options, fstiff_document** made) {
-    return made_by(made, [&] {
-        const auto how = request_of<fstiff::scene::GenerateRequest>(options);
-        const auto surface = generate(how);
-        return warned({file_of(surface, how.format), arrays_of(surface.surface)}, {});
-    });
+    return made_by(made, [&] { return handle_of(document_of(request_of<fstiff::scene::GenerateRequest>(options))); });
 }
 
 int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
         const auto how = request_of<fstiff::scene::ReflectionRequest>(options);
-        return document_of(answer_of(reflection_of(how, curve_of(curve))));
+        return handle_of(document_of(how, curve_of(curve)));
     });
 }
 
@@ -172,8 +153,7 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
         given.read("surface", surface);
         given.require_known();
         const auto read = scene_of(scene, length, name, surface);
-        const auto results = fstiff::scene::compute(read);
-        return document_of({fstiff::scene::run_document(read, results), results.warnings, results.doubtful});
+        return handle_of(document_of(read, fstiff::scene::compute(read)));
     });
 }
 
@@ -182,15 +162,14 @@ int fstiff_identify(const char* scene, size_t length, const char* name, const fs
     return made_by(made, [&] {
         const auto how = request_of<fstiff::scene::IdentifyRequest>(options);
         const auto read = scene_of(scene, length, name);
-        return document_of(answer_of(read, identify_scene(read, how, curve_of(curve))));
+        return handle_of(document_of(read, identify_scene(read, how, curve_of(curve))));
     });
 }
 
 int fstiff_export(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
         const auto how = request_of<fstiff::scene::ExportRequest>(options);
-        auto law = export_law(scene_of(scene, length, name), how);
-        return warned({std::move(law.text), {}, law.doubtful}, law.warnings);
+        return handle_of(document_of(scene_of(scene, length, name), how));
     });
 }
 

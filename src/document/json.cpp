@@ -47,46 +47,27 @@ void Json::update(const Json& object) {
     for (const auto& [key, value] : std::get<Members>(object.value_)) (*this)[key] = value;
 }
 
-std::string Json::str() const {
-    std::string out;
-    write(out, "\n");
-    return out + '\n';
-}
+struct JsonPrinter {
+    using Printed = nlohmann::ordered_json;
+    Printed operator()(const Json& json) const { return std::visit(*this, json.value_); }
+    Printed operator()(const Json::Items& items) const {
+        Printed array = Printed::array();
+        for (const Json& item : items) array.push_back((*this)(item));
+        return array;
+    }
+    Printed operator()(const Json::Members& members) const {
+        Printed object = Printed::object();
+        for (const auto& [key, value] : members) object[key] = (*this)(value);
+        return object;
+    }
+    Printed operator()(const auto& value) const { return value; }
+};
 
-void Json::write(std::string& out, const std::string& line) const {
-    const auto write_all = [&](const auto& items, char open, char close, const auto& write_one) {
-        out += open;
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            out += (i ? "," : "") + line + "  ";
-            write_one(items[i]);
-        }
-        if (!items.empty()) out += line;
-        out += close;
-    };
-    if (const auto* items = std::get_if<Items>(&value_))
-        write_all(*items, '[', ']', [&](const Json& item) { item.write(out, line + "  "); });
-    else if (const auto* members = std::get_if<Members>(&value_))
-        write_all(*members, '{', '}', [&](const auto& member) {
-            out += json_text(member.first) + ": ";
-            member.second.write(out, line + "  ");
-        });
-    else if (const auto* text = std::get_if<std::string>(&value_))
-        out += json_text(*text);
-    else if (const auto* real = std::get_if<double>(&value_))
-        out += nlohmann::json(*real).dump();
-    else if (const auto* whole = std::get_if<std::int64_t>(&value_))
-        out += std::to_string(*whole);
-    else if (const auto* count = std::get_if<std::uint64_t>(&value_))
-        out += std::to_string(*count);
-    else if (const auto* truth = std::get_if<bool>(&value_))
-        out += *truth ? "true" : "false";
-    else
-        out += "null";
-}
+namespace {
 
-std::string json_text(std::string_view value) {
-    using nlohmann::json;
-    std::string text = json(value).dump(-1, ' ', false, json::error_handler_t::replace);
+/// \p json without the control characters that JSON itself lets pass.
+std::string printed(const nlohmann::ordered_json& json, int indent) {
+    std::string text = json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     for (std::size_t at = 0; at < text.size(); ++at) {
         const bool is_delete = text[at] == 0x7f;
         const auto next = static_cast<unsigned char>(at + 1 < text.size() ? text[at + 1] : 0);
@@ -98,6 +79,12 @@ std::string json_text(std::string_view value) {
     }
     return text;
 }
+
+}  // namespace
+
+std::string Json::str() const { return printed(JsonPrinter()(*this), 2) + '\n'; }
+
+std::string json_text(std::string_view text) { return printed(text, -1); }
 
 const Json* Json::at(std::string_view path) const {
     if (path.empty()) return this;

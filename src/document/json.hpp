@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A JSON document in the making: written like nlohmann's, which json.cpp alone includes. Keys keep their order.
+// A JSON document in the making: written like nlohmann's, which json.cpp alone includes and prints with. Keys keep
+// their order.
 
 #include <concepts>
 #include <cstddef>
@@ -60,7 +61,7 @@ private:
     using Members = std::vector<std::pair<std::string, Json>>;
     explicit Json(Items items) : value_(std::move(items)) {}
     explicit Json(Members members) : value_(std::move(members)) {}
-    void write(std::string& out, const std::string& line) const;
+    friend struct JsonPrinter;  // json.cpp
 
     std::variant<std::nullptr_t, bool, double, std::int64_t, std::uint64_t, std::string, Items, Members> value_;
 };

@@ -4,6 +4,7 @@
 #include "document/file.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fstiff::scene {
 namespace {
@@ -21,10 +22,6 @@ std::string cell_text(const Cell& cell, const char* nothing, const Real& real) {
     return cell.kind == Kind::count ? std::to_string(cell.whole) : cell.words;
 }
 
-std::string text_of(const Cell& cell, const Heading& heading) {
-    return cell_text(cell, "-", [&](double x) { return rounded(x * heading.factor, heading.digits); });
-}
-
 /// A text that a spreadsheet would take for a formula, and that is no number with its sign, begins with an apostrophe.
 std::string csv_of(const Cell& cell) {
     const bool sign = cell.words.starts_with('+') || cell.words.starts_with('-');
@@ -34,13 +31,19 @@ std::string csv_of(const Cell& cell) {
     return (formula ? "'" : "") + cell_text(cell, "", [](double x) { return exact(x); });
 }
 
-Json json_of(const Cell& cell) {
-    if (cell.kind == Kind::real) return cell.number;
-    if (cell.kind == Kind::count) return cell.whole;
-    return cell.kind == Kind::text ? Json(cell.words) : Json(nullptr);
+}  // namespace
+
+Cell Cell::finite(double value, Kind otherwise) { return std::isfinite(value) ? Cell(value) : Cell(otherwise); }
+
+std::string Cell::text(double factor, int digits) const {
+    return cell_text(*this, "-", [&](double x) { return rounded(x * factor, digits); });
 }
 
-}  // namespace
+Json Cell::json() const {
+    if (kind == Kind::real) return number;
+    if (kind == Kind::count) return whole;
+    return kind == Kind::text ? Json(words) : Json(nullptr);
+}
 
 std::size_t shown_width(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
@@ -63,15 +66,14 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
     return lines;
 }
 
-std::string TextTable::str(std::string_view indent) const {
-    std::vector<std::size_t> widths(rows_.front().size());
-    for (const auto& row : rows_)
+std::string table_text(const TextRows& rows) {
+    std::vector<std::size_t> widths(rows.front().size());
+    for (const auto& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], shown_width(row[i]));
     std::string text;
-    for (const auto& row : rows_) {
-        text += indent;
+    for (const auto& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i)
-            text += std::string((i ? 2 : 0) + widths[i] - shown_width(row[i]), ' ') + row[i];
+            text += std::string(2 + widths[i] - shown_width(row[i]), ' ') + row[i];
         text.erase(text.find_last_not_of(' ') + 1);
         text += '\n';
     }
@@ -101,9 +103,15 @@ TextRows Rows::table(const Select& select) const {
     for (std::size_t i = 0; i < size(); ++i) {
         if (select && !select(i)) continue;
         rows.emplace_back();
-        for (const Column* column : shown) rows.back().push_back(text_of(column->cells[i], column->heading));
+        for (const Column* column : shown)
+            rows.back().push_back(column->cells[i].text(column->heading.factor, column->heading.digits));
     }
     return rows;
+}
+
+std::string Rows::text(const Select& select) const {
+    const TextRows rows = table(select);
+    return rows.front().empty() ? "" : table_text(rows);
 }
 
 std::string Rows::csv(bool with_header, const Select& select) const {
@@ -124,7 +132,7 @@ void Rows::append_to(Json& list) const {
         Json row = Json::object();
         for (const Column& column : columns_)
             if (column.heading.json && !column.heading.key.empty() && column.cells[i].kind != Kind::absent)
-                row[column.heading.key] = json_of(column.cells[i]);
+                row[column.heading.key] = column.cells[i].json();
         list.push_back(std::move(row));
     }
 }
@@ -134,7 +142,7 @@ Json Rows::arrays() const {
     for (const Column& column : columns_) {
         if (!column.heading.json || column.heading.key.empty()) continue;
         Json& list = all[column.heading.key] = Json::array();
-        for (const Cell& cell : column.cells) list.push_back(json_of(cell));
+        for (const Cell& cell : column.cells) list.push_back(cell.json());
     }
     return all;
 }

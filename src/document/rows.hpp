@@ -28,17 +28,8 @@ namespace fstiff::scene {
 /// Rows of text for people, the first one their headings.
 using TextRows = std::vector<std::vector<std::string>>;
 
-/// Columns of text for people, right-aligned under one header line.
-class TextTable {
-public:
-    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
-    explicit TextTable(TextRows rows) : rows_(std::move(rows)) {}
-    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-    std::string str(std::string_view indent = "  ") const;
-
-private:
-    TextRows rows_;
-};
+/// \p rows as columns that are right-aligned under the headings.
+[[nodiscard]] std::string table_text(const TextRows& rows);
 
 /// Cells joined by commas, with a line end: the one writer of CSV. A cell with a comma, a quotation mark or a line end
 /// is quoted (RFC 4180).
@@ -67,6 +58,12 @@ struct Cell {
     Cell(const char* text) : Cell(std::string(text)) {}
     /// An optional value: absent where there is none.
     Cell(const std::optional<double>& value) : Cell(value ? Cell(*value) : Cell()) {}
+    /// The value where it is finite; else \p otherwise.
+    [[nodiscard]] static Cell finite(double value, Kind otherwise = Kind::null);
+
+    /// For people: a number times \p factor.
+    [[nodiscard]] std::string text(double factor = 1, int digits = 5) const;
+    [[nodiscard]] Json json() const;
 };
 
 /// How a column is called and shown.
@@ -81,11 +78,11 @@ struct Heading {
 /// Columns of equal length.
 class Rows {
 public:
-    /// A column of \p values; without any its cells are absent.
-    template <class Values>
-    void add(Heading heading, const Values& values) {
+    /// A column of \p value of each of \p items: a function, or a member of theirs. Without items its cells are absent.
+    template <class Items, class Value = std::identity>
+    void add(Heading heading, const Items& items, const Value& value = {}) {
         std::vector<Cell> cells;
-        for (const auto& value : values) cells.emplace_back(value);
+        for (const auto& item : items) cells.emplace_back(std::invoke(value, item));
         if (cells.empty()) cells.resize(size());
         columns_.push_back({std::move(heading), std::move(cells)});
     }
@@ -106,9 +103,9 @@ public:
     [[nodiscard]] std::size_t size() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
 
     using Select = std::function<bool(std::size_t row)>;
-    /// The columns that people read; of all rows, or of those that \p select takes.
+    /// The columns that people read; of all rows, or of those that \p select takes. Without any there is no text.
     [[nodiscard]] TextRows table(const Select& select = {}) const;
-    [[nodiscard]] std::string text(const Select& select = {}) const { return TextTable(table(select)).str(); }
+    [[nodiscard]] std::string text(const Select& select = {}) const;
     [[nodiscard]] std::string csv(bool with_header = true, const Select& select = {}) const;
     /// Appends an object for every row to \p list.
     void append_to(Json& list) const;

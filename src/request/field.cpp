@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace fstiff::request {
 namespace {
@@ -225,6 +227,18 @@ std::int64_t whole(const Value& value, std::string_view key, const Field& field,
     if (!words.empty() && std::find(words.begin(), words.end(), value.written) == words.end())
         refuse(value, key, "must be " + std::string(words.front()) + " or " + std::string(words.back()));
     return static_cast<std::int64_t>(value.number);
+}
+
+std::uint64_t count(const Value& value, std::string_view key, const Field& field) {
+    const bool is_text = value.giver == Giver::command || value.giver == Giver::line;
+    if (!is_text || field.has_range())
+        return static_cast<std::uint64_t>(whole(value, key, field, 0, (std::int64_t(1) << 53) - 1));
+    std::uint64_t number = 0;
+    const char* const last = value.written.data() + value.written.size();
+    const auto [end, error] = std::from_chars(value.written.data(), last, number);
+    if (error != std::errc() || end != last)
+        refuse(value, key, "must be a whole number from 0 to " + std::to_string(std::uint64_t(-1)));
+    return number;
 }
 
 std::size_t word(const Value& value, std::string_view key, const std::vector<std::string_view>& words) {

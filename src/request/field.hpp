@@ -116,15 +116,18 @@ void put(const Value& value, Amount& to, std::string_view key, const Field& fiel
 /// A whole number of \p field, or from \p least to \p most where that has no range.
 [[nodiscard]] std::int64_t whole(const Value& value, std::string_view key, const Field& field, std::int64_t least,
                                  std::int64_t most);
+/// The same without a sign: of a text up to 2^64 - 1.
+[[nodiscard]] std::uint64_t count(const Value& value, std::string_view key, const Field& field);
 /// The place of a word among \p words.
 [[nodiscard]] std::size_t word(const Value& value, std::string_view key, const std::vector<std::string_view>& words);
 
 template <std::integral Whole>
 void put(const Value& value, Whole& to, std::string_view key, const Field& field) {
-    constexpr bool is_signed = std::is_signed_v<Whole>;
-    constexpr std::int64_t most =
-        sizeof(Whole) < 8 ? std::int64_t{std::numeric_limits<std::int32_t>::max()} : (std::int64_t(1) << 53) - 1;
-    to = static_cast<Whole>(whole(value, key, field, is_signed ? -most : 0, most));
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+    if constexpr (std::is_signed_v<Whole>)
+        to = static_cast<Whole>(whole(value, key, field, -most, most));
+    else
+        to = static_cast<Whole>(count(value, key, field));
 }
 template <parts::NamedEnum Enum>
 void put(const Value& value, Enum& to, std::string_view key, const Field&) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Explanation of the answer: kind of stiffness, its law and the causes of its band.
+// Explanation of the answer: kind of stiffness, its law and the causes of its band; and warnings about results.
 
 #include "scene/results.hpp"
 
@@ -30,5 +30,8 @@ inline constexpr std::string_view yielding_peaks =
 [[nodiscard]] std::string origin_of_band(const Scene& scene);
 /// Why the laws that \p scene names have no band.
 [[nodiscard]] std::string why_no_band(const Scene& scene, const Results& results);
+
+/// Adds to \p results of \p scene, which are complete without them, their warnings and whether they are doubtful.
+void add_warnings(const Scene& scene, Results& results);
 
 }  // namespace fstiff::scene

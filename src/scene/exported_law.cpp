@@ -134,18 +134,18 @@ std::size_t longest_table(std::string_view text) {
 }
 
 /// CalculiX makes a table of so many rows from a longer one.
-void warn_of_resampling(const LawInModel& law, ExportedLaw& made) {
+void warn_of_resampling(const LawInModel& law, std::string_view text, Document& document) {
     constexpr std::size_t kept = 200, sure = 186;  // a shorter range has other points to choose rows from
-    if (longest_table(made.text) <= kept) return;
+    if (longest_table(text) <= kept) return;
     std::string way_out = "give larger tolerances or a shorter range";
     const auto& rows = law.table.rows;
     const auto p = [&](std::size_t row) { return rounded(rows[row].pressure * law.units.pascal, 2); };
     if (rows.size() > kept)
         way_out += ", such as " + p(rows.size() - sure) + " to " + p(rows.size() - 1) + " or " + p(1) + " to " +
                    p(sure) + " " + law.units.pressure;
-    made.warnings.push_back("CalculiX takes a table of more than " + std::to_string(kept) +
-                            " rows at as many equal steps, so that the tolerances do not hold at small pressures; " +
-                            way_out);
+    document.warnings.push_back(
+        "CalculiX takes a table of more than " + std::to_string(kept) +
+        " rows at as many equal steps, so that the tolerances do not hold at small pressures; " + way_out);
 }
 
 }  // namespace
@@ -155,25 +155,27 @@ void check(const ExportRequest& request) {
     (void)options_of(request);
 }
 
-ExportedLaw export_law(const Scene& scene, const ExportRequest& request) {
+Document document_of(const Scene& scene, const ExportRequest& request) {
     const ModelUnits units = units_of(request);
     const PressureTableOptions wanted = options_of(request);
-    if (request.to == Solver::law) return {.text = law_text(scene, wanted)};
+    const auto of_text = [](std::string text) { return Document::of_file([text = std::move(text)] { return text; }); };
+    if (request.to == Solver::law) return of_text(law_text(scene, wanted));
     const PressureTable table = pressure_table(scene, wanted);
     LawInModel law{.table = table, .units = units, .tolerance = {wanted.tolerance, wanted.slope_tolerance}};
     law.at = pressure_of_friction(scene, table, request);
     if (scene.friction) law.friction = scene.friction->coefficient;
-    ExportedLaw made{.text = heading_of(scene, law, request) + body_of(law, request.to),
-                     .warnings = table.warnings,
-                     .doubtful = table.doubtful};
+    const std::string text = heading_of(scene, law, request) + body_of(law, request.to);
+    Document document = of_text(text);
+    document.warnings = table.warnings;
+    document.doubtful = table.doubtful;
     if (!is_stiffness(table.slope_over_stiffness))
-        made.warnings.push_back("the slope of the table is " + slope_of(table) +
-                                (table.follows_slope
-                                     ? ", which fstiff run prints"
-                                     : "; give a larger " + option_name(request.prefix, "slope_tolerance") +
-                                           ", or the law hybrid, whose slope is K"));
-    if (request.to == Solver::calculix) warn_of_resampling(law, made);
-    return made;
+        document.warnings.push_back("the slope of the table is " + slope_of(table) +
+                                    (table.follows_slope
+                                         ? ", which fstiff run prints"
+                                         : "; give a larger " + option_name(request.prefix, "slope_tolerance") +
+                                               ", or the law hybrid, whose slope is K"));
+    if (request.to == Solver::calculix) warn_of_resampling(law, text, document);
+    return document;
 }
 
 }  // namespace fstiff::scene

@@ -2,12 +2,12 @@
 #pragma once
 // The law of a scene as the contact of a finite-element program, or as the text of a tabulated law.
 
+#include "document/document.hpp"
 #include "scene/overclosure.hpp"
-#include "surface/request.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace fstiff::scene {
 
@@ -66,17 +66,10 @@ struct ExportRequest {
     }
 };
 
-/// Content of the file for the program.
-struct ExportedLaw {
-    std::string text;
-    std::vector<std::string> warnings{};
-    bool doubtful = false;
-};
-
-/// \throws domain_error for units that are not consistent and a tolerance that is none; as pressure_table() and
-/// law_text().
-[[nodiscard]] ExportedLaw export_law(const Scene& scene, const ExportRequest& request);
-/// \throws domain_error for what export_law() refuses of any scene.
+/// The file for the program. \throws domain_error for units that are not consistent and a tolerance that is none; as
+/// pressure_table() and law_text().
+[[nodiscard]] Document document_of(const Scene& scene, const ExportRequest& request);
+/// \throws domain_error for what no scene can be exported by.
 void check(const ExportRequest& request);
 
 }  // namespace fstiff::scene

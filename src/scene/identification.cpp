@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/identification.hpp"
 
-#include "surface/request.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include "document/shown_unit.hpp"
 #include "scene/results.hpp"

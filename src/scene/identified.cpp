@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace fstiff::scene {
 namespace {
-
-/// An interval of data with little information may end beyond the range of numbers: the cell is then empty.
-Json finite_json(double value) { return std::isfinite(value) ? value : Json(nullptr); }
 
 /// Measured value, model and residual are in these units.
 struct ShownValue {
@@ -29,7 +27,7 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
     Json rows = Json::array();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         Json row = Json::array();
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(finite_json(matrix(i, k)));
+        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(Cell::finite(matrix(i, k)).json());
         rows.push_back(std::move(row));
     }
     return rows;
@@ -44,12 +42,28 @@ Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p)
         one["value"] = p.value;
     if (p.at_bound) one["at_bound"] = true;
     if (fit.found.covariance.size() > 0) {
-        one["standard_error"] = finite_json(p.standard_error);
-        one["interval"] = {{"level", 0.95}, {"low", finite_json(p.low)}, {"high", finite_json(p.high)}};
-        one["interval_with_law"] = {
-            {"level", 0.95}, {"low", finite_json(p.low_with_law)}, {"high", finite_json(p.high_with_law)}};
+        const auto interval = [](double low, double high) -> Json {
+            return {{"level", 0.95}, {"low", Cell::finite(low).json()}, {"high", Cell::finite(high).json()}};
+        };
+        one["standard_error"] = Cell::finite(p.standard_error).json();
+        one["interval"] = interval(p.low, p.high);
+        one["interval_with_law"] = interval(p.low_with_law, p.high_with_law);
     }
     return one;
+}
+
+/// Measured and fitted values at the points of \p fit.
+Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
+    const ShownValue y = shown_value(curve);
+    Rows rows;
+    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, fit.points, &MeasuredPoint::pressure);
+    rows.add({std::string(y.column), std::string(y.name) + " measured" + std::string(y.unit), y.factor}, fit.points,
+             &MeasuredPoint::value);
+    if (curve.has_errors) rows.add({"error"}, fit.points, &MeasuredPoint::error);
+    rows.add({"model", "model", y.factor}, fit.found.model);
+    rows.add({"residual", fit.found.errors_known ? "residual [errors]" : "residual [scatter]", 1, 3},
+             fit.found.residuals);
+    return rows;
 }
 
 Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
@@ -71,6 +85,101 @@ Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
     }
     if (found.status != math::FitStatus::singular) rows_of(curve, fit).append_to(entry["rows"] = Json::array());
     return entry;
+}
+
+/// What is fitted to what.
+void introduce(Document& document, const Scene& scene, const Identified& identified) {
+    const MeasuredCurve& curve = identified.curve;
+    const auto [least, most] = std::minmax_element(
+        curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
+    document.title("parameters of " + printable(scene.name + " (" + scene.file + ")") + " from " +
+                   (curve.is_reflection ? "R(p)" : "K(p)") + " of " + printable(curve.name));
+    document.line("measured", std::to_string(curve.points.size()) + " points, p " + rounded(least->pressure / 1e6) +
+                                  " to " + rounded(most->pressure / 1e6) + " MPa, " +
+                                  (curve.has_errors ? "weighed by their errors"
+                                                    : "no errors: equal weights, errors from the scatter"));
+    document.json["scene"] = scene_json(scene);
+    document.json["measured"] = {{"file", curve.name},
+                                 {"sha256", curve.sha256},
+                                 {"quantity", curve.is_reflection ? "reflection" : "stiffness"},
+                                 {"has_errors", curve.has_errors},
+                                 {"decisions", curve.decisions}};
+    const auto& wave = identified.found.wave;
+    if (!wave) return;
+    document.json["wave"] = {{"angular_frequency_rad_per_s", wave->angular_frequency},
+                             {"impedance_Rayl", wave->media.incident},
+                             {"impedance2_Rayl", wave->media.beyond},
+                             {"stiffness_ratio", wave->stiffness_ratio}};
+    document.line("wave", rounded(wave->angular_frequency / (2 * std::numbers::pi) / 1e6) + " MHz, impedances " +
+                              rounded(wave->media.incident / 1e6) + " and " + rounded(wave->media.beyond / 1e6) +
+                              " MRayl, sees " +
+                              (wave->stiffness_ratio == 1 ? "K" : rounded(wave->stiffness_ratio) + " K"));
+}
+
+/// A row for each parameter of \p fit: in SI for the CSV, in the units of headings for people.
+Rows parameter_rows(const Identified& identified, const Fit& fit) {
+    using P = parts::IdentifiedParameter<double>;
+    const auto& found = fit.found;
+    const std::vector<P>& all = found.parameters;
+    const bool has_errors = found.covariance.size() > 0, singular = found.status == math::FitStatus::singular;
+    const auto row = [](const P& p) -> const parts::ParameterRow& { return parts::row_of(p.parameter); };
+    Rows rows;
+    rows.repeat({"law"}, fit.law->name, all.size());
+    rows.repeat({"theta"}, fit.theta, all.size());
+    rows.repeat({"r"}, fit.r, all.size());
+    rows.repeat({"status"}, name_of(found.status), all.size());
+    rows.repeat({"chi_squared"}, found.chi_squared, all.size());
+    rows.repeat({"degrees_of_freedom"}, found.degrees_of_freedom, all.size());
+    rows.add({"parameter"}, all, [&](const P& p) { return row(p).short_name; });
+    rows.add({"unit"}, all, [&](const P& p) { return row(p).unit; });
+    rows.add({"", "parameter"}, all, [&](const P& p) { return row(p).heading(); });
+    const auto add = [&](const char* key, const char* shown, int digits, bool known, const auto& value) {
+        rows.add({key}, all, [&](const P& p) { return known ? Cell::finite(value(p)) : Cell(); });
+        rows.add({"", shown, 1, digits}, all,
+                 [&](const P& p) { return known ? Cell::finite(value(p) * row(p).shown_factor) : Cell(); });
+    };
+    add("start", "start", 5, true, [&](const P& p) { return fit.start[p.parameter]; });
+    add("value", "estimate", 5, !singular, [](const P& p) { return p.value; });
+    add("standard_error", "standard error", 2, has_errors, [](const P& p) { return p.standard_error; });
+    add("low", "95 % from", 5, has_errors, [](const P& p) { return p.low; });
+    add("high", "to", 5, has_errors, [](const P& p) { return p.high; });
+    add("low_with_law", "with the law's error", 2, has_errors, [](const P& p) { return p.low_with_law; });
+    add("high_with_law", "to", 2, has_errors, [](const P& p) { return p.high_with_law; });
+    for (std::size_t k = 0; k < identified.wanted.size(); ++k)
+        rows.add({"correlation_" + std::string(parts::row_of(identified.wanted[k]).short_name)}, all, [&](const P& p) {
+            return has_errors ? Cell(found.correlation(&p - all.data(), static_cast<Eigen::Index>(k))) : Cell();
+        });
+    return rows;
+}
+
+Rows correlation_rows(const std::vector<Parameter>& wanted, const Eigen::MatrixXd& correlation) {
+    const auto name = [](Parameter parameter) { return std::string(parts::row_of(parameter).short_name); };
+    Rows rows;
+    rows.add({"", "correlation"}, wanted, name);
+    for (Eigen::Index k = 0; k < correlation.cols(); ++k)
+        rows.add({"", name(wanted[static_cast<std::size_t>(k)]), 1, 3}, correlation.col(k));
+    return rows;
+}
+
+void add_fit(Document& document, const Identified& identified, const Fit& fit) {
+    const auto& found = fit.found;
+    document.json["fits"].push_back(fit_json(identified.curve, fit));
+    document.line("\n" + title(fit) + ": " +
+                  (found.status == math::FitStatus::not_converged ? "not converged"
+                   : found.status == math::FitStatus::at_bound    ? "a parameter at the end of its range"
+                                                                  : std::string(name_of(found.status))));
+    document.table(parameter_rows(identified, fit));
+    if (found.status == math::FitStatus::singular) return;
+    if (found.covariance.size() > 0 && identified.wanted.size() > 1)
+        document.line("\n" + correlation_rows(identified.wanted, found.correlation).text());
+    else
+        document.line();
+    document.line("  degrees of freedom " + std::to_string(found.degrees_of_freedom) +
+                  (found.errors_known && found.degrees_of_freedom > 0
+                       ? ", chi²/dof " + rounded(found.chi_squared / found.degrees_of_freedom, 3)
+                       : "") +
+                  "\n");
+    document.text([rows = rows_of(identified.curve, fit)] { return rows.text(); });
 }
 
 }  // namespace
@@ -101,41 +210,15 @@ Identified identify_scene(const Scene& scene, const IdentifyRequest& request, st
     return all;
 }
 
-Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
-    const ShownValue y = shown_value(curve);
-    std::vector<double> pressures, values, errors;
-    for (const MeasuredPoint& point : fit.points) {
-        pressures.push_back(point.pressure);
-        values.push_back(point.value);
-        if (curve.has_errors) errors.push_back(point.error);
-    }
-    Rows rows;
-    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, pressures);
-    rows.add({std::string(y.column), std::string(y.name) + " measured" + std::string(y.unit), y.factor}, values);
-    if (curve.has_errors) rows.add({"error"}, errors);
-    rows.add({"model", "model", y.factor}, fit.found.model);
-    rows.add({"residual", fit.found.errors_known ? "residual [errors]" : "residual [scatter]", 1, 3},
-             fit.found.residuals);
-    return rows;
-}
-
-Answer answer_of(const Scene& scene, const Identified& identified) {
-    const MeasuredCurve& curve = identified.curve;
-    Json document = json_document("identify");
-    document["scene"] = scene_json(scene);
-    document["measured"] = {{"file", curve.name},
-                            {"sha256", curve.sha256},
-                            {"quantity", curve.is_reflection ? "reflection" : "stiffness"},
-                            {"has_errors", curve.has_errors},
-                            {"decisions", curve.decisions}};
-    if (const auto& wave = identified.found.wave)
-        document["wave"] = {{"angular_frequency_rad_per_s", wave->angular_frequency},
-                            {"impedance_Rayl", wave->media.incident},
-                            {"impedance2_Rayl", wave->media.beyond},
-                            {"stiffness_ratio", wave->stiffness_ratio}};
-    Json& fits = document["fits"] = Json::array();
-    for (const Fit& fit : identified.found.fits) fits.push_back(fit_json(curve, fit));
-    return {std::move(document), identified.found.warnings, identified.found.doubtful};
+Document document_of(const Scene& scene, const Identified& identified) {
+    Document document("identify", 10);
+    introduce(document, scene, identified);
+    document.json["fits"] = Json::array();
+    for (const Fit& fit : identified.found.fits) add_fit(document, identified, fit);
+    document.line();
+    document.warnings = identified.found.warnings;
+    document.doubtful = identified.found.doubtful;
+    return document;
 }
 
 }  // namespace fstiff::scene

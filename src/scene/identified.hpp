@@ -2,9 +2,9 @@
 #pragma once
 // fstiff identify: which parameters are fitted to which curve, and what was found as a document.
 
-#include "document/rows.hpp"
+#include "document/document.hpp"
 #include "scene/identification.hpp"
-#include "surface/request.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <array>
 #include <optional>
@@ -77,9 +77,7 @@ struct Identified {
 /// read_measured_curve() and identify().
 [[nodiscard]] Identified identify_scene(const Scene& scene, const IdentifyRequest& request,
                                         std::optional<MeasuredCurve> curve = {});
-/// Measured and fitted values at the points of \p fit.
-[[nodiscard]] Rows rows_of(const MeasuredCurve& curve, const Fit& fit);
 /// The document of fstiff identify.
-[[nodiscard]] Answer answer_of(const Scene& scene, const Identified& identified);
+[[nodiscard]] Document document_of(const Scene& scene, const Identified& identified);
 
 }  // namespace fstiff::scene

@@ -4,7 +4,7 @@
 #include "document/file.hpp"
 #include "scene/one_contact.hpp"
 #include "scene/results.hpp"
-#include "surface/request.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/answer/derived.hpp>
 #include <fstiff/contact/contact_law.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bearing curve of [surface] as it is written: skewness and kurtosis, parameters of the core, or a list of heights.
+#include "document/file.hpp"
 #include "scene/readers.hpp"
 
 #include <fstiff/surface/bearing_family.hpp>
@@ -7,39 +8,62 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace fstiff::scene {
 namespace {
 
-/// The parameters of the core of a map and of a profile.
+/// The parameters of the core of a map and of a profile, in the order of CoreKeys.
+enum CoreKey { core_height, peak_height, valley_depth, first_share, second_share };
 using CoreKeys = std::array<std::string_view, 5>;
 constexpr std::array<CoreKeys, 2> core_keys{
     {{"Sk", "Spk", "Svk", "Smr1", "Smr2"}, {"Rk", "Rpk", "Rvk", "Rmr1", "Rmr2"}}};
 
-parts::BearingSlope<double> read_core(const Section& surface, const CoreKeys& keys) {
-    parts::MaterialRatio<double> core{};
-    const std::array<double*, 5> members{&core.core_height, &core.reduced_peak_height, &core.reduced_valley_depth,
-                                         &core.peak_share, &core.core_and_peak_share};
-    const auto fields = [&](auto take) {
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            take(keys[i], *members[i], i < 3 ? Field{.dimension = Dimension::length} : Field{});
+void read_shape(Source& source, const Section& surface, JointFace& face) {
+    const auto number = [&](const char* name, const char* other) {
+        const toml::node& node =
+            surface.at(name, "is missing; surface.skewness and surface.kurtosis belong together, and " +
+                                 surface.key(other) + " is there");
+        return source.number(node, surface.key(name));
     };
-    std::string names(keys[0]);
-    for (std::size_t i = 1; i < keys.size(); ++i)
-        names += (i + 1 < keys.size() ? ", " : " and ") + std::string(keys[i]);
-    surface.read(fields, [&](std::string_view key, double) {
-        static_cast<void>(surface.at(key, "is missing; " + names + " belong together"));
-    });
-    try {
-        return parts::bearing_of_core(core);
-    } catch (const domain_error& error) {  // by the names of a map
-        const auto place =
-            std::find(core_keys[0].begin(), core_keys[0].end(), error.parameter()) - core_keys[0].begin();
-        surface.refuse(keys[static_cast<std::size_t>(place)], std::string(error.reason()));
-    }
+    const double skewness = number("skewness", "kurtosis"), kurtosis = number("kurtosis", "skewness");
+    if (!(std::abs(skewness) <= parts::most_skewness<double>))
+        source.refuse(*surface.find("skewness"), surface.key("skewness"), "must be from -3 to 3");
+    const double least = parts::least_kurtosis(skewness);
+    if (!(kurtosis >= least && kurtosis <= parts::most_kurtosis<double>))
+        source.refuse(*surface.find("kurtosis"), surface.key("kurtosis"),
+                      "must be from " + rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
+    face.skewness = skewness, face.kurtosis = kurtosis;
+}
+
+parts::MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
+    const std::string why = "is missing; " + std::string(keys[0]) + ", " + std::string(keys[1]) + ", " +
+                            std::string(keys[2]) + ", " + std::string(keys[3]) + " and " + std::string(keys[4]) +
+                            " belong together";
+    const auto height = [&](CoreKey which) {
+        const toml::node& node = surface.at(keys[which], why);
+        const double value = source.quantity(node, surface.key(keys[which]), Dimension::length);
+        if (!(value >= 0 && std::isfinite(value)) || (which == core_height && value == 0))
+            source.refuse(
+                node, surface.key(keys[which]),
+                which == core_height ? "must be finite and greater than 0" : "must be finite and not negative");
+        return value;
+    };
+    const auto share = [&](CoreKey which) {
+        const toml::node& node = surface.at(keys[which], why);
+        const double value = source.number(node, surface.key(keys[which]));
+        if (!(value >= 0 && value <= 1))
+            source.refuse(node, surface.key(keys[which]), "must be a share from 0 to 1; 10 % is 0.1");
+        return value;
+    };
+    const parts::MaterialRatio<double> core{height(core_height), height(peak_height), height(valley_depth),
+                                            share(first_share), share(second_share)};
+    if (!(core.peak_share < core.core_and_peak_share))
+        source.refuse(*surface.find(keys[second_share]), surface.key(keys[second_share]),
+                      "must be greater than " + surface.key(keys[first_share]));
+    return core;
 }
 
 parts::BearingSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
@@ -74,21 +98,25 @@ void read_bearing(Source& source, const Section& surface, JointFace& face) {
     const auto first_of = [&](std::span<const std::string_view> keys) {
         const auto there =
             std::find_if(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key); });
-        return there == keys.end() ? std::string_view() : *there;
+        return there == keys.end() ? nullptr : &*there;
     };
     constexpr std::array<std::string_view, 2> moments{"skewness", "kurtosis"};
-    std::vector<std::string_view> ways{first_of(moments), surface.find("bearing_curve") ? "bearing_curve" : ""};
-    for (const CoreKeys& keys : core_keys) ways.push_back(first_of(keys));
-    std::erase(ways, "");
-    (void)surface.one_of(ways, "give one bearing curve");
-    surface.read([&](auto take) {
-        take("skewness", face.skewness, Field{});
-        take("kurtosis", face.kurtosis, Field{});
-    });
-    for (const CoreKeys& keys : core_keys)
-        if (!first_of(keys).empty()) face.bearing = read_core(surface, keys);
-    if (const toml::node* node = surface.find("bearing_curve"))
-        face.bearing = read_heights(source, *node, surface.key("bearing_curve"));
+    constexpr std::array<std::string_view, 1> list{"bearing_curve"};
+    const std::array<std::span<const std::string_view>, 4> ways{moments, list, core_keys[0], core_keys[1]};
+    std::vector<std::string_view> firsts;
+    std::size_t chosen = ways.size();
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        if (const std::string_view* key = first_of(ways[i])) firsts.push_back(*key), chosen = i;
+    if (surface.one_of(firsts, "give one bearing curve").empty()) return;
+    if (chosen == 0) return read_shape(source, surface, face);
+    const std::string_view key = *first_of(ways[chosen]);
+    const toml::node& node = *surface.find(key);
+    if (chosen == 1) {
+        face.bearing = read_heights(source, node, surface.key(key));
+        return;
+    }
+    const parts::MaterialRatio<double> core = read_core(source, surface, core_keys[chosen - 2]);
+    face.bearing = source.located(node, [&] { return parts::bearing_of_core(core); });
 }
 
 }  // namespace fstiff::scene

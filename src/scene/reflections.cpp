@@ -141,66 +141,79 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
     return all;
 }
 
-NamedNumbers numbers_of(const Reflection& found) {
-    const Reflected& one = found.one;
-    NamedNumbers numbers{{"frequency_Hz", found.frequency},       {"impedance_Rayl", found.media.incident},
-                         {"impedance2_Rayl", found.media.beyond}, {"stiffness_Pa_per_m", one.stiffness},
-                         {"reflection", one.reflection},          {"reflection_phase_rad", one.phase},
-                         {"transmission", one.transmission},      {"transmitted_energy", one.transmitted_energy},
-                         {"welded_reflection", found.welded}};
-    if (one.stiffness_error) {
-        numbers.emplace_back("reflection_error", *one.reflection_error);
-        numbers.emplace_back("stiffness_error_Pa_per_m", *one.stiffness_error);
-    }
-    return numbers;
-}
+namespace {
 
+/// A row of the curve a row.
 Rows rows_of(const CurveOfStiffness& found) {
-    std::vector<double> pressures, values;
-    for (const MeasuredPoint& point : found.curve.points) {
-        pressures.push_back(point.pressure);
-        values.push_back(point.value);
-    }
-    const auto of = [&](const auto& value, const Cell& otherwise = {}) {
-        std::vector<Cell> cells;
-        for (const auto& k : found.stiffness) cells.push_back(k ? Cell(value(*k)) : otherwise);
-        return cells;
-    };
     using K = parts::MeasuredStiffness<double>;
+    const auto of = [](const auto& value, Cell::Kind otherwise = Cell::Kind::absent) {
+        return [=](const std::optional<K>& k) { return k ? Cell(value(*k)) : Cell(otherwise); };
+    };
     const bool errors = !found.errors.empty();
     Rows rows;
-    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, pressures);
-    rows.add({.key = "reflection", .shown = "|R|", .csv = false}, values);
+    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, found.curve.points, &MeasuredPoint::pressure);
+    rows.add({.key = "reflection", .shown = "|R|", .csv = false}, found.curve.points, &MeasuredPoint::value);
     if (errors) rows.add({.key = "reflection_error", .shown = "error", .digits = 2, .csv = false}, found.errors);
-    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, of([](const K& k) { return k.value; }, Cell::Kind::null));
+    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, found.stiffness,
+             of([](const K& k) { return k.value; }, Cell::Kind::null));
     if (errors) {
-        rows.add({"stiffness_error_Pa_per_m", "error [GPa/µm]", 1e-15, 2}, of([](const K& k) { return k.error; }));
-        rows.add({"", "error of K [%]", 100, 2}, of([](const K& k) { return k.error / k.value; }));
+        rows.add({"stiffness_error_Pa_per_m", "error [GPa/µm]", 1e-15, 2}, found.stiffness,
+                 of([](const K& k) { return k.error; }));
+        rows.add({"", "error of K [%]", 100, 2}, found.stiffness, of([](const K& k) { return k.error / k.value; }));
     }
-    rows.add({.key = "slope_Pa_per_m", .csv = false}, of([](const K& k) { return k.slope; }));
+    rows.add({.key = "slope_Pa_per_m", .csv = false}, found.stiffness, of([](const K& k) { return k.slope; }));
     return rows;
 }
 
-Answer answer_of(const Reflection& found) {
-    Answer answer{json_document("ultrasound"), found.warnings, found.doubtful};
-    Json& document = answer.document;
-    document["given"] = found.one.from_stiffness ? "stiffness" : "reflection";
-    if (!found.curve) {
-        document["equations"] = {"(5.1)"};
-        put(document, numbers_of(found));
-        return answer;
-    }
+void add_curve(Document& document, const Reflection& found) {
     const CurveOfStiffness& of = *found.curve;
-    document["file"] = {{"name", of.curve.name}, {"sha256", of.curve.sha256}};
-    document["decisions"] = of.curve.decisions;
-    document["equations"] = {"(5.1)"};
-    put(document, {{"frequency_Hz", found.frequency},
-                   {"impedance_Rayl", found.media.incident},
-                   {"impedance2_Rayl", found.media.beyond},
-                   {"welded_reflection", found.welded}});
-    if (of.error) document["reflection_error"] = *of.error;
-    rows_of(of).append_to(document["rows"] = Json::array());
-    return answer;
+    document.title("stiffness from the reflections of " + of.curve.name + ", interface as a spring, eq. (5.1)");
+    document.json["file"] = {{"name", of.curve.name}, {"sha256", of.curve.sha256}};
+    document.json["decisions"] = of.curve.decisions;
+    document.json["equations"] = {"(5.1)"};
+    document.facts("", {{"frequency_Hz", found.frequency, "", 1e-6, " MHz, impedances ", 6},
+                        {"impedance_Rayl", found.media.incident, "", 1e-6, " and ", 6},
+                        {"impedance2_Rayl", found.media.beyond, "", 1e-6, " MRayl, welded joint |R| ", 6},
+                        {"welded_reflection", found.welded, "", 1, "", 6}});
+    if (of.error) document.json["reflection_error"] = *of.error;
+    document.table(rows_of(of), {.key = "rows", .as_list = true, .csv = [k = of.stiffness](std::size_t i) {
+                                     return k[i].has_value();
+                                 }});
+}
+
+/// Reflection and transmission of a wave at one stiffness.
+void add_one(Document& document, const Reflection& found) {
+    const Reflected& one = found.one;
+    const std::string K = rounded(one.stiffness, 6),
+                      error = one.stiffness_error ? " +- " + rounded(*one.stiffness_error / 1e15, 2) + " GPa/µm" : "";
+    document.line("interface as a spring, eq. (5.1)");
+    document.json["equations"] = {"(5.1)"};
+    document.facts("frequency", {{"frequency_Hz", found.frequency, "", 1e-6, " MHz", 6}});
+    document.facts("impedances", {{"impedance_Rayl", found.media.incident, "", 1e-6, " and ", 6},
+                                  {"impedance2_Rayl", found.media.beyond, "", 1e-6, " MRayl", 6}});
+    document.facts("K per nominal area",
+                   {{"stiffness_Pa_per_m", one.stiffness, "", 1e-15, " GPa/µm = " + K + " Pa/m" + error, 6}});
+    document.facts("|R|",
+                   {{"reflection", one.reflection, "", 1, " (welded joint " + rounded(found.welded, 6) + ")", 6}});
+    document.facts("phase of R", {{"reflection_phase_rad", one.phase, "", 1, " rad", 6}});
+    document.facts("|T|", {{"transmission", one.transmission, "", 1, " of displacement, ", 6},
+                           {"transmitted_energy", one.transmitted_energy, "", 1, " of the energy", 6},
+                           {"welded_reflection", found.welded}});
+    if (one.stiffness_error)
+        document.facts(
+            "", {{"reflection_error", *one.reflection_error}, {"stiffness_error_Pa_per_m", *one.stiffness_error}});
+}
+
+}  // namespace
+
+Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
+    const Reflection found = reflection_of(request, std::move(curve));
+    Document document("ultrasound", 19);
+    document.warnings = found.warnings;
+    document.doubtful = found.doubtful;
+    document.json["given"] = found.one.from_stiffness ? "stiffness" : "reflection";
+    found.curve ? add_curve(document, found) : add_one(document, found);
+    return document;
 }
 
 }  // namespace fstiff::scene

@@ -3,9 +3,9 @@
 // Ultrasound at an interface that acts as a spring: the reflection of a stiffness, or the stiffness of measured
 // reflections.
 
-#include "document/rows.hpp"
+#include "document/document.hpp"
 #include "scene/measured_curve.hpp"
-#include "surface/request.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
@@ -82,11 +82,8 @@ struct Reflection {
 
 /// \throws option_error for options that do not fit together, domain_error for values and files out of range.
 [[nodiscard]] Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve = {});
-/// Reflection and transmission of a wave at one stiffness.
-[[nodiscard]] NamedNumbers numbers_of(const Reflection& found);
-/// A row of the curve a row. The CSV has no column of R: it reads back as a measured K(p).
-[[nodiscard]] Rows rows_of(const CurveOfStiffness& found);
-/// The document of fstiff ultrasound.
-[[nodiscard]] Answer answer_of(const Reflection& found);
+/// The document of fstiff ultrasound. The CSV of a curve has no column of R: it reads back as a measured K(p).
+/// \throws as reflection_of().
+[[nodiscard]] Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve = {});
 
 }  // namespace fstiff::scene

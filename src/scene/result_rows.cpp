@@ -11,20 +11,6 @@
 #include <vector>
 
 namespace fstiff::scene {
-namespace {
-
-/// p over the real area; absent without contact.
-std::vector<Cell> mean_pressures(const Curve& curve) {
-    std::vector<Cell> cells;
-    for (const auto& state : curve.states) {
-        const double area = state.real_area_fraction.value;
-        cells.push_back(area > 0 ? Cell(state.pressure.value / area) : Cell());
-    }
-    return cells;
-}
-
-}  // namespace
-
 Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
 
 Units units_of(const Problem& problem, const Results& results) {
@@ -76,23 +62,21 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     rows.repeat({"theta"}, curve.theta, size);
     rows.repeat({"r"}, curve.r, size);
     for (const Column& column : curve.columns) {
-        std::vector<Cell> cells;
-        for (const double value : column.values) cells.push_back(std::isnan(value) ? Cell() : Cell(value));
-        rows.add(heading_of(column, units), cells);
-        if (column.quantity == CurveQuantity::pressure && curve.rms_gradient) {
-            std::vector<double> relative;
-            for (const double p : column.values)
-                relative.push_back(parts::dimensionless_pressure(p, results.modulus, *curve.rms_gradient));
-            rows.add({"", "p*", 1, 3}, relative);
-        } else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value) {
+        rows.add(heading_of(column, units), column.values,
+                 [](double value) { return std::isnan(value) ? Cell() : Cell(value); });
+        if (column.quantity == CurveQuantity::pressure && curve.rms_gradient)
+            rows.add({"", "p*", 1, 3}, column.values,
+                     [&](double p) { return parts::dimensionless_pressure(p, results.modulus, *curve.rms_gradient); });
+        else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value)
             rows.add({"", "K/A0 [Pa/m]", 1, 6}, column.values);
-        } else if (column.quantity == CurveQuantity::real_area) {
-            rows.add({"", "mean pressure [GPa]", 1e-9}, mean_pressures(curve));
-        }
+        else if (column.quantity == CurveQuantity::real_area)
+            rows.add({"", "mean pressure [GPa]", 1e-9}, curve.states, [](const ContactState<double>& state) {
+                const double area = state.real_area_fraction.value;
+                return area > 0 ? Cell(state.pressure.value / area) : Cell();
+            });
     }
-    std::vector<std::size_t> failed;
-    for (const auto& band : curve.band) failed.push_back(band.failed);
-    if (!failed.empty()) rows.add({.key = "samples_out_of_reach", .csv = false}, failed);
+    if (!curve.band.empty())
+        rows.add({.key = "samples_out_of_reach", .csv = false}, curve.band, &parts::SampledBand<double>::failed);
     return rows;
 }
 

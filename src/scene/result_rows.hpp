@@ -2,7 +2,7 @@
 #pragma once
 // The columns of results, as the CSV, the JSON and the table of fstiff run have them.
 
-#include "document/rows.hpp"
+#include "document/document.hpp"
 #include "document/shown_unit.hpp"
 #include "scene/results.hpp"
 
@@ -32,7 +32,10 @@ struct Units {
 [[nodiscard]] std::string shown_point(const Scene& scene, std::size_t i);
 /// The answer for a JSON document: a row for each point, empty where nothing answers.
 [[nodiscard]] Json answer_json(const Scene& scene, const Results& results);
-/// JSON of fstiff run, without its warnings.
+/// The document of fstiff run. The text is a summary at the points of the answer or, \p full, every point and quantity;
+/// the CSV has the rows of the answer, then those of the laws that are named.
+[[nodiscard]] Document document_of(const Scene& scene, const Results& results, bool full = false);
+/// Its JSON, without the warnings.
 [[nodiscard]] Json run_document(const Scene& scene, const Results& results);
 /// The answer of \p results, which have one, for people: K, its band, the law and its greatest \p causes at
 /// points_of_answer().

@@ -4,7 +4,6 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 #include "scene/explanation.hpp"
-#include "scene/warnings.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/rough_contact.hpp>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fstiff::scene {
 namespace {
@@ -133,6 +134,64 @@ std::vector<std::string> what_is_settled(const Scales& scales) {
                shown_change(1 + high) + (std::max(high, -low) <= 0.1 ? ": settled to 10 %" : ": not settled to 10 %");
     };
     return {about(scales.short_waves, "lambda_s"), about(scales.long_waves, "lambda_c")};
+}
+
+std::optional<double> Scale::value(Parameter parameter) const {
+    const auto* known = surface ? surface->found.find(parameter) : nullptr;
+    return known ? std::optional(known->value) : std::nullopt;
+}
+
+std::optional<double> Scale::gradient() const {
+    return surface && surface->found.heights ? std::optional(surface->found.rms_gradient.value) : std::nullopt;
+}
+
+namespace {
+
+using ScaleRows = std::vector<std::reference_wrapper<const Scale>>;
+
+Rows rows_of(const ScaleRows& scales) {
+    const auto length = [](const std::optional<double>& cut_off) {
+        return cut_off ? shown_length(*cut_off, 4) : "none";
+    };
+    const auto parameter = [](Parameter which) { return [which](const Scale& scale) { return scale.value(which); }; };
+    Rows rows;
+    rows.add({.key = "lambda_s_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_s; });
+    rows.add({.key = "lambda_c_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_c; });
+    rows.add({"", "lambda_s"}, scales,
+             [&](const Scale& scale) { return length(scale.cut_offs.lambda_s) + (scale.chosen ? " *" : ""); });
+    rows.add({"", "lambda_c"}, scales, [&](const Scale& scale) { return length(scale.cut_offs.lambda_c); });
+    rows.add({"rms_height_m", "sigma [µm]", 1e6}, scales, parameter(Parameter::rms_height));
+    rows.add({"rms_gradient", "gradient"}, scales, &Scale::gradient);
+    rows.add({"peak_radius_m", "R [µm]", 1e6}, scales, parameter(Parameter::peak_radius));
+    rows.add({"peak_density_per_m2", "D_p [/mm²]", 1e-6}, scales, parameter(Parameter::peak_density));
+    rows.add({"fractal_dimension", "D"}, scales, parameter(Parameter::fractal_dimension));
+    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, scales, &Scale::stiffness);
+    rows.add({.key = "refusal", .shown = "", .csv = false}, scales, &Scale::refusal);
+    return rows;
+}
+
+}  // namespace
+
+Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface,
+                     const Scales& scales, const ScalesOptions& how) {
+    ScaleRows all(scales.short_waves.begin(), scales.short_waves.end());
+    all.insert(all.end(), scales.long_waves.begin(), scales.long_waves.end());
+    const Rows rows = rows_of(all);
+    const std::vector<std::string> settled = what_is_settled(scales);
+    Document document = document_of(options, surface);
+    document.line("\nwith other cut-offs (* chosen), K by " + scales.law + " at " + rounded(how.pressure / 1e6) +
+                  " MPa, effective modulus " + rounded(how.modulus / 1e9) + " GPa\n");
+    document.text([rows] { return rows.text() + "\n"; });
+    for (const std::string& sentence : settled) document.line("  " + sentence);
+    for (const Scale& scale : all)
+        if (!scale.refusal.empty()) document.line("  " + sentence_of(scale.cut_offs) + ": " + scale.refusal);
+    document.csv_alone([rows] { return rows; });
+    document.values([=, law = scales.law, pressure = how.pressure, modulus = how.modulus](Json& to) {
+        Json& of = to["scales"] = {
+            {"law", law}, {"pressure_Pa", pressure}, {"effective_modulus_Pa", modulus}, {"settled", settled}};
+        rows.append_to(of["rows"]);
+    });
+    return document;
 }
 
 }  // namespace fstiff::scene

@@ -2,10 +2,12 @@
 #pragma once
 // Sensitivity of a measured surface, and of its K, to the cut-offs.
 
+#include "document/document.hpp"
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/core/progress.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +28,9 @@ struct Scale {
     std::optional<MeasuredSurface> surface{};  ///< none: `refusal` has the reason
     std::optional<double> stiffness{};         ///< K [Pa/m] by Scales::law
     std::string refusal{};
+
+    [[nodiscard]] std::optional<double> value(Parameter parameter) const;
+    [[nodiscard]] std::optional<double> gradient() const;
 };
 
 struct Scales {
@@ -38,6 +43,11 @@ struct Scales {
 /// \p chosen, which was measured of \p input, and the same input with each of the other cut-offs, without errors.
 /// Refusals are in their rows.
 [[nodiscard]] Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how);
+
+/// The document of fstiff measure --scales: that of \p surface, measured by \p options, with a row for each pair of
+/// cut-offs, those of lambda_s first, and what of K is settled.
+[[nodiscard]] Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface,
+                                   const Scales& scales, const ScalesOptions& how);
 
 /// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.
 [[nodiscard]] std::vector<std::string> what_is_settled(const Scales& scales);

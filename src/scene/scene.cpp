@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 
 #include "document/file.hpp"
+#include "document/shown_unit.hpp"
 
 #include <algorithm>
 #include <cmath>

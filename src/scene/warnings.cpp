@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/warnings.hpp"
-
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 #include "scene/explanation.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/documents.hpp"
 
+#include "document/shown_unit.hpp"
 #include "surface/surface_option_table.hpp"
 
 #include <fstiff/measured/pooled_surface.hpp>
@@ -36,46 +37,44 @@ void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs) {
     document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
 }
 
-void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing,
-              const parts::CutOffs<double>& cut_offs) {
-    document["columns"] = map.columns();
-    document["rows"] = map.rows();
-    document["dx_m"] = map.dx;
-    document["dy_m"] = map.dy;
-    document["missing_points"] = missing;
-    put_cut_offs(document, cut_offs);
+void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input) {
+    const std::vector<std::string> decisions = input.surface.record.sentences();
+    document.json["source"] = {{"file", display_name(options.file)},
+                               {"sha256", input.sha256},
+                               {"format", io::surface_format_name(input.surface.record.format)},
+                               {"kind", input.surface.is_profile() ? "profile" : "map"},
+                               {"decisions", decisions}};
+    for (const std::string& decision : decisions) document.line("file", decision);
 }
 
-Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
-    return {{"file", display_name(options.file)},
-            {"sha256", input.sha256},
-            {"format", io::surface_format_name(input.surface.record.format)},
-            {"kind", input.surface.is_profile() ? "profile" : "map"},
-            {"decisions", input.surface.record.sentences()}};
+void add_grid(Document& document, const SurfaceInput& input, const parts::PreparedMap<double>& levelled) {
+    const HeightMap<double>& map = levelled.map;
+    document.json.update({{"columns", map.columns()},
+                          {"rows", map.rows()},
+                          {"dx_m", map.dx},
+                          {"dy_m", map.dy},
+                          {"missing_points", input.missing()}});
+    put_cut_offs(document.json, levelled.cut_offs);
+    document.line("map", std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
+                             shown_length(map.dx) + ", dy " + shown_length(map.dy));
 }
 
 namespace {
 
-Json json_of(bool value) { return value; }
-Json json_of(int value) { return value; }
-Json json_of(double value) { return value; }
-Json json_of(const std::string& text) { return text; }
-Json json_of(const Amount& given) { return given.text("m"); }
-template <parts::NamedEnum Enum>
-Json json_of(Enum value) {
-    return name_of(value);
-}
-template <parts::NamedEnum Enum>
-Json json_of(const std::optional<Enum>& value) {
-    return value ? Json(name_of(*value)) : Json("");
-}
-
 Json json_of_option(const SurfaceOptionRow& row, const SurfaceOptions& options) {
-    return row.visit(options, [](const auto& value) { return json_of(value); });
+    return row.visit(options, []<class Value>(const Value& value) -> Json {
+        if constexpr (std::is_same_v<Value, Amount>)
+            return value.text("m");
+        else if constexpr (std::is_same_v<Value, std::optional<io::X3pIncrement>>)
+            return value ? Json(name_of(*value)) : Json("");
+        else if constexpr (parts::NamedEnum<Value>)
+            return name_of(value);
+        else
+            return value;
+    });
 }
 
-}  // namespace
-
+/// The options as they were given.
 Json json_inputs(const SurfaceOptions& options, const std::string& form) {
     const SurfaceOptions defaults;
     Json inputs = Json::object();
@@ -86,6 +85,19 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
         }
     inputs["detrend"] = form;
     return inputs;
+}
+
+}  // namespace
+
+void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input, const std::string& form) {
+    add_source(document, options, input);
+    document.json["inputs"] = json_inputs(options, form);
+}
+
+void add_reading(Document& document, const SurfaceInput& input, std::string_view consequence, double rms_gradient) {
+    for (std::string& warning : reading_warnings(input, consequence, rms_gradient))
+        document.warnings.push_back(std::move(warning));
+    document.doubtful = document.doubtful || !parts::is_plausible_gradient(rms_gradient);
 }
 
 namespace {
@@ -167,6 +179,8 @@ RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>
     return mean_of(shared.automatic() ? by_table : tables(shared));
 }
 
+namespace {
+
 Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
     for (const MeasuredSurface& part : surface.parts) {
@@ -184,6 +198,78 @@ Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface)
             document["inputs"][row.json_name()] = json_of_option(row, options.input);
     document["inputs"].update({{"resamples", options.resamples}, {"seed", options.seed}});
     document["roughness"] = json_of(roughness_of(surface));
+    return document;
+}
+
+/// A parameter a row; \p file is the first column of the CSV, or empty.
+Rows rows_of(const MeasuredSurface& surface, const std::string& file) {
+    const std::vector<ParameterLine> lines = parameter_lines(surface);
+    const auto unit = [](const ParameterLine& line) { return shown_unit(line.measured.value, line.unit); };
+    Rows rows;
+    if (!file.empty()) rows.repeat({.key = "file"}, file, lines.size());
+    rows.add({"parameter", "parameter"}, lines, &ParameterLine::name);
+    rows.add({"value"}, lines, [](const ParameterLine& line) { return line.measured.value; });
+    rows.add({"error"}, lines, [](const ParameterLine& line) { return line.measured.error; });
+    rows.add({"unit"}, lines, &ParameterLine::unit);
+    rows.add({"", "value"}, lines, [&](const ParameterLine& line) {
+        return rounded(line.measured.value * unit(line).factor, line.known ? 5 : 2);
+    });
+    rows.add({"", "+-"}, lines,
+             [&](const ParameterLine& line) { return rounded(line.measured.error * unit(line).factor, 2); });
+    rows.add({"", "unit"}, lines, [&](const ParameterLine& line) { return unit(line).name; });
+    rows.add({"", "found by"}, lines, &ParameterLine::how);
+    for (const Parameter which : {Parameter::peak_radius, Parameter::peak_density}) {
+        if (surface.found.find(which)) continue;
+        std::vector<Cell> cells{
+            parts::row_of(which).key, {}, {}, "", {}, {}, "", "not known: " + surface.found.why_no_density};
+        if (!file.empty()) cells.insert(cells.begin(), file);
+        rows.add_row(std::move(cells));
+    }
+    return rows;
+}
+
+std::string text_of(const RoughnessTable& table) {
+    const auto& lines = table.lines;
+    const auto unit = [](const RoughnessLine& line) { return shown_unit(line.value.value_or(0), line.unit); };
+    Rows rows;
+    rows.add({"", "parameter"}, lines, &RoughnessLine::symbol);
+    rows.add({"", "value"}, lines,
+             [&](const RoughnessLine& line) { return line.value ? Cell(*line.value * unit(line).factor) : Cell(); });
+    rows.add({"", "unit"}, lines, [&](const RoughnessLine& line) { return line.value ? unit(line).name : ""; });
+    rows.add({"", "meaning"}, lines, &RoughnessLine::meaning);
+    return "\n  by " + table.standard + ", about the mean" +
+           (table.files > 1 ? ": means of " + std::to_string(table.files) + " files" : "") + "\n  " +
+           sentence_of(table.cut_offs) + "\n" +
+           (table.sections.empty()
+                ? ""
+                : "  sections: " + table.sections +
+                      (table.section_length > 0 ? ", " + shown_length(table.section_length) : "") + "\n") +
+           "\n" + rows.text();
+}
+
+using SharedSurface = std::shared_ptr<const MeasuredSurface>;
+
+/// Adds the decisions about \p surface, \p line, and its tables; \p file as above.
+void add_surface(Document& document, const SharedSurface& surface, const std::string& file, const std::string& line) {
+    for (const std::string& decision : surface->decisions) document.line("  " + decision);
+    document.text([line] { return line; });
+    document.table(rows_of(*surface, file));
+    document.text([surface] { return text_of(roughness_of(*surface)); });
+}
+
+}  // namespace
+
+Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface) {
+    Document document("measure");
+    document.warnings = surface->warnings;
+    document.doubtful = is_doubtful(*surface);
+    document.title("surface of " + printable(surface->file));
+    add_surface(document, surface, surface->parts.empty() ? "" : "pooled", "\n");
+    for (const MeasuredSurface& part : surface->parts) {
+        document.line("\n" + printable(part.file));
+        add_surface(document, SharedSurface(surface, &part), part.file, "");
+    }
+    document.values([=](Json& to) { to = measure_json(options, *surface); });
     return document;
 }
 

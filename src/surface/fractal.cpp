@@ -16,8 +16,6 @@ namespace {
 
 using Strings = std::vector<std::string>;
 
-bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
-
 /// Why a fit is flagged as curved.
 std::string curved_sentence(const FractalFit<double>& fit) {
     const std::string slopes =
@@ -95,22 +93,54 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["bootstrap_seed"] = fit.seed;
 }
 
-Json json_start(const FractalOptions& options, const SurfaceInput& input, const std::string& form) {
-    Json document = json_document("fit");
-    document["source"] = json_source(options.surface, input);
-    Json inputs = json_inputs(options.surface, form);
-    inputs.update({{"window", options.surface.window.text("m")},
-                   {"tip_radius", options.surface.tip_radius.text("m")},
-                   {"resolution", options.surface.resolution.text("m")},
-                   {"seed", options.seed},
-                   {"resamples", options.resamples},
-                   {"convention", name_of(options.convention)}});
-    document["inputs"] = inputs;
-    document["equations"] = {{"structure_function", "(2.8)"},
-                             {"fit", "(2.5), of second differences"},
-                             {"constant", "(2.4), convention " + std::string(name_of(options.convention))},
-                             {"peak_ratio", "(4.3)"}};
+Document begun(const FractalOptions& options, const SurfaceInput& input, const std::string& of,
+               const std::string& form) {
+    Document document("fit");
+    document.title("fractal fit of " + of + shown_name(options.surface.file));
+    add_source(document, options.surface, input, form);
+    document.json["inputs"].update({{"window", options.surface.window.text("m")},
+                                    {"tip_radius", options.surface.tip_radius.text("m")},
+                                    {"resolution", options.surface.resolution.text("m")},
+                                    {"seed", options.seed},
+                                    {"resamples", options.resamples},
+                                    {"convention", name_of(options.convention)}});
+    document.json["equations"] = {{"structure_function", "(2.8)"},
+                                  {"fit", "(2.5), of second differences"},
+                                  {"constant", "(2.4), convention " + std::string(name_of(options.convention))},
+                                  {"peak_ratio", "(4.3)"}};
     return document;
+}
+
+/// G with its error, two digits where it is not known to a factor of two, and the convention that it has.
+std::string roughness_text(const FractalOptions& options, const FractalFit<double>& fit) {
+    const Measurement<double> g{fit.fractal.roughness, fit.roughness_error};
+    return "G = " + rounded(g.value, parts::is_known(g) ? 5 : 2) + " m +- " + rounded(g.error, 2) +
+           " m   (convention " + std::string(name_of(options.convention));
+}
+
+std::string window_line(const FractalFit<double>& fit) {
+    return shown_length(fit.window.from) + " to " + shown_length(fit.window.to) + " (" +
+           (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) + " lags; local slope " +
+           rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
+}
+
+std::string window_reason(const FractalFit<double>& fit) {
+    return "begins " + std::string(parts::describe(fit.begins)) + ", ends " + std::string(parts::describe(fit.ends)) +
+           (fit.reliable_from > 0 ? "; lags below " + shown_length(fit.reliable_from) + " are left out" : "");
+}
+
+std::string errors_line(const FractalOptions& options, const FractalFit<double>& fit) {
+    return "errors of D: window " + rounded(fit.window_dimension_error, 2) + ", sampling " +
+           rounded(fit.sampling_dimension_error, 2) + "; of that model " + rounded(fit.model_dimension_error, 2) +
+           (options.resamples > 0
+                ? ", block bootstrap " + rounded(fit.bootstrap_dimension_error, 2) + " (" +
+                      std::to_string(options.resamples) + " resamples, seed " + std::to_string(options.seed) + ")"
+                : ", no bootstrap");
+}
+
+std::string note_of(const FractalFit<double>& fit) {
+    return "D = " + shortest(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
+           ", G = " + shortest(fit.fractal.roughness) + " m +- " + rounded(fit.roughness_error, 2) + " m";
 }
 
 }  // namespace
@@ -169,122 +199,183 @@ MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input) {
     return result;
 }
 
-Strings warnings_of(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result) {
+Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s, const std::string& direction) {
+    const auto used = [&](double lag) { return lag >= fit.window.from && lag <= fit.window.to; };
+    Rows rows;
+    if (!direction.empty()) rows.repeat({.key = "direction", .json = false}, direction, s.size());
+    rows.add({"lag_m", "lag [µm]", 1e6}, s.lag);
+    rows.add({"value_m2", "S [µm²]", 1e12}, s.value);
+    rows.add({"pairs", "pairs"}, s.pairs);
+    rows.add({.key = "in_window", .json = false}, s.lag, [&](double lag) { return used(lag) ? 1 : 0; });
+    rows.add({"", "window"}, s.lag, [&](double lag) { return used(lag) ? "*" : ""; });
+    return rows;
+}
+
+namespace {
+
+Strings warnings_of(const FractalOptions& options, const ProfileFractal& result) {
     Strings all;
     for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
         all.push_back(concern == MeasuredConcern::spectrum_differs
                           ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
                                 ", is another one: over its wavelengths the profile follows another law"
                           : sentence(concern, result.fit, options.surface.prefix));
-    for (std::string& line : reading_warnings(input, "their pairs are left out", result.levelled.rms_gradient))
-        all.push_back(std::move(line));
     return all;
 }
 
-Strings warnings_of(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
+Strings warnings_of(const FractalOptions& options, const parts::DirectionalFit<double>& fit) {
     Strings all;
-    if (result.fit.x) warn_of_fit(all, options, *result.fit.x, "along x: ");
-    if (result.fit.y) warn_of_fit(all, options, *result.fit.y, "along y: ");
-    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.why_no_fit_x);
-    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.why_no_fit_y);
-    if (result.fit.anisotropic())
+    if (fit.x) warn_of_fit(all, options, *fit.x, "along x: ");
+    if (fit.y) warn_of_fit(all, options, *fit.y, "along y: ");
+    if (!fit.x) all.push_back("along x: no fit: " + fit.why_no_fit_x);
+    if (!fit.y) all.push_back("along y: no fit: " + fit.why_no_fit_y);
+    if (fit.anisotropic())
         all.push_back("the map is anisotropic: " +
-                      (result.fit.x && result.fit.y
-                           ? "D along x less D along y is " + rounded(result.fit.dimension_difference, 3) + " +- " +
-                                 rounded(result.fit.dimension_difference_error, 2) + ", "
-                           : std::string()) +
-                      "ln S along x less ln S along y " + rounded(result.fit.log_level_difference, 3) + " +- " +
-                      rounded(result.fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
-    for (std::string& line : reading_warnings(input, "they enter no difference", result.levelled.areal.rms_gradient))
-        all.push_back(std::move(line));
+                      (fit.x && fit.y ? "D along x less D along y is " + rounded(fit.dimension_difference, 3) + " +- " +
+                                            rounded(fit.dimension_difference_error, 2) + ", "
+                                      : std::string()) +
+                      "ln S along x less ln S along y " + rounded(fit.log_level_difference, 3) + " +- " +
+                      rounded(fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
     return all;
 }
 
-Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s, const std::string& direction) {
-    std::vector<int> used;
-    Strings marks;
-    for (const double lag : s.lag) {
-        used.push_back(in_window(fit, lag) ? 1 : 0);
-        marks.push_back(used.back() ? "*" : "");
-    }
-    Rows rows;
-    if (!direction.empty()) rows.repeat({.key = "direction", .json = false}, direction, s.size());
-    rows.add({"lag_m", "lag [µm]", 1e6}, s.lag);
-    rows.add({"value_m2", "S [µm²]", 1e12}, s.value);
-    rows.add({"pairs", "pairs"}, s.pairs);
-    rows.add({.key = "in_window", .json = false}, used);
-    rows.add({"", "window"}, marks);
-    return rows;
-}
-
-Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result) {
-    Json document = json_start(options, input, form_name(result.levelled));
-    put_fit(document, result.fit);
-    put_cut_offs(document, result.levelled.cut_offs);
-    document["rms_height_m"] = result.levelled.rms;
-    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
-    document["points"] = input.points();
-    document["missing_points"] = input.missing();
-    document["spacing_m"] = result.levelled.profile.spacing;
-    if (const auto& s = result.spectrum)
-        document["power_spectrum"] = {{"fractal_dimension", s->dimension},
-                                      {"fractal_dimension_error", s->dimension_error},
-                                      {"wavelengths_m", Json(std::vector<double>{s->window.from, s->window.to})}};
-    else
-        document["power_spectrum"] = {{"refused", result.no_spectrum}};
-    if (const auto& m = result.moments)
-        document["spectral_moments"] = {
-            {"m0_m2", m->m0}, {"m2", m->m2}, {"m4_per_m2", m->m4}, {"nayak_alpha", m->bandwidth()}};
-    else
-        document["spectral_moments"] = {{"refused", result.no_moments}};
-    if (const auto& p = result.peaks)
-        document["peak_statistics"] = {{"rms_height_m", p->rms_height},
-                                       {"rms_slope", p->rms_slope},
-                                       {"rms_curvature_per_m", p->rms_curvature},
-                                       {"r", p->r},
-                                       {"theta", p->theta},
-                                       {"counted_peak_ratio", p->counted_peak_ratio},
-                                       {"peak_ratio", p->peak_ratio()}};
-    else
-        document["peak_statistics"] = {{"refused", result.no_peaks}};
-    document["structure_function"] = rows_of(result.fit, result.structure).arrays();
-    return document;
-}
-
-Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
-    Json document = json_start(options, input, form_name(result.levelled));
-    put_grid(document, result.levelled.map, input.missing(), result.levelled.cut_offs);
-    document["rms_height_m"] = result.levelled.rms;
-    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
-    const parts::ArealStatistics<double>& a = result.levelled.areal;
-    document["areal"] = {{"m0_m2", a.m0},
-                         {"m2", a.m2},
-                         {"m2_x", a.m2_x},
-                         {"m2_y", a.m2_y},
-                         {"m4_per_m2", a.m4},
-                         {"m4_x_per_m2", a.m4_x},
-                         {"m4_y_per_m2", a.m4_y},
-                         {"nayak_alpha", a.nayak},
-                         {"rms_gradient", a.rms_gradient},
-                         {"summits", a.summits},
-                         {"summit_density_per_m2", a.summit_density},
-                         {"summit_curvature_per_m", a.summit_curvature},
-                         {"summit_height_m", a.summit_height}};
-    const auto direction = [&](const std::optional<FractalFit<double>>& fit, const std::string& refusal) {
-        Json part;
-        if (!fit) return Json{{"refused", refusal}};
-        put_fit(part, *fit);
-        part["structure_function"] = rows_of(*fit, fit->structure_function).arrays();
-        return part;
+/// Adds what the file has beyond D and G: D by other ways, moments and peaks.
+void add_others(Document& document, const ProfileFractal& result) {
+    const auto refuse = [&](const char* key, const char* label, const std::string& why) {
+        document.json[key] = {{"refused", why}};
+        document.line(label, "none: " + why);
     };
-    document["x"] = direction(result.fit.x, result.fit.why_no_fit_x);
-    document["y"] = direction(result.fit.y, result.fit.why_no_fit_y);
-    document["anisotropic"] = result.fit.anisotropic();
-    document["fractal_dimension_difference"] = result.fit.dimension_difference;
-    document["fractal_dimension_difference_error"] = result.fit.dimension_difference_error;
-    document["log_structure_difference"] = result.fit.log_level_difference;
-    document["log_structure_difference_error"] = result.fit.log_level_difference_error;
+    const std::string by_line = "  D by ordinary least squares " + rounded(result.fit.line_dimension);
+    if (const auto& s = result.spectrum) {
+        document.json["power_spectrum"] = {{"fractal_dimension", s->dimension},
+                                           {"fractal_dimension_error", s->dimension_error},
+                                           {"wavelengths_m", Json(std::vector<double>{s->window.from, s->window.to})}};
+        document.line(by_line + "; by the power spectrum " + rounded(s->dimension) + " +- " +
+                      rounded(s->dimension_error, 2) + " (wavelengths " + shown_length(s->window.from, 4) + " to " +
+                      shown_length(s->window.to, 4) + ")");
+    } else {
+        document.json["power_spectrum"] = {{"refused", result.no_spectrum}};
+        document.line(by_line + "; by the power spectrum none: " + result.no_spectrum);
+    }
+    if (const auto& m = result.moments)
+        document.facts("moments",
+                       {{"m0_m2", m->m0, "m0 ", 1e12, " µm²"},
+                        {"m2", m->m2, ", m2 "},
+                        {"m4_per_m2", m->m4, ", m4 ", 1e-12, " /µm²"},
+                        {"nayak_alpha", m->bandwidth(), ", Nayak's alpha "}},
+                       "spectral_moments");
+    else
+        refuse("spectral_moments", "moments", result.no_moments);
+    if (const auto& p = result.peaks)
+        document.facts("peaks",
+                       {{"rms_height_m", p->rms_height},
+                        {"rms_slope", p->rms_slope, "sigma_m "},
+                        {"rms_curvature_per_m", p->rms_curvature, ", sigma_kappa ", 1e-6, " /µm"},
+                        {"r", p->r, ", r "},
+                        {"theta", p->theta, ", theta "},
+                        {"counted_peak_ratio", p->counted_peak_ratio, "; peaks/ordinates counted ", 1, "", 4},
+                        {"peak_ratio", p->peak_ratio(), ", theta/pi ", 1, " (4.3)", 4}},
+                       "peak_statistics");
+    else
+        refuse("peak_statistics", "peaks", result.no_peaks);
+}
+
+Document of_profile(const FractalOptions& options, const SurfaceInput& input) {
+    const ProfileFractal result = fractal_of_profile(options, input);
+    const FractalFit<double>& fit = result.fit;
+    const parts::PreparedProfile<double>& levelled = result.levelled;
+    const std::string form = form_name(levelled);
+    Document document = begun(options, input, "", form);
+    Json& json = document.json;
+    put_fit(json, fit);
+    put_cut_offs(json, levelled.cut_offs);
+    document.line("profile", "spacing " + shown_length(levelled.profile.spacing) + ", length " +
+                                 shown_length(levelled.profile.length()));
+    add_heights(document, "Rq", levelled,
+                form + (levelled.cutoff ? ", cut-off " + shown_length(*levelled.cutoff) : ""));
+    json["points"] = input.points();
+    json["missing_points"] = input.missing();
+    json["spacing_m"] = levelled.profile.spacing;
+    document.line("window", window_line(fit));
+    document.line("", window_reason(fit) + "\n");
+    document.line("  D = " + rounded(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
+                  "   (regression alone, too small: " + rounded(fit.regression_dimension_error, 2) + ")");
+    document.line("  " + roughness_text(options, fit) + "; ln G +- " + rounded(fit.log_roughness_error, 2) + ")");
+    document.line("  " + errors_line(options, fit));
+    add_others(document, result);
+    document.line();
+    document.table(scene::rows_of(fit, result.structure), {.key = "structure_function", .thinned = "lags"});
+    document.notes = {note_of(fit)};
+    document.warnings = warnings_of(options, result);
+    add_reading(document, input, "their pairs are left out", levelled.rms_gradient);
     return document;
+}
+
+/// D and G along \p name, or why there is none.
+Json add_direction(Document& document, const FractalOptions& options, const std::string& name,
+                   const std::optional<FractalFit<double>>& fit, const std::string& refusal) {
+    const std::string along = "  along " + name + "  ", indent(11, ' ');
+    if (!fit) {
+        document.line(along + "no fit");
+        return {{"refused", refusal}};
+    }
+    document.line(along + "D = " + rounded(fit->fractal.dimension) + " +- " + rounded(fit->dimension_error, 2) +
+                  " (ordinary least squares " + rounded(fit->line_dimension) + " +- " +
+                  rounded(fit->regression_dimension_error, 2) + ", too small)");
+    document.line(indent + roughness_text(options, *fit) + ")");
+    document.line(indent + "window " + window_line(*fit));
+    document.line(indent + window_reason(*fit));
+    document.notes.push_back("along " + name + ": " + note_of(*fit));
+    document.csv([fit = *fit, name] { return scene::rows_of(fit, fit.structure_function, name); });
+    Json values;
+    put_fit(values, *fit);
+    values["structure_function"] = scene::rows_of(*fit, fit->structure_function).arrays();
+    return values;
+}
+
+Document of_map(const FractalOptions& options, SurfaceInput& input) {
+    const MapFractal result = fractal_of_map(options, input);
+    Document document = begun(options, input, "the map ", form_name(result.levelled));
+    Json& json = document.json;
+    add_grid(document, input, result.levelled);
+    add_heights(document, "Sq", result.levelled, form_name(result.levelled));
+    const parts::ArealStatistics<double>& a = result.levelled.areal;
+    document.facts("moments",
+                   {{"m0_m2", a.m0},
+                    {"m2", a.m2, "m2 "},
+                    {"m2_x", a.m2_x, " (x "},
+                    {"m2_y", a.m2_y, ", y ", 1, ")"},
+                    {"m4_per_m2", a.m4, ", m4 ", 1e-12, " /µm²"},
+                    {"m4_x_per_m2", a.m4_x},
+                    {"m4_y_per_m2", a.m4_y},
+                    {"nayak_alpha", a.nayak, ", Nayak's alpha "},
+                    {"rms_gradient", a.rms_gradient}},
+                   "areal");
+    document.facts("summits",
+                   {{"summits", a.summits, ""},
+                    {"summit_density_per_m2", a.summit_density, ", density ", 1e-6, " /mm²"},
+                    {"summit_curvature_per_m", a.summit_curvature, ", mean curvature ", 1e-6, " /µm\n"},
+                    {"summit_height_m", a.summit_height}},
+                   "areal");
+    const parts::DirectionalFit<double>& fit = result.fit;
+    json["x"] = add_direction(document, options, "x", fit.x, fit.why_no_fit_x);
+    json["y"] = add_direction(document, options, "y", fit.y, fit.why_no_fit_y);
+    json["anisotropic"] = fit.anisotropic();
+    json["fractal_dimension_difference"] = fit.dimension_difference;
+    json["fractal_dimension_difference_error"] = fit.dimension_difference_error;
+    json["log_structure_difference"] = fit.log_level_difference;
+    json["log_structure_difference_error"] = fit.log_level_difference_error;
+    document.warnings = warnings_of(options, fit);
+    add_reading(document, input, "they enter no difference", a.rms_gradient);
+    return document;
+}
+
+}  // namespace
+
+Document document_of(const FractalOptions& options, std::optional<SurfaceInput> given) {
+    (void)fit_options(options);  // their errors are reported before the file is read
+    SurfaceInput input = input_of(options.surface, std::move(given));
+    return input.surface.is_profile() ? of_profile(options, input) : of_map(options, input);
 }
 
 }  // namespace fstiff::scene

@@ -2,7 +2,7 @@
 #pragma once
 // D and G of a measured profile or map with their errors, and the other results of fstiff fit.
 
-#include "document/rows.hpp"
+#include "document/document.hpp"
 #include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
@@ -50,17 +50,11 @@ struct ProfileFractal {
     std::optional<PeakStatistics<double>> peaks;
     std::string no_spectrum, no_moments, no_peaks;
     StructureFunction<double> structure;  ///< that is shown
-
-    /// Whether the rms gradient is one that no surface has.
-    [[nodiscard]] bool doubtful() const { return !parts::is_plausible_gradient(levelled.rms_gradient); }
 };
 
 struct MapFractal {
     parts::PreparedMap<double> levelled;
     parts::DirectionalFit<double> fit;
-
-    /// As above.
-    [[nodiscard]] bool doubtful() const { return !parts::is_plausible_gradient(levelled.areal.rms_gradient); }
 };
 
 /// \throws domain_error for a window, a tip radius or a resolution that is not a length.
@@ -71,18 +65,11 @@ struct MapFractal {
 /// The same of a map, whose heights \p input gives up.
 [[nodiscard]] MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input);
 
-/// Doubts, in sentences.
-[[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,
-                                                   const ProfileFractal& result);
-[[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,
-                                                   const MapFractal& result);
-
 /// The structure function \p s; \p direction of a map, else empty.
 [[nodiscard]] Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
                            const std::string& direction = "");
 
-/// The document of fstiff measure --show fit, without its warnings.
-[[nodiscard]] Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result);
-[[nodiscard]] Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result);
+/// The document of fstiff measure --show fit for \p input, or for the file that \p options name. \throws as above.
+[[nodiscard]] Document document_of(const FractalOptions& options, std::optional<SurfaceInput> input = {});
 
 }  // namespace fstiff::scene

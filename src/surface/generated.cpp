@@ -9,6 +9,7 @@
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 
 namespace fstiff::scene {
@@ -128,6 +129,29 @@ std::string file_of(const Generated& generated, GeneratedForm form) {
         },
         generated.surface);
     return std::move(stream).str();
+}
+
+namespace {
+
+Json arrays_of(const io::ProfileOrMap& surface) {
+    if (const auto* profile = std::get_if<Profile<double>>(&surface))
+        return {{"heights_m", profile->heights}, {"columns", profile->size()}, {"rows", 1}, {"dx_m", profile->spacing}};
+    const auto& map = std::get<HeightMap<double>>(surface);
+    return {{"heights_m", std::vector<double>(map.heights.data(), map.heights.data() + map.size())},
+            {"columns", map.columns()},
+            {"rows", map.rows()},
+            {"dx_m", map.dx},
+            {"dy_m", map.dy}};
+}
+
+}  // namespace
+
+Document document_of(const GenerateRequest& request) {
+    const auto generated = std::make_shared<const Generated>(generate(request));
+    Document document = Document::of_file([=, form = request.format] { return file_of(*generated, form); });
+    if (request.format != GeneratedForm::csv) document.notes = {generated->origin()};  // the file has no room for it
+    document.values([=](Json& to) { to = arrays_of(generated->surface); });
+    return document;
 }
 
 }  // namespace fstiff::scene

@@ -2,7 +2,8 @@
 #pragma once
 // Surfaces of known D or H: Weierstrass-Mandelbrot profiles, self-affine Gaussian profiles and maps.
 
-#include "surface/request.hpp"
+#include "document/document.hpp"
+#include "surface/surface_option_table.hpp"
 #include "surface/surface_options.hpp"
 
 #include <fstiff/io/surface_file.hpp>
@@ -102,5 +103,7 @@ struct Generated {
 [[nodiscard]] Generated generate(const GenerateRequest& request);
 /// The file, which fstiff reads back; the CSV has the origin in its first line.
 [[nodiscard]] std::string file_of(const Generated& generated, GeneratedForm form);
+/// The same as a document; its values are the heights and their steps. \throws as generate().
+[[nodiscard]] Document document_of(const GenerateRequest& request);
 
 }  // namespace fstiff::scene

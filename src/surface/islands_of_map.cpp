@@ -10,12 +10,6 @@
 
 namespace fstiff::scene {
 
-bool IslandsOfMap::doubtful() const {
-    const std::vector<MeasuredConcern> concerns = concerns_of(islands);
-    return std::any_of(concerns.begin(), concerns.end(), [](MeasuredConcern one) { return parts::is_fatal(one); }) ||
-           !parts::is_plausible_gradient(levelled.areal.rms_gradient);
-}
-
 IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) {
     IslandOptions<double> how;
     how.connectivity = options.neighbours == 4 ? parts::Connectivity::four : parts::Connectivity::eight;
@@ -33,20 +27,11 @@ IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) 
     return result;
 }
 
-std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfMap& result) {
-    const RepresentativeIslands<double>& r = result.islands;
-    parts::SurfaceParameters<double> pair;
-    pair.peak_radius = {r.radius, r.radius_error};
-    pair.peak_density = {r.density, r.density_error};
-    std::vector<std::string> all = peak_warnings(concerns_of(r), r.islands, pair);
-    for (std::string& line :
-         reading_warnings(input, "they are part of no island and of no area", result.levelled.areal.rms_gradient))
-        all.push_back(std::move(line));
-    return all;
-}
+namespace {
 
-Rows rows_of(const IslandsOfMap& result) {
-    const IslandCurve<double>& c = result.islands.curve;
+/// The curve, a level a row.
+Rows rows_of(const RepresentativeIslands<double>& islands) {
+    const IslandCurve<double>& c = islands.curve;
     Rows rows;
     rows.add({"level_m", "level [µm]", 1e6}, c.level);
     rows.add({"bearing_area", "bearing area", 1, 4}, c.bearing_area);
@@ -56,45 +41,77 @@ Rows rows_of(const IslandsOfMap& result) {
     rows.add({"mean_height_m", "mean height [µm]", 1e6}, c.mean_height);
     rows.add({"radius_m", "R [µm]", 1e6}, c.radius);
     std::vector<int> chosen(c.size(), 0);
-    std::vector<std::string> mark(c.size());
-    chosen[result.islands.index] = 1;
-    mark[result.islands.index] = "*";
+    chosen[islands.index] = 1;
     rows.add({.key = "representative", .json = false}, chosen);
-    rows.add({"", "greatest"}, mark);
+    rows.add({"", "greatest"}, chosen, [](int one) { return one ? "*" : ""; });
     return rows;
 }
 
-Json islands_json(const IslandsRequest& options, const SurfaceInput& input, const IslandsOfMap& result) {
-    const RepresentativeIslands<double>& r = result.islands;
-    Json document = json_document("islands");
-    document["source"] = json_source(options.surface, input);
-    Json inputs = json_inputs(options.surface, form_name(result.levelled));
-    inputs.update({{"neighbours", options.neighbours},
-                   {"border", name_of(options.border)},
-                   {"least_points", options.min_points},
-                   {"island_height", name_of(options.height)},
-                   {"levels", options.levels},
-                   {"tiles", options.spread.tiles},
-                   {"resamples", options.spread.resamples},
-                   {"seed", options.spread.seed}});
-    document["inputs"] = inputs;
-    document["equations"] = {{"radius", "A_m/(2 pi h_m)"}, {"curve", "Figs. 3 and 4"}};
-    put_grid(document, result.levelled.map, input.missing(), result.levelled.cut_offs);
-    document["nominal_area_m2"] = r.curve.nominal_area;
-    document["rms_height_m"] = result.levelled.rms;
-    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
-    Json pair = {{"level_m", r.level},
-                 {"bearing_area", r.bearing_area},
-                 {"islands", r.islands},
-                 {"peak_density_per_m2", r.density},
-                 {"peak_radius_m", r.radius}};
+/// R and D_p with their errors, and where they are.
+void add_pair(Document& document, const IslandsRequest& options, const RepresentativeIslands<double>& r) {
+    Json& pair = document.json["representative"] = {{"level_m", r.level},
+                                                    {"bearing_area", r.bearing_area},
+                                                    {"islands", r.islands},
+                                                    {"peak_density_per_m2", r.density},
+                                                    {"peak_radius_m", r.radius}};
     if (r.tiles > 0)
         pair.update({{"peak_density_error_per_m2", r.density_error},
                      {"peak_radius_error_m", r.radius_error},
                      {"error_correlation", r.correlation},
                      {"tiles", r.tiles}});
-    document["representative"] = pair;
-    document["curve"] = rows_of(result).arrays();
+    const auto with_error = [&](const ShownUnit& unit, double value, double error) {
+        const int digits = parts::is_known<double>({value, error}) && !parts::is_densest_at_end(r) ? 5 : 2;
+        return rounded(value * unit.factor, digits) + (r.tiles > 0 ? " +- " + rounded(error * unit.factor, 2) : "") +
+               " " + std::string(unit.name);
+    };
+    document.line("  D_p = " + with_error(unit_of_density(r.density), r.density, r.density_error) +
+                  ", R = " + with_error(unit_of_length(r.radius), r.radius, r.radius_error) +
+                  " at the greatest density: bearing area " + rounded(r.bearing_area, 4) + ", " +
+                  std::to_string(r.islands) + " islands");
+    document.line(r.tiles > 0 ? "  errors by " + std::to_string(options.spread.resamples) + " draws of " +
+                                    std::to_string(r.tiles) + " tiles, seed " + std::to_string(r.seed) +
+                                    "; their correlation " + rounded(r.correlation, 2) + "\n"
+                              : "  no errors: one tile\n");
+    document.notes = {"D_p = " + shortest(r.density) + " 1/m^2 +- " + rounded(r.density_error, 2) +
+                      " 1/m^2, R = " + shortest(r.radius) + " m +- " + rounded(r.radius_error, 2) + " m"};
+}
+
+}  // namespace
+
+Document document_of(const IslandsRequest& options, std::optional<SurfaceInput> given) {
+    SurfaceInput input = input_of(options.surface, std::move(given));
+    const auto [levelled, r] = islands_of_map(options, input);
+    Document document("islands");
+    document.title("islands of " + shown_name(options.surface.file));
+    add_source(document, options.surface, input, form_name(levelled));
+    document.json["inputs"].update({{"neighbours", options.neighbours},
+                                    {"border", name_of(options.border)},
+                                    {"least_points", options.min_points},
+                                    {"island_height", name_of(options.height)},
+                                    {"levels", options.levels},
+                                    {"tiles", options.spread.tiles},
+                                    {"resamples", options.spread.resamples},
+                                    {"seed", options.spread.seed}});
+    document.json["equations"] = {{"radius", "A_m/(2 pi h_m)"}, {"curve", "Figs. 3 and 4"}};
+    add_grid(document, input, levelled);
+    document.json["nominal_area_m2"] = r.curve.nominal_area;
+    add_heights(document, "Sq", levelled, form_name(levelled));
+    document.line("islands", "of " + std::to_string(options.neighbours) + " neighbours, of " +
+                                 std::to_string(options.min_points) + " points at least, at the border " +
+                                 (options.border == parts::BorderIslands::kept ? "kept" : "dropped") + "; height by " +
+                                 std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) +
+                                 " levels\n");
+    add_pair(document, options, r);
+    document.table(rows_of(r), {.key = "curve",
+                                .thinned = "levels, and the greatest density",
+                                .shown = [index = r.index](std::size_t i) { return i == index; }});
+    parts::SurfaceParameters<double> pair;
+    pair.peak_radius = {r.radius, r.radius_error};
+    pair.peak_density = {r.density, r.density_error};
+    const std::vector<MeasuredConcern> concerns = concerns_of(r);
+    document.warnings = peak_warnings(concerns, r.islands, pair);
+    document.doubtful = std::any_of(concerns.begin(), concerns.end(), [](auto one) { return parts::is_fatal(one); });
+    add_reading(document, input, "they are part of no island and of no area", levelled.areal.rms_gradient);
     return document;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 // The islands of a measured map against the cutting level, and the pair R, D_p at their greatest density.
 
-#include "document/rows.hpp"
+#include "document/document.hpp"
 #include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
@@ -10,8 +10,7 @@
 #include <fstiff/topography/islands.hpp>
 
 #include <cstddef>
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace fstiff::scene {
 
@@ -55,18 +54,11 @@ struct IslandsRequest {
 struct IslandsOfMap {
     parts::PreparedMap<double> levelled;
     RepresentativeIslands<double> islands;
-
-    /// A concern on which no result can rest.
-    [[nodiscard]] bool doubtful() const;
 };
 
 /// \throws domain_error in one sentence with the name of the file; \p input gives up its heights.
 [[nodiscard]] IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input);
-/// Doubts, in sentences.
-[[nodiscard]] std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfMap& result);
-/// The curve, a level a row.
-[[nodiscard]] Rows rows_of(const IslandsOfMap& result);
-/// The document of fstiff measure --show islands, without its warnings.
-[[nodiscard]] Json islands_json(const IslandsRequest& options, const SurfaceInput& input, const IslandsOfMap& result);
+/// The document of fstiff measure --show islands for \p input, or for the file that \p options name. \throws as above.
+[[nodiscard]] Document document_of(const IslandsRequest& options, std::optional<SurfaceInput> input = {});
 
 }  // namespace fstiff::scene

@@ -84,56 +84,72 @@ PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<Sur
     return found;
 }
 
-NamedNumbers moments_of(const PeakDensity& found) {
-    const auto& p = found.density;
-    NamedNumbers numbers{{"r", p.r()},
-                         {"theta", p.theta()},
-                         {"peak_ratio", p.peak_ratio()},
-                         {"mean_height", p.mean_height()},
-                         {"height_variance", p.height_variance()},
-                         {"height_skewness", p.height_skewness()},
-                         {"height_kurtosis", p.height_kurtosis()}};
-    for (int n = 1; n <= 4; ++n) numbers.emplace_back("curvature_moment_" + std::to_string(n), p.curvature_moment(n));
-    if (const auto& s = found.statistics)
-        numbers.insert(numbers.end(), {{"rms_height_m", s->rms_height},
-                                       {"rms_slope", s->rms_slope},
-                                       {"rms_curvature_per_m", s->rms_curvature},
-                                       {"rho1", s->rho1},
-                                       {"rho2", s->rho2},
-                                       {"counted_peak_ratio", s->counted_peak_ratio},
-                                       {"peaks_per_m", s->peaks_per_length}});
-    return numbers;
+namespace {
+
+/// The profile that the density is of.
+void add_profile(Document& document, const PeakDensityRequest& request, const PeakDensity& found) {
+    const parts::PreparedProfile<double>& levelled = *found.levelled;
+    const std::string form = form_name(levelled);
+    add_source(document, request.surface, *found.input, form);
+    document.json.update({{"points", found.input->points()},
+                          {"missing_points", found.input->missing()},
+                          {"spacing_m", levelled.profile.spacing},
+                          {"detrend", form}});
+    document.line("form removed", form + "; Rq " + shown_length(levelled.rms_as_read) + " before, " +
+                                      shown_length(levelled.rms) + " after" +
+                                      (levelled.cut_offs.any() ? "; " + sentence_of(levelled.cut_offs) : ""));
+    add_reading(document, *found.input, "their neighbours are no peaks", levelled.rms_gradient);
 }
 
-Rows rows_of(const PeakDensity& found) {
-    std::vector<double> density;
-    for (const double height : found.heights) density.push_back(found.density.height_marginal(height));
+/// r, theta, the moments, and what was counted.
+void add_moments(Document& document, const PeakDistribution<double>& p,
+                 const std::optional<PeakStatistics<double>>& counted) {
+    document.facts("r, theta", {{"r", p.r(), "", 1, "", 6}, {"theta", p.theta(), ", ", 1, " rad", 6}});
+    document.facts("peaks/ordinates",
+                   {{"peak_ratio", p.peak_ratio(), "", 1,
+                     " (4.3)" + (counted ? ", counted " + rounded(counted->counted_peak_ratio, 6) : ""), 6}});
+    document.facts("peak height", {{"mean_height", p.mean_height(), "mean "},
+                                   {"height_variance", p.height_variance(), ", variance "},
+                                   {"height_skewness", p.height_skewness(), ", skewness "},
+                                   {"height_kurtosis", p.height_kurtosis(), ", kurtosis ", 1, " (in rms heights)", 6}});
+    std::vector<Fact> curvature;
+    for (int n = 1; n <= 4; ++n)
+        curvature.push_back({"curvature_moment_" + std::to_string(n), p.curvature_moment(n),
+                             n == 1 ? "E t^n, n = 1 to 4: " : ", ", 1, n == 4 ? " (in rms curvatures)" : "", 6});
+    document.facts("peak curvature", curvature);
+    if (!counted) return;
+    const ShownUnit height = unit_of_length(counted->rms_height);
+    document.facts("ordinates",
+                   {{"rms_height_m", counted->rms_height, "rms height ", height.factor, " " + std::string(height.name)},
+                    {"rms_slope", counted->rms_slope, ", rms slope "},
+                    {"rms_curvature_per_m", counted->rms_curvature, ", rms curvature ", 1e-6, " /µm"},
+                    {"rho1", counted->rho1, ", rho1 ", 1, "", 6},
+                    {"rho2", counted->rho2, ", rho2 ", 1, "", 6},
+                    {"counted_peak_ratio", counted->counted_peak_ratio},
+                    {"peaks_per_m", counted->peaks_per_length}});
+}
+
+}  // namespace
+
+Document document_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input) {
+    const PeakDensity found = peak_density_of(request, std::move(input));
+    Document document("peaks", 18);
+    document.json["from"] = found.from;
+    document.json["equations"] = {{"density", "(4.4)"}, {"peak_ratio", "(4.3)"}};
+    document.title("peak density (4.4) from " + found.from +
+                   (found.input ? " " + shown_name(request.surface.file) : ""));
+    if (found.input) add_profile(document, request, found);
+    add_moments(document, found.density, found.statistics);
+    if (found.heights.empty()) return document;
+    document.line();
     Rows rows;
     rows.repeat({.key = "r", .json = false}, found.density.r(), found.heights.size());
     rows.repeat({.key = "theta", .json = false}, found.density.theta(), found.heights.size());
     rows.add({"height", "height"}, found.heights);
-    rows.add({"density", "density", 1, 6}, density);
-    return rows;
-}
-
-Answer answer_of(const PeakDensityRequest& request, const PeakDensity& found) {
-    Answer answer{json_document("peaks")};
-    Json& document = answer.document;
-    document["from"] = found.from;
-    document["equations"] = {{"density", "(4.4)"}, {"peak_ratio", "(4.3)"}};
-    if (found.input) {
-        document["source"] = json_source(request.surface, *found.input);
-        document["inputs"] = json_inputs(request.surface, form_name(*found.levelled));
-        document["points"] = found.input->points();
-        document["missing_points"] = found.input->missing();
-        document["spacing_m"] = found.levelled->profile.spacing;
-        document["detrend"] = form_name(*found.levelled);
-        answer.warnings = reading_warnings(*found.input, "their neighbours are no peaks", found.levelled->rms_gradient);
-        answer.doubtful = !parts::is_plausible_gradient(found.levelled->rms_gradient);
-    }
-    put(document, moments_of(found));
-    if (!found.heights.empty()) document["heights"] = rows_of(found).arrays();
-    return answer;
+    rows.add({"density", "density", 1, 6}, found.heights,
+             [&](double height) { return found.density.height_marginal(height); });
+    document.table(std::move(rows), {.key = "heights"});
+    return document;
 }
 
 }  // namespace fstiff::scene

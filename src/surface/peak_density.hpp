@@ -2,9 +2,9 @@
 #pragma once
 // The density of peak heights and curvatures, of its own parameters or of a measured profile.
 
-#include "document/rows.hpp"
-#include "surface/request.hpp"
+#include "document/document.hpp"
 #include "surface/surface_file.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
@@ -51,11 +51,7 @@ struct PeakDensity {
 /// Density of \p input, or of the file that \p request names. \throws option_error where it names none or two, and for
 /// heights that are no range; domain_error as PeakDistribution and level_profile().
 [[nodiscard]] PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input = {});
-/// r, theta, the moments, and what was counted.
-[[nodiscard]] NamedNumbers moments_of(const PeakDensity& found);
-/// The density of the height alone, a height a row.
-[[nodiscard]] Rows rows_of(const PeakDensity& found);
-/// The document of fstiff peaks.
-[[nodiscard]] Answer answer_of(const PeakDensityRequest& request, const PeakDensity& found);
+/// The document of fstiff measure --show peaks for \p input, or for what \p request names. \throws as above.
+[[nodiscard]] Document document_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input = {});
 
 }  // namespace fstiff::scene

@@ -105,10 +105,22 @@ std::string source_of(const SpectrumRequest& request, bool profile) {
 template <class Values>
 std::vector<Cell> padded(const Values& values, std::size_t size) {
     std::vector<Cell> cells;
-    for (const auto value : values)
-        cells.push_back(std::isnan(static_cast<double>(value)) ? Cell(Cell::Kind::null) : Cell(value));
+    for (const auto value : values) cells.push_back(std::isnan(double(value)) ? Cell(Cell::Kind::null) : Cell(value));
     cells.resize(size, Cell(Cell::Kind::null));
     return cells;
+}
+
+/// A position a row.
+Rows rows_of(const Spectrum& spectrum) {
+    std::size_t size = 0;
+    for (const SpectrumCurve& curve : spectrum.curves) size = std::max(size, curve.x.size());
+    Rows rows;
+    for (const SpectrumCurve& curve : spectrum.curves) {
+        rows.add({curve.x_key, curve.x_shown, curve.x_factor}, padded(curve.x, size));
+        rows.add({curve.key, curve.shown, curve.factor}, padded(curve.y, size));
+        if (!curve.count_key.empty()) rows.add({curve.count_key, curve.count_key}, padded(curve.counts, size));
+    }
+    return rows;
 }
 
 }  // namespace
@@ -137,33 +149,27 @@ Spectrum spectrum_of(const SpectrumRequest& request, const SurfaceInput& input) 
     return result_of(levelled, levelled.map, false, levelled.areal.rms_gradient);
 }
 
-Rows rows_of(const Spectrum& spectrum) {
-    std::size_t size = 0;
-    for (const SpectrumCurve& curve : spectrum.curves) size = std::max(size, curve.x.size());
-    Rows rows;
-    for (const SpectrumCurve& curve : spectrum.curves) {
-        rows.add({curve.x_key, curve.x_shown, curve.x_factor}, padded(curve.x, size));
-        rows.add({curve.key, curve.shown, curve.factor}, padded(curve.y, size));
-        if (!curve.count_key.empty()) rows.add({curve.count_key, curve.count_key}, padded(curve.counts, size));
-    }
-    return rows;
+Document document_of(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& spectrum) {
+    Document document("spectrum");
+    document.title((request.of == SpectrumKind::psd ? "power spectral density of " : "autocorrelation function of ") +
+                   shown_name(request.surface.file));
+    add_source(document, request.surface, input, spectrum.form);
+    document.json["inputs"].update({{"of", name_of(request.of)}, {"taper", name_of(request.taper)}});
+    document.json["convention"] = spectrum.convention;
+    document.json["by"] = spectrum.source;
+    document.json["missing_points"] = input.missing();
+    put_cut_offs(document.json, spectrum.cut_offs);
+    add_heights(document, input.surface.is_profile() ? "Rq" : "Sq", spectrum, spectrum.form);
+    document.line("scale", spectrum.convention);
+    document.line("by", spectrum.source + "\n");
+    document.table(rows_of(spectrum), {.key = std::string(name_of(request.of)), .thinned = "rows"});
+    add_reading(document, input, "their pairs are left out", spectrum.rms_gradient);
+    return document;
 }
 
-Answer answer_of(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& spectrum) {
-    Json document = json_document("spectrum");
-    document["source"] = json_source(request.surface, input);
-    Json inputs = json_inputs(request.surface, spectrum.form);
-    inputs.update({{"of", name_of(request.of)}, {"taper", name_of(request.taper)}});
-    document["inputs"] = inputs;
-    document["convention"] = spectrum.convention;
-    document["by"] = spectrum.source;
-    document["missing_points"] = input.missing();
-    put_cut_offs(document, spectrum.cut_offs);
-    document["rms_height_m"] = spectrum.rms;
-    document["rms_height_before_detrend_m"] = spectrum.rms_as_read;
-    document[name_of(request.of)] = rows_of(spectrum).arrays();
-    return {std::move(document), reading_warnings(input, "their pairs are left out", spectrum.rms_gradient),
-            spectrum.doubtful()};
+Document document_of(const SpectrumRequest& request, std::optional<SurfaceInput> given) {
+    const SurfaceInput input = input_of(request.surface, std::move(given));
+    return document_of(request, input, spectrum_of(request, input));
 }
 
 }  // namespace fstiff::scene

@@ -2,13 +2,14 @@
 #pragma once
 // The power spectral density or the autocorrelation of a measured profile or map.
 
-#include "document/rows.hpp"
-#include "surface/request.hpp"
+#include "document/document.hpp"
 #include "surface/surface_file.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/surface/spectrum_window.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,18 +59,15 @@ struct Spectrum {
     std::string form, convention, source;         ///< how the numbers are normalised, and by whom
     double rms_as_read{}, rms{}, rms_gradient{};  ///< heights [m]
     parts::CutOffs<double> cut_offs;
-
-    /// Whether the rms gradient is one that no surface has.
-    [[nodiscard]] bool doubtful() const { return !parts::is_plausible_gradient(rms_gradient); }
 };
 
 /// \throws domain_error in one sentence with the name of the file, and for the psd of a profile with missing points.
 [[nodiscard]] Spectrum spectrum_of(const SpectrumRequest& request, const SurfaceInput& input);
 /// "Hann window, divided by its mean square".
 [[nodiscard]] std::string window_of(const SpectrumRequest& request);
-/// A position a row.
-[[nodiscard]] Rows rows_of(const Spectrum& spectrum);
-/// The document of fstiff spectrum.
-[[nodiscard]] Answer answer_of(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& spectrum);
+/// The document of fstiff measure --show spectrum.
+[[nodiscard]] Document document_of(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& spectrum);
+/// The same for \p input, or for the file that \p request names. \throws as spectrum_of().
+[[nodiscard]] Document document_of(const SpectrumRequest& request, std::optional<SurfaceInput> input = {});
 
 }  // namespace fstiff::scene

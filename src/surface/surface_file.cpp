@@ -67,6 +67,10 @@ void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
 
 }  // namespace
 
+SurfaceInput input_of(const SurfaceOptions& options, std::optional<SurfaceInput> given) {
+    return given ? *std::move(given) : read_surface_input(options);
+}
+
 SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights, const std::string& origin) {
     SurfaceInput input;
     std::visit([&](const auto& surface) { about_file(options.file, [&] { surface.validate(); }); }, heights);

@@ -36,6 +36,9 @@ struct SurfaceInput {
 /// The same from bytes that were read already.
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
+/// \p given, or the surface in the file of \p options, which is read.
+[[nodiscard]] SurfaceInput input_of(const SurfaceOptions& options, std::optional<SurfaceInput> given);
+
 /// Heights that no file holds, cleaned by \p options; options.file is their name in messages, and \p origin is their
 /// source. \throws domain_error for heights or steps that are no surface.
 [[nodiscard]] SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights,

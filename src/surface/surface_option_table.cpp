@@ -156,6 +156,10 @@ std::string with_dashes(std::string_view key) {
     return text;
 }
 
+std::string option_name(std::string_view prefix, std::string_view key) {
+    return prefix.empty() ? std::string(key) : std::string(prefix) + with_dashes(key);
+}
+
 std::string SurfaceOptions::name(std::string_view key) const {
     if (prefix.empty()) return std::string(key);
     return key == "format" ? std::string(format_name) : std::string(prefix) + with_dashes(key);

@@ -3,7 +3,6 @@
 // The table of the options of a measured surface: from its rows come the keys of a scene, the options of the command
 // line, the inputs of JSON documents, the keywords of Python and the table of docs/scene.md.
 
-#include "surface/request.hpp"
 #include "surface/surface_options.hpp"
 
 #include <array>
@@ -93,5 +92,8 @@ inline constexpr int most_columns = static_cast<int>(io::max_profile_columns);
 
 /// \p key with dashes in place of underscores.
 [[nodiscard]] std::string with_dashes(std::string_view key);
+/// Name of the option of \p key in messages: "reflection_error", or after the prefix of a command line
+/// "--reflection-error".
+[[nodiscard]] std::string option_name(std::string_view prefix, std::string_view key);
 
 }  // namespace fstiff::scene

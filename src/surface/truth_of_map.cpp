@@ -12,23 +12,28 @@
 
 namespace fstiff::scene {
 
-std::size_t TruthOfMap::unresolved() const {
-    return static_cast<std::size_t>(std::count_if(
-        at.begin(), at.end(), [](const auto& point) { return point.stiffness_error > 0.2 * point.state.stiffness; }));
+namespace {
+
+template <class Test>
+std::size_t count_if(const TruthOfMap& solved, const Test& test) {
+    return static_cast<std::size_t>(std::count_if(solved.at.begin(), solved.at.end(), test));
 }
 
-std::size_t TruthOfMap::failed() const {
-    return static_cast<std::size_t>(
-        std::count_if(at.begin(), at.end(), [](const auto& point) { return !point.state.converged; }));
+/// Points where all of the map is in contact, so that there is no K.
+std::size_t closed(const TruthOfMap& solved) {
+    return count_if(solved, [](const TruthPoint<double>& point) { return std::isinf(point.state.stiffness); });
 }
 
-bool TruthOfMap::doubtful() const {
-    return unresolved() + failed() + closed() > 0 || !parts::is_plausible_gradient(rms_gradient);
+/// Points that the grid does not resolve: K changes by more than a fifth from the grid half as fine.
+std::size_t unresolved(const TruthOfMap& solved) {
+    return count_if(solved, [](const auto& point) { return point.stiffness_error > 0.2 * point.state.stiffness; });
 }
-std::size_t TruthOfMap::closed() const {
-    return static_cast<std::size_t>(
-        std::count_if(at.begin(), at.end(), [](const auto& point) { return std::isinf(point.state.stiffness); }));
+
+std::size_t not_converged(const TruthOfMap& solved) {
+    return count_if(solved, [](const TruthPoint<double>& point) { return !point.state.converged; });
 }
+
+}  // namespace
 
 TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) {
     if (input.surface.is_profile())
@@ -57,7 +62,7 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
             !std::isfinite(gap_error) || !std::isfinite(state.max_pressure))
             throw domain_error(solved.file + ": a result for pressure = " + shortest(state.pressure) +
                                " is beyond the range of double precision; pressures must be less extreme");
-    if (solved.closed() == solved.at.size())
+    if (closed(solved) == solved.at.size())
         throw domain_error(solved.file + ": all points of the map are in contact" +
                            (solved.at.size() == 1 ? " at " : " at every pressure, the least of them ") +
                            shortest(*std::min_element(options.pressures.begin(), options.pressures.end())) +
@@ -82,16 +87,16 @@ const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
 
 std::vector<std::string> warnings_of(const TruthOfMap& solved) {
     std::vector<std::string> warnings = solved.reading;
-    if (const std::size_t closed = solved.closed())
-        warnings.push_back("all points of the map are in contact at " + std::to_string(closed) + " of " +
+    if (const std::size_t points = closed(solved))
+        warnings.push_back("all points of the map are in contact at " + std::to_string(points) + " of " +
                            std::to_string(solved.at.size()) + " pressures: there is no K there");
-    if (const std::size_t unresolved = solved.unresolved())
-        warnings.push_back("K changes by more than a fifth from the grid half as fine at " +
-                           std::to_string(unresolved) + " of " + std::to_string(solved.at.size()) +
+    if (const std::size_t points = unresolved(solved))
+        warnings.push_back("K changes by more than a fifth from the grid half as fine at " + std::to_string(points) +
+                           " of " + std::to_string(solved.at.size()) +
                            " pressures: the contacts there are a few points wide (" + solved.points_option +
                            ", or a finer map)");
-    if (const std::size_t failed = solved.failed())
-        warnings.push_back(std::to_string(failed) + " solutions did not converge");
+    if (const std::size_t points = not_converged(solved))
+        warnings.push_back(std::to_string(points) + " solutions did not converge");
     if (const TruthPoint<double>* most = first_flowing(solved))
         warnings.push_back("elastic pressures of up to " + shown_pressure(most->state.max_pressure) +
                            " at p = " + shown_pressure(most->state.pressure) +
@@ -101,48 +106,45 @@ std::vector<std::string> warnings_of(const TruthOfMap& solved) {
 }
 
 Rows rows_of(const TruthOfMap& solved) {
-    const auto if_finite = [](double value) { return std::isfinite(value) ? Cell(value) : Cell(Cell::Kind::null); };
-    std::vector<double> pressure, gap, gap_error, area, largest;
-    std::vector<Cell> relative, stiffness, error;
-    std::vector<std::size_t> spots;
-    std::vector<std::string> converged;
-    for (const auto& [state, stiffness_error, change_of_gap] : solved.at) {
-        pressure.push_back(state.pressure);
-        relative.push_back(
-            if_finite(parts::dimensionless_pressure(state.pressure, solved.modulus, solved.rms_gradient)));
-        stiffness.push_back(if_finite(state.stiffness));
-        error.push_back(std::isfinite(state.stiffness) ? if_finite(stiffness_error) : stiffness.back());
-        gap.push_back(state.mean_gap);
-        gap_error.push_back(change_of_gap);
-        area.push_back(state.contact_fraction);
-        largest.push_back(state.max_pressure);
-        spots.push_back(static_cast<std::size_t>(state.spots));
-        converged.emplace_back(state.converged ? "yes" : "no");
-    }
+    using Point = const TruthPoint<double>&;
     Rows rows;
-    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, pressure);
-    rows.add({"p_star", "p*", 1, 3}, relative);
-    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, stiffness);
-    rows.add({"stiffness_error_Pa_per_m", "+- grid", 1e-15, 2}, error);
-    rows.add({"separation_m", "separation [µm]", 1e6}, gap);
-    rows.add({"separation_error_m", "+- grid", 1e6, 2}, gap_error);
-    rows.add({"real_area_fraction", "contact share"}, area);
-    rows.add({"contacts", "contacts"}, spots);
-    rows.add({"max_pressure_Pa", "largest p [GPa]", 1e-9}, largest);
-    rows.add({"converged", "converged"}, converged);
+    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, solved.at, [](Point one) { return one.state.pressure; });
+    rows.add({"p_star", "p*", 1, 3}, solved.at, [&](Point one) {
+        return Cell::finite(parts::dimensionless_pressure(one.state.pressure, solved.modulus, solved.rms_gradient));
+    });
+    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, solved.at,
+             [](Point one) { return Cell::finite(one.state.stiffness); });
+    rows.add({"stiffness_error_Pa_per_m", "+- grid", 1e-15, 2}, solved.at, [](Point one) {
+        return std::isfinite(one.state.stiffness) ? Cell::finite(one.stiffness_error) : Cell(Cell::Kind::null);
+    });
+    rows.add({"separation_m", "separation [µm]", 1e6}, solved.at, [](Point one) { return one.state.mean_gap; });
+    rows.add({"separation_error_m", "+- grid", 1e6, 2}, solved.at, [](Point one) { return one.gap_error; });
+    rows.add({"real_area_fraction", "contact share"}, solved.at, [](Point one) { return one.state.contact_fraction; });
+    rows.add({"contacts", "contacts"}, solved.at, [](Point one) { return one.state.spots; });
+    rows.add({"max_pressure_Pa", "largest p [GPa]", 1e-9}, solved.at, [](Point one) { return one.state.max_pressure; });
+    rows.add({"converged", "converged"}, solved.at, [](Point one) { return one.state.converged ? "yes" : "no"; });
     return rows;
 }
 
-Json truth_json(const TruthOfMap& solved) {
-    Json document = json_document("truth");
-    document["map"] = solved.file;
-    document["points"] = solved.points;
-    document["edges"] = name_of(solved.edges);
-    document["effective_modulus_Pa"] = solved.modulus;
-    document["rms_height_m"] = solved.rms_height;
-    document["rms_gradient"] = solved.rms_gradient;
-    Json& rows = document["rows"] = Json::array();
-    rows_of(solved).append_to(rows);
+Document document_of(const TruthRequest& options, std::optional<SurfaceInput> given) {
+    const TruthOfMap solved = truth_of_map(options, input_of(options.surface, std::move(given)));
+    Document document("truth");
+    document.json.update({{"map", solved.file},
+                          {"points", solved.points},
+                          {"edges", name_of(solved.edges)},
+                          {"effective_modulus_Pa", solved.modulus},
+                          {"rms_height_m", solved.rms_height},
+                          {"rms_gradient", solved.rms_gradient}});
+    document.title("boundary elements of " + printable(solved.file));
+    document.line("  " + std::to_string(solved.points) + " points along the longer side, edges " +
+                  std::string(name_of(solved.edges)) + ", form removed: " + solved.form);
+    document.line("  sigma " + rounded(solved.rms_height * 1e6) + " µm, rms gradient " + rounded(solved.rms_gradient) +
+                  ", effective modulus " + rounded(solved.modulus / 1e9) + " GPa" +
+                  (options.hardness > 0 ? ", pressures cut at " + with_unit(options.hardness, "Pa") : "") + "\n");
+    document.table(rows_of(solved), {.key = "rows", .as_list = true});
+    document.warnings = warnings_of(solved);
+    document.doubtful = closed(solved) + unresolved(solved) + not_converged(solved) > 0 ||
+                        !parts::is_plausible_gradient(solved.rms_gradient);
     return document;
 }
 

@@ -2,12 +2,13 @@
 #pragma once
 // The contact of a measured map by boundary elements on the map itself.
 
-#include "document/rows.hpp"
+#include "document/document.hpp"
 #include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/halfspace/truth.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,15 +44,6 @@ struct TruthOfMap {
     double flows_above = 0;  ///< the hardness that elastic pressures may exceed [Pa]; 0: not known, or cut there
     std::vector<TruthPoint<double>> at;
     std::vector<std::string> reading;  ///< warnings of the reader
-
-    /// Points that the grid does not resolve (K changes by more than a fifth from the grid half as fine), or that did
-    /// not converge.
-    [[nodiscard]] std::size_t unresolved() const;
-    [[nodiscard]] std::size_t failed() const;
-    /// Points where all of the map is in contact, so that there is no K.
-    [[nodiscard]] std::size_t closed() const;
-    /// Whether there are such points, or the rms gradient is one that no surface has.
-    [[nodiscard]] bool doubtful() const;
 };
 
 /// \throws domain_error in one sentence, for a profile too, and where all of the map is in contact at every pressure.
@@ -60,7 +52,7 @@ struct TruthOfMap {
 [[nodiscard]] std::vector<std::string> warnings_of(const TruthOfMap& solved);
 /// A pressure a row.
 [[nodiscard]] Rows rows_of(const TruthOfMap& solved);
-/// The document of fstiff truth, without its warnings.
-[[nodiscard]] Json truth_json(const TruthOfMap& solved);
+/// The document of fstiff truth for \p input, or for the file that \p options name. \throws as truth_of_map().
+[[nodiscard]] Document document_of(const TruthRequest& options, std::optional<SurfaceInput> input = {});
 
 }  // namespace fstiff::scene

@@ -28,8 +28,9 @@ TEST_CASE("Wrong files and options of islands end with exit codes 3 and 2") {
     test::check_refused("measure --show islands - --spacing '1 um'", 2, {"--spacing"}, text);
     test::check_refused("measure --show islands - --neighbours 6", 2, {"--neighbours"}, text);
     for (const char* beyond : {"--levels 2000000000", "--least-points 0", "--tiles 0", "--resamples 1"})
-        test::check_refused("measure --show islands - " + std::string(beyond), 2,
-                            {std::string(beyond).substr(0, std::string(beyond).find(' ')), "must be a whole number from"}, text);
+        test::check_refused(
+            "measure --show islands - " + std::string(beyond), 2,
+            {std::string(beyond).substr(0, std::string(beyond).find(' ')), "must be a whole number from"}, text);
     test::check_refused("measure --show islands - --detrend line", 2, {"--detrend", "line"}, text);
     test::check_refused("measure --show islands nowhere.csv", 3, {"nowhere.csv", "no such file"});
     CHECK(test::run_fstiff("measure --show islands - --neighbours 4 --border drop --least-points 3 --island-height "

@@ -181,7 +181,7 @@ TEST_CASE("An empty argument is refused, as of a script whose variable is not se
 TEST_CASE("A seed is a whole number of 64 bits that is not negative") {
     const std::string make = "generate profile --points 16 --spacing '1 um' --hurst 0.5 --rms '1 um' --seed ";
     const std::string allowed = "from 0 to 18446744073709551615";
-    for (const char* seed : {"-1", "18446744073709551616", "1e3", "1.5", "seven"})
+    for (const char* seed : {"-1", "18446744073709551616", "1e3", "1.5", "\"seven\""})
         check_refused(make + seed, 2, {"--seed = " + std::string(seed), allowed});
     for (const std::string command : {"measure --show fit x", "measure x", "measure --show islands x"})
         check_refused(command + " --seed -1", 2, {"--seed = -1", allowed});

@@ -186,7 +186,7 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     CHECK(found[0] < 0.8 * gaussian[0]);
     // of the JSON of fstiff measure the same as of the file
     const scene::MeasuredSurface& measured = test::measured_of(skewed);
-    std::ofstream(folder / "measured.json") << scene::measure_json(*measured.how, measured).str();
+    std::ofstream(folder / "measured.json") << test::values_of(*measured.how, measured).str();
     const std::string json = "[surface]\nfrom = \"" + std::string(folder / "measured.json") + "\"\n";
     CHECK(largest_change(stiffnesses(json), found) < 1e-12);
     // two such faces: the sum is nearer to a Gaussian one

@@ -131,6 +131,7 @@ TEST_CASE("A field takes its value from a scene, a line of options and a program
     CHECK(of_line("points", "64").points == 64);
     CHECK(of_program("points", number(64)).points == 64);
     CHECK(of_scene("seed = 9007199254740991").seed == 9007199254740991);
+    CHECK(of_line("seed", "18446744073709551615").seed == 18446744073709551615u);
     CHECK(of_line("share", "0.25").share == 0.25);
     CHECK(of_scene("share = 1").share == 1);
     CHECK(of_scene("height = \"2 um\"").height == 2e-6);
@@ -158,7 +159,7 @@ TEST_CASE("A field refuses by its key, its value and what it allows, whatever gi
     refused("points", "8", "8", "points = 8: must be a whole number from 16 to 4096");
     refused("points", "64.5", "64.5", "points = 64.5: must be a whole number from 16 to 4096");
     refused("points", "\"many\"", "many", "points = \"many\": must be a whole number from 16 to 4096");
-    refused("seed", "-1", "-1", "seed = -1: must be a whole number from 0 to 9007199254740991");
+    refused("seed", "-1", "", "seed = -1: must be a whole number from 0 to 9007199254740991");
     refused("seed", "9007199254740993", "",
             "seed = 9007199254740993: must be a whole number from 0 to 9007199254740991");
     refused("share", "0", "0", "share = 0: must be greater than 0 and at most 1");

@@ -311,7 +311,7 @@ TEST_CASE("An option of a surface that makes no sense is refused in the words it
     CHECK_THROWS_AS(test::measured("--units um " + step + "--window '10 um'", heights), scene::option_error);
     scene::MeasureOptions how;
     how.input = test::surface_options("--units um " + step);
-    const std::string document = measure_json(how, measure_surface(how, heights)).str();
+    const std::string document = test::values_of(how, measure_surface(how, heights)).str();
     test::check_sentence(refused("", document), {"standard input: is JSON that fstiff printed", "run --surface"});
     std::string rise;
     for (int i = 0; i < 600; ++i) rise += i < 300 ? "0\n" : "1\n";

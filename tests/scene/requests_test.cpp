@@ -144,13 +144,13 @@ TEST_CASE("An export has a row of the table a line, in the units of the model") 
     const auto builtin = scene::read_scene(scene::builtin_scene, {.name = "built-in scene"});
     const scene::ExportRequest request{
         .to = scene::Solver::abaqus, .tolerance = "0.05", .from = 1e6, .until = "50 MPa"};
-    const auto made = scene::export_law(builtin, request);
+    const std::string made = document_of(builtin, request).csv();
     const auto table = scene::pressure_table(builtin, {.from = 1e6, .to = 50e6, .tolerance = 0.05});
-    const std::size_t keyword = made.text.find("TABULAR\n") + 8;
-    const std::string rows = made.text.substr(keyword);
+    const std::size_t keyword = made.find("TABULAR\n") + 8;
+    const std::string rows = made.substr(keyword);
     CHECK(std::count(rows.begin(), rows.end(), '\n') == std::ssize(table.rows));
     CHECK(rows.starts_with("0, 0\n"));
-    CHECK(made.text.find("\n50, ") != std::string::npos);  // MPa
+    CHECK(made.find("\n50, ") != std::string::npos);  // MPa
     CHECK(refused<domain_error>([] {
               check(scene::ExportRequest{.units = "mm,N,Pa"});
           }).starts_with("units = \"mm,N,Pa\""));

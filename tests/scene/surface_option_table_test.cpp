@@ -126,7 +126,7 @@ TEST_CASE("The JSON of a measurement has every option of a surface that is not t
     const auto input = scene::surface_of_heights(options.input, fstiff::Profile<double>{heights, 1e-6}, "from a test");
     const auto surface = scene::measure_surface(options, input);
     const auto inputs = [&] {
-        const std::string text = scene::measure_json(options, surface).str();
+        const std::string text = test::values_of(options, surface).str();
         const auto from = text.find("\"inputs\"");
         return text.substr(from, text.find("\"roughness\"", from) - from);  // which has cut-offs of its own
     };

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -91,43 +92,38 @@ inline fstiff::scene::SurfaceOptions surface_options(const std::string& line, co
     return options;
 }
 
+inline fstiff::scene::Json values_of(const fstiff::scene::MeasureOptions& how, fstiff::scene::MeasuredSurface surface) {
+    return document_of(how, std::make_shared<const fstiff::scene::MeasuredSurface>(std::move(surface))).values();
+}
+
 /// The document of fstiff measure for the surface in \p bytes.
 inline nlohmann::json measured(const std::string& line, const std::string& bytes,
                                fstiff::scene::MeasureOptions how = {}) {
     how.input = surface_options(line);
-    return parsed(measure_json(how, measure_surface(how, bytes)));
+    return parsed(values_of(how, measure_surface(how, bytes)));
 }
 
 /// The same for the surface in \p files.
 inline nlohmann::json measured_files(const std::string& line, const std::vector<std::string>& files) {
     fstiff::scene::MeasureOptions how;
     how.input = surface_options(line);
-    return parsed(measure_json(how, measure_files(how, files)));
+    return parsed(values_of(how, measure_files(how, files)));
 }
 
 /// The document of fstiff measure --show fit for the profile or map in \p bytes.
 inline nlohmann::json fitted(const std::string& line, const std::string& bytes,
                              fstiff::scene::FractalOptions how = {}) {
     how.surface = surface_options(line);
-    (void)fit_options(how);
-    auto input = fstiff::scene::read_surface_input(how.surface, bytes);
-    const auto document = [&](const auto& result) {
-        nlohmann::json all = parsed(fractal_json(how, input, result));
-        all["warnings"] = warnings_of(how, input, result);
-        return all;
-    };
-    return input.surface.is_profile() ? document(fractal_of_profile(how, input)) : document(fractal_of_map(how, input));
+    return parsed(document_of(how, fstiff::scene::read_surface_input(how.surface, bytes)).values());
 }
 
 /// The document of fstiff measure --show islands for the map in \p bytes.
 inline nlohmann::json islands_of(const std::string& line, const std::string& bytes,
                                  fstiff::scene::IslandsRequest how = {}) {
     how.surface = surface_options(line);
-    auto input = fstiff::scene::read_surface_input(how.surface, bytes);
-    const auto result = islands_of_map(how, input);
-    nlohmann::json all = parsed(islands_json(how, input, result));
-    all["warnings"] = warnings_of(input, result);
-    all["doubtful"] = result.doubtful();
+    const auto document = document_of(how, fstiff::scene::read_surface_input(how.surface, bytes));
+    nlohmann::json all = parsed(document.values());
+    all["doubtful"] = document.doubtful;
     return all;
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff formats: the files that are read.
 #include "commands/commands.hpp"
-#include "document/document.hpp"
 #include "surface/surface_file.hpp"
-
-#include <fstiff/core/version.hpp>
 
 #include <array>
 #include <memory>
@@ -70,45 +67,28 @@ constexpr bool is_complete() {
 }
 static_assert(is_complete());
 
-Rows columns() {
-    Rows all;
-    const auto add = [&](const char* key, std::string_view Row::*of) {
-        std::vector<std::string> cells;
-        for (const Row& row : rows) cells.emplace_back(row.*of);
-        all.add({key}, cells);
-    };
-    add("name", &Row::name);
-    add("endings", &Row::endings);
-    add("holds", &Row::holds);
-    add("recognised_by", &Row::recognised);
-    add("asks_for", &Row::asked);
-    return all;
-}
-
-std::string text() {
-    std::string all = "fstiff " FSTIFF_VERSION_TEXT ": files that are read\n";
-    for (const Row& row : rows)
-        all += "\n" + std::string(row.name) + "  (" + std::string(row.endings) + ")\n  holds          " +
-               std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  needs          " +
-               std::string(row.asked) + "\n";
-    return all +
-           "\nThe first nineteen are profiles and maps, for measure, truth and run --surface. The name of a file\n"
-           "is not used; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
-           "byte\n"
-           "order mark, or of an 8-bit code page. Export files of other instruments from their own program, or "
-           "convert\n"
-           "them to X3P by a line of Python (docs/formats.md).\n";
-}
-
-Json json() {
-    Json document = json_document("formats");
-    Json& list = document["formats"] = Json::array();
-    for (const Row& row : rows)
-        list.push_back({{"name", row.name},
-                        {"endings", row.endings},
-                        {"holds", row.holds},
-                        {"recognised_by", row.recognised},
-                        {"asks_for", row.asked}});
+Document formats() {
+    Document document("formats");
+    document.title("files that are read");
+    for (const Row& row : rows) {
+        document.line("\n" + std::string(row.name) + "  (" + std::string(row.endings) + ")");
+        document.line("  holds          " + std::string(row.holds));
+        document.line("  recognised by  " + std::string(row.recognised));
+        document.line("  needs          " + std::string(row.asked));
+    }
+    document.line(
+        "\nThe first nineteen are profiles and maps, for measure, truth and run --surface. The name of a file\n"
+        "is not used; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a byte\n"
+        "order mark, or of an 8-bit code page. Export files of other instruments from their own program, or convert\n"
+        "them to X3P by a line of Python (docs/formats.md).");
+    Rows table;
+    table.add({"name"}, rows, &Row::name);
+    table.add({"endings"}, rows, &Row::endings);
+    table.add({"holds"}, rows, &Row::holds);
+    table.add({"recognised_by"}, rows, &Row::recognised);
+    table.add({"asks_for"}, rows, &Row::asked);
+    document.table(std::move(table), {.key = "formats", .as_list = true});
+    document.has_warnings = false;
     return document;
 }
 
@@ -119,11 +99,7 @@ Command add_formats(Arguments& command) {
     using namespace formats_command;
     auto options = std::make_shared<OutputOptions>();
     add_output_options(command, *options);
-    return {options.get(), [options] {
-                return report(
-                    {.table = text, .csv = [] { return columns().csv(); }, .json = json, .json_warnings = false},
-                    options->format);
-            }};
+    return {options.get(), [options] { return report(formats(), options->format); }};
 }
 
 }  // namespace fstiff::cli

@@ -2,12 +2,10 @@
 // fstiff report: a scene and all that follows from it, on one page that needs nothing else.
 #include "commands/commands.hpp"
 #include "commands/measured_section.hpp"
-#include "commands/scales.hpp"
-#include "document/document.hpp"
 #include "document/shown_unit.hpp"
-#include "input/computed.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
+#include "picture/figures.hpp"
 #include "picture/panels.hpp"
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
@@ -340,22 +338,19 @@ Report execute(const Options& options) {
     const Results results = computed(scene);
     const std::string document = page_of(scene, results);
     deliver({{file, page_mark + document}}, folder.empty() ? "." : folder);
-    return report({.table =
-                       [&] {
-                           return "fstiff " FSTIFF_VERSION_TEXT ": report of " +
-                                  printable(scene.name + " (" + scene.file + ")") + "\n  " + printable(file) + "\n";
-                       },
-                   .csv = [&] { return csv_line({"file"}) + csv_line({file}); },
-                   .json =
-                       [&] {
-                           Json answer = json_document("report");
-                           answer["scene"] = scene_json(scene);
-                           answer["files"] = {file};
-                           return answer;
-                       },
-                   .warnings = results.warnings,
-                   .status = results.doubtful ? doubtful_result : success},
-                  options.output.format);
+    Document made("report");
+    made.title("report of " + printable(scene.name + " (" + scene.file + ")"));
+    made.line("  " + printable(file));
+    made.json["scene"] = scene_json(scene);
+    made.json["files"] = {file};
+    made.csv([file] {
+        Rows rows;
+        rows.repeat({"file"}, file, 1);
+        return rows;
+    });
+    made.warnings = results.warnings;
+    made.doubtful = results.doubtful;
+    return report(made, options.output.format);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff sweep: a grid of scenes to one line a row of results.
+// fstiff sweep: a grid of scenes to one line a row of results; fstiff sweep --merge: its shards as one file.
 #include "commands/commands.hpp"
-#include "commands/failed_scenes.hpp"
 #include "document/output.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
@@ -25,6 +24,20 @@ extern const char* const example_grid;  // examples/sweeps/grid.toml
 
 namespace sweep_command {
 namespace {
+
+/// "1 scene", "2 scenes".
+std::string counted(std::uint64_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// Warns of the \p failed scenes in \p report, which is then doubtful; no warning without any.
+void warn_of_failed_scenes(Report& report, std::uint64_t failed) {
+    if (failed == 0) return;
+    report.diagnostics.push_back(
+        "warning: " + counted(failed, "scene") +
+        " cannot be computed, or only in part; a line with the key \"error\" replaces the missing results");
+    report.status = doubtful_result;
+}
 
 struct Options {
     OutputOptions output;  // of the summary
@@ -81,7 +94,7 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
     for (const sweep::Axis& axis : grid.axes)
         if (axis.drawn) header.insert(header.end(), {"S " + shown_key(axis.key), "rank"});
     header.emplace_back("rest");
-    TextTable table(std::move(header));
+    TextRows table{std::move(header)};
     const auto rows = sweep::sensitivities(grid, file);
     const bool several_points =
         std::any_of(rows.begin(), rows.end(), [](const sweep::SensitivityRow& row) { return row.point > 0; });
@@ -97,9 +110,9 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
             rest -= one.first_order;
         }
         cells.push_back(parts::fixed_text(rest, 3));
-        table.add(std::move(cells));
+        table.push_back(std::move(cells));
     }
-    return "\n" + table.str() +
+    return "\n" + table_text(table) +
            "\nS is the share of the variance of K due to one input alone (Sobol', first order), rank its rank "
            "correlation\nwith K, rest the share due to inputs together; from " +
            std::to_string(rows.front().draws) + " draws, S within " +
@@ -202,6 +215,25 @@ Report execute(const Options& options) {
     return report;
 }
 
+struct MergeOptions {
+    OutputOptions output;
+    std::vector<std::string> files;
+    std::string merged;
+};
+
+Report execute_merge(const MergeOptions& options) {
+    refuse_standard_output(options.merged, "a file, because its description is written next to it");
+    sweep::require_lines(options.merged);
+    require_writable(options.merged);
+    const sweep::Merged merged = sweep::merge(options.files, options.merged);
+    if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
+    Report report;
+    report.document = "fstiff sweep --merge: " + counted(merged.scenes, "scene") + " of " +
+                      counted(merged.shards, "shard") + " in " + printable(options.merged) + "\n";
+    warn_of_failed_scenes(report, merged.failed);
+    return report;
+}
+
 }  // namespace
 }  // namespace sweep_command
 
@@ -225,6 +257,18 @@ Command add_sweep(Arguments& command) {
                    {"put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl"});
     command.option("--example", options->example, {"print a grid with comments, to begin one of your own"});
     return {&options->output, [options] { return execute(*options); }};
+}
+
+Command add_merge(Arguments& command) {
+    using namespace sweep_command;
+    auto options = std::make_shared<MergeOptions>();
+    command.option("files", options->files,
+                   {.help = "files of results of fstiff sweep; names in .sweep are left out",
+                    .required = true,
+                    .form = request::Form::file});
+    command.option("-o,--output", options->merged,
+                   {.help = "file of all results, lines of JSON", .required = true, .type = "FILE"});
+    return {&options->output, [options] { return execute_merge(*options); }};
 }
 
 }  // namespace fstiff::cli

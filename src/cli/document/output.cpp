@@ -121,6 +121,15 @@ void refuse_standard_output(const std::string& output, std::string_view wanted) 
     if (output == "-") throw Usage("--output = \"-\": is standard output; must be " + std::string(wanted));
 }
 
+Report report(const Document& document, Format format) {
+    Report made{
+        .document = document.str(format), .diagnostics = {}, .status = document.doubtful ? doubtful_result : success};
+    if (format == Format::table) return made;
+    if (format == Format::csv) made.diagnostics = document.notes;
+    for (const std::string& warning : document.warnings) made.diagnostics.push_back("warning: " + warning);
+    return made;
+}
+
 void say_written(Report& report, const std::vector<std::string>& files) {
     std::vector<std::string> lines;
     for (const std::string& file : files) lines.push_back("wrote " + file);

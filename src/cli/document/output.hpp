@@ -2,10 +2,8 @@
 #pragma once
 // Result of a subcommand and its output: one document, with numbers that are independent of the locale and never NaN.
 
+#include "document/document.hpp"
 #include "document/file.hpp"
-#include "document/rows.hpp"
-
-#include <fstiff/core/names.hpp>
 
 #include <stdexcept>
 #include <string>
@@ -24,20 +22,6 @@ class Usage : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
-
-enum class Format { table, csv, json };
-
-}  // namespace fstiff::cli
-
-namespace fstiff {
-
-template <>
-inline constexpr auto names<cli::Format> =
-    name_list<cli::Format>({{cli::Format::table, "table"}, {cli::Format::csv, "csv"}, {cli::Format::json, "json"}});
-
-}  // namespace fstiff
-
-namespace fstiff::cli {
 
 struct OutputOptions {
     Format format = Format::table;
@@ -60,6 +44,8 @@ struct Report {
     Status status = success;
 };
 
+/// What of \p document goes where in this form: the warnings are in its table, else on standard error.
+[[nodiscard]] Report report(const Document& document, Format format);
 /// Puts a line about each of \p files before the other diagnostics.
 void say_written(Report& report, const std::vector<std::string>& files);
 

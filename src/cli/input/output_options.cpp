@@ -18,10 +18,12 @@ void add_format_option(Arguments& arguments, OutputOptions& options, Format init
 
 void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
     add_format_option(arguments, options, initial);
-    add_output_option(arguments, options);
+    add_file_option(arguments, options);
+    options.format = initial;
 }
 
-void add_output_option(Arguments& arguments, OutputOptions& options) {
+void add_file_option(Arguments& arguments, OutputOptions& options) {
+    options.format = Format::csv;
     arguments.option("-o,--output", options.file,
                      {.help = "write to FILE instead of standard output, which - is", .type = "FILE"});
 }

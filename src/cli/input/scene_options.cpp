@@ -3,6 +3,12 @@
 
 #include "input/progress.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <system_error>
+#include <thread>
+
 namespace fstiff::cli {
 
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& scene_help,
@@ -27,6 +33,24 @@ Scene read_scene(const SceneOptions& options) {
                                      .progress = progress_bar()});
     for (const std::string& file : scene.files) require_no_output(file);
     return scene;
+}
+
+Results computed(const Scene& scene) {
+    const ProgressHook progress = progress_bar();
+    return scene::compute(scene, progress, [&](std::size_t count, const Piece& run) {
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i; (i = next++) < count;) run(i);
+        };
+        std::vector<std::future<void>> helpers;  // each ends before it is destroyed
+        try {
+            for (std::size_t i = 1; i < std::min<std::size_t>(std::thread::hardware_concurrency(), count); ++i)
+                helpers.push_back(std::async(std::launch::async, work));
+        } catch (const std::system_error&) {  // a limit on threads
+        }
+        for (std::size_t i; (i = next++) < count; run(i))
+            if (progress) progress("pieces", i, count);
+    });
 }
 
 }  // namespace fstiff::cli

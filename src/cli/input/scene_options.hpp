@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The scene of a subcommand: its options, its reading, and its form in documents.
+// The scene of a subcommand: its options, its reading, and its results.
 
 #include "document/output.hpp"
 #include "input/arguments.hpp"
-#include "scene/scene.hpp"
+#include "scene/results.hpp"
 
 #include <string>
 #include <vector>
@@ -24,5 +24,8 @@ void add_picture_option(Arguments& arguments, std::string& picture, const std::s
 
 /// \throws Usage when both files are standard input, domain_error as fstiff::scene::read_scene.
 [[nodiscard]] Scene read_scene(const SceneOptions& options);
+
+/// compute() of \p scene on as many threads as the machine has cores, or as start, with progress_bar().
+[[nodiscard]] Results computed(const Scene& scene);
 
 }  // namespace fstiff::cli

@@ -7,7 +7,7 @@ namespace fstiff::cli {
 
 void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key, SurfaceKind kind) {
     const SurfaceOptionRow& row = surface_option(key);
-    row.visit(options, [&](auto& to) { arguments.option(row.flag_name(), to, row.field_for(kind)); });
+    row.visit(options, [&](auto& to) { arguments.option(row.flag_name(), to, {.help = row.field_for(kind)}); });
 }
 
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind) {
@@ -18,12 +18,6 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         if (row.group != OptionGroup::estimate && row.is_for(kind)) rows.push_back(&row);
     std::stable_sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) { return a->group < b->group; });
     for (const SurfaceOptionRow* row : rows) add_surface_option(arguments, options, row->key, kind);
-}
-
-std::string source_lines(const SurfaceInput& input, std::string_view indent) {
-    std::string text;
-    for (const std::string& decision : input.surface.record.sentences()) text += std::string(indent) + decision + "\n";
-    return text;
 }
 
 }  // namespace fstiff::cli

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The options of a measured surface on the command line, and its file in documents.
+// The options of a measured surface on the command line.
 
 #include "document/output.hpp"
 #include "input/arguments.hpp"
-#include "surface/surface_file.hpp"
 #include "surface/surface_option_table.hpp"
 
 #include <string>
@@ -17,8 +16,5 @@ void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::stri
                         SurfaceKind kind = SurfaceKind::any);
 /// Adds every option of the table but those of an estimate. Not the file itself.
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
-
-/// Decisions about the file as lines of a table, each after \p indent.
-[[nodiscard]] std::string source_lines(const SurfaceInput& input, std::string_view indent);
 
 }  // namespace fstiff::cli

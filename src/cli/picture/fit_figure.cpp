@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture/fit_figure.hpp"
+#include "picture/figures.hpp"
 
 #include "picture/panels.hpp"
 

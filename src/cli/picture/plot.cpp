@@ -57,6 +57,7 @@ PictureFiles::PictureFiles(const std::string& file) : picture(file) {
 }
 
 void keep_for_picture(const std::string& file) {
+    if (file.empty()) return;
     const PictureFiles names(file);
     require_writable(file);
     require_own(names.table);
@@ -72,6 +73,11 @@ std::vector<OutputFile> figure_files(const Figure& figure, const std::string& fi
 std::vector<std::string> write_figure(const Figure& figure, const std::string& file) {
     deliver(figure_files(figure, file));
     return PictureFiles(file).all();
+}
+
+Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file) {
+    if (!file.empty()) say_written(report, write_figure(figure(), file));
+    return report;
 }
 
 }  // namespace fstiff::cli

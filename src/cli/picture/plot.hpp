@@ -8,6 +8,7 @@
 #include "document/output.hpp"
 #include "document/shown_unit.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -116,13 +117,15 @@ struct PictureFiles {
     [[nodiscard]] std::vector<std::string> all() const { return {picture, table}; }
 };
 
-/// Before anything is read: no input may be one of the files.
+/// Before anything is read: no input may be one of the files. Does nothing without a \p file.
 /// \throws Usage for another ending, file_error for a file next to the picture that fstiff did not make.
 void keep_for_picture(const std::string& file);
 /// The figure as \p file (.svg or .html), and its numbers (.plot.csv).
 std::vector<OutputFile> figure_files(const Figure& figure, const std::string& file);
 /// Writes both. \returns their names. \throws file_error for a file that cannot be written.
 std::vector<std::string> write_figure(const Figure& figure, const std::string& file);
+/// Writes \p figure, unless there is no \p file, and names it in \p report.
+[[nodiscard]] Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file);
 
 /// Description of a band, unbroken, for a legend.
 inline constexpr const char* shown_band = "5\u00A0to\u00A095\u00A0%";

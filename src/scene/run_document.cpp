@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "commands/run_table.hpp"
-
-#include "document/document.hpp"
-#include "document/shown_unit.hpp"
+// The document of fstiff run: the answer first, what it was computed of, and the laws that are named.
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 
@@ -13,8 +10,8 @@
 #include <cmath>
 #include <utility>
 
-namespace fstiff::cli {
-namespace run_command {
+namespace fstiff::scene {
+namespace run_text {
 namespace {
 
 constexpr std::size_t widest = 100;  ///< columns of the summary
@@ -58,7 +55,7 @@ std::string answered(const Scene& scene, const Results& results) {
     if (!results.answer) return "";
     std::string text;
     for (const std::size_t causes : {2u, 1u, 0u})  // as many as the page has room for
-        if (causes == 2 || width_of(text) > widest) text = TextTable(answer_table(scene, results, causes)).str();
+        if (causes == 2 || width_of(text) > widest) text = table_text(answer_table(scene, results, causes));
     for (const std::string& sentence : results.explanation) text += in_text(sentence);
     if (scene.asks(CurveQuantity::approach) && !results.answer->curve.seated.empty())
         text += in_text("Approach: how far the faces have closed since p was " + with_unit(scene.seating, "Pa") +
@@ -265,7 +262,7 @@ private:
         }
         const std::size_t first = std::max(first_, shown_width(rows[0][0]));
         for (auto& row : rows) row[0] += std::string(first - shown_width(row[0]), ' ');
-        return TextTable(std::move(rows)).str();
+        return table_text(rows);
     }
 
     const Scene& scene_;
@@ -327,10 +324,29 @@ std::string summary(const Scene& scene, const Results& results) {
 }
 
 }  // namespace
-}  // namespace run_command
+}  // namespace run_text
 
-std::string run_table(const Scene& scene, const Results& results, bool full) {
-    return full ? run_command::full_table(scene, results) : run_command::summary(scene, results);
+Document document_of(const Scene& given, const Results& found, bool full) {
+    const auto scene = std::make_shared<const Scene>(given);
+    const auto results = std::make_shared<const Results>(found);
+    Document document("run");
+    document.text([=] { return full ? run_text::full_table(*scene, *results) : run_text::summary(*scene, *results); });
+    document.values([=](Json& to) { to = run_document(*scene, *results); });
+    const auto add = [&](const Curve& curve, int answers) {
+        document.csv([=, &curve] {
+            Curve shown = curve;
+            if (results->answer) shown.columns = columns_of(*scene, curve, true);  // its own has a band
+            Rows rows = rows_of(*results, shown);
+            rows.repeat({"answer"}, answers, rows.size());
+            return rows;
+        });
+    };
+    if (results->answer) add(results->answer->curve, 1);
+    if (!scene->best)
+        for (const Curve& curve : results->curves) add(curve, 0);
+    document.warnings = results->warnings;
+    document.doubtful = results->doubtful;
+    return document;
 }
 
-}  // namespace fstiff::cli
+}  // namespace fstiff::scene

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The commands that are a request: their options, and the document that answers.
+#include "commands/commands.hpp"
+#include "input/progress.hpp"
+#include "input/scene_options.hpp"
+#include "input/surface_options.hpp"
+#include "picture/figures.hpp"
+#include "scene/exported_law.hpp"
+#include "scene/identified.hpp"
+#include "scene/reflections.hpp"
+#include "surface/fractal.hpp"
+#include "surface/generated.hpp"
+#include "surface/islands_of_map.hpp"
+#include "surface/peak_density.hpp"
+#include "surface/spectrum.hpp"
+#include "surface/truth_of_map.hpp"
+
+#include <fstiff/asperity/mindlin.hpp>
+
+#include <memory>
+
+namespace fstiff::cli {
+namespace {
+
+/// What a command of a request is given.
+template <class Request>
+struct Given {
+    OutputOptions output{};
+    SceneOptions scene{};
+    Request request{};
+    std::string picture{};
+
+    [[nodiscard]] Report report(const Document& document) const { return cli::report(document, output.format); }
+};
+
+template <class Request>
+Report answered(const Given<Request>& given) {
+    return given.report(document_of(given.request));
+}
+
+/// A command: \p add adds its options, and \p answer is called with what was given.
+template <class Request, class Add>
+Command request_command(Arguments& command, const Add& add, Report (*answer)(const Given<Request>&) = answered,
+                        const char* draws = nullptr, bool is_file = false) {
+    const auto given = std::make_shared<Given<Request>>();
+    if constexpr (requires { given->request.prefix; }) given->request.prefix = "--";
+    add(*given);
+    is_file ? add_file_option(command, given->output) : add_output_options(command, given->output);
+    if (draws) add_picture_option(command, given->picture, draws);
+    return {&given->output, [given, answer] {
+                Given<Request> own = *given;
+                if constexpr (requires { own.request.progress; }) own.request.progress = progress_bar();
+                return answer(own);
+            }};
+}
+
+constexpr const char* profile_or_map = "profile or map, as fstiff formats lists them; - is standard input";
+
+}  // namespace
+
+Command add_fit(Arguments& command) {
+    return request_command<FractalOptions>(command, [&](auto& given) {
+        command.option("profile", given.request.surface.file, {.help = profile_or_map, .required = true});
+        add_surface_options(command, given.request.surface);
+        for (const char* key : {"window", "tip_radius", "resolution"})
+            add_surface_option(command, given.request.surface, key);
+        command.fields(given.request);
+    });
+}
+
+Command add_islands(Arguments& command) {
+    return request_command<IslandsRequest>(command, [&](auto& given) {
+        command.option("map", given.request.surface.file,
+                       {.help = "map, as fstiff formats lists them; - is standard input", .required = true});
+        add_surface_options(command, given.request.surface, SurfaceKind::map);
+        command.fields(given.request);
+    });
+}
+
+Command add_peaks(Arguments& command) {
+    return request_command<PeakDensityRequest>(command, [&](auto& given) {
+        given.request.profile = "--profile";
+        command.fields(given.request);
+        command.option("profile,--profile", given.request.surface.file,
+                       {.help = "measured profile, as fstiff formats lists them; - is standard input"});
+        add_surface_options(command, given.request.surface, SurfaceKind::profile);
+    });
+}
+
+Command add_spectrum(Arguments& command) {
+    const auto add = [&](auto& given) {
+        command.option("file", given.request.surface.file, {.help = profile_or_map, .required = true});
+        command.fields(given.request);
+        add_surface_options(command, given.request.surface);
+    };
+    const auto answer = [](const Given<SpectrumRequest>& given) {
+        keep_for_picture(given.picture);
+        const SurfaceInput input = read_surface_input(given.request.surface);
+        const Spectrum spectrum = spectrum_of(given.request, input);
+        return with_picture(
+            given.report(document_of(given.request, input, spectrum)),
+            [&] { return spectrum_figure(given.request, spectrum); }, given.picture);
+    };
+    return request_command<SpectrumRequest>(command, add, answer, "draw the curves");
+}
+
+Command add_ultrasound(Arguments& command) {
+    return request_command<ReflectionRequest>(command, [&](auto& given) { command.fields(given.request); });
+}
+
+Command add_generate(Arguments& command) {
+    return request_command<GenerateRequest>(
+        command, [&](auto& given) { command.fields(given.request); }, answered, nullptr, true);
+}
+
+Command add_identify(Arguments& command) {
+    const auto add = [&](auto& given) {
+        add_scene_options(command, given.scene,
+                          "scene file (TOML) with the starting values; - is standard input; without it the fine "
+                          "sand-blasted surface of the paper");
+        command.fields(given.request);
+    };
+    const auto answer = [](const Given<IdentifyRequest>& given) {
+        keep_for_picture(given.picture);
+        if (given.scene.scene == "-" && given.request.measured == "-")
+            throw Usage("the scene and --measured are both standard input; one of them must be a file");
+        (void)parameters_of(given.request);  // their errors are reported before the scene is read
+        const Scene scene = read_scene(given.scene);
+        const Identified identified = identify_scene(scene, given.request);
+        return with_picture(
+            given.report(document_of(scene, identified)),
+            [&] { return fit_figure(scene, identified.curve, identified.found); }, given.picture);
+    };
+    return request_command<IdentifyRequest>(command, add, answer, "draw the fit and its residuals");
+}
+
+Command add_export(Arguments& command) {
+    const auto add = [&](auto& given) {
+        add_scene_options(
+            command, given.scene,
+            "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
+            "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
+        command.fields(given.request);
+    };
+    const auto answer = [](const Given<ExportRequest>& given) {
+        if (const std::string file = given.output.target(); !file.empty()) require_own(file);
+        check(given.request);  // its errors are reported before the scene is read
+        return given.report(document_of(read_scene(given.scene), given.request));
+    };
+    return request_command<ExportRequest>(command, add, answer, nullptr, true);
+}
+
+namespace {
+
+/// What is solved, as text; the request has the numbers.
+struct TruthTexts : TruthRequest {
+    std::string scene{}, at{}, effective_modulus{}, cut{};
+};
+
+std::vector<double> pressures_of(const std::string& list) {
+    std::vector<double> pressures;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        if (list.substr(begin, end - begin).find_first_not_of("0123456789+-.eE ") == std::string::npos)
+            throw domain_error("--pressures = \"" + list +
+                               "\": every pressure needs its unit, and the point as decimal mark");
+        pressures.push_back(parse_positive(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
+        begin = end + 1;
+    }
+    return pressures;
+}
+
+TruthRequest numbers_of(const TruthTexts& texts) {
+    const Scene scene = read_scene(SceneOptions{texts.scene, ""});
+    const auto positive = [](const std::string& text, const char* name) {
+        return parse_positive(text, io::Dimension::pressure, name);
+    };
+    TruthRequest request = texts;
+    request.modulus = texts.effective_modulus.empty() ? effective_modulus(scene.upper, scene.lower)
+                                                      : positive(texts.effective_modulus, "--modulus");
+    if (texts.at.empty() && scene.at_separations)
+        throw domain_error("the scene has separations; must have contact.pressures, or --pressures must be given");
+    request.pressures = texts.at.empty() ? scene.points : pressures_of(texts.at);
+    if (!texts.cut.empty()) {
+        request.hardness = io::parse_quantity(texts.cut, io::Dimension::pressure, "--hardness");
+        require_positive("--hardness", request.hardness);
+    }
+    if (texts.effective_modulus.empty())  // else the bodies are not those of the scene
+        request.known_hardness = scene.hardness ? *scene.hardness
+                                 : scene.yield_strength
+                                     ? parts::hardness_over_yield_strength<double> * *scene.yield_strength
+                                     : 0;
+    return request;
+}
+
+}  // namespace
+
+Command add_truth(Arguments& command) {
+    const auto add = [&](auto& given) {
+        TruthTexts& request = given.request;
+        command.option("file", request.surface.file,
+                       {.help = "map of any form; - is standard input", .required = true});
+        add_surface_options(command, request.surface);
+        command.option("--scene", request.scene,
+                       {.help = "scene that gives material and pressures; the default is the built-in scene"});
+        command.option("--pressures", request.at, {.help = "nominal pressures instead, such as \"1 MPa,10 MPa\""});
+        command.option("--modulus", request.effective_modulus,
+                       {.help = "effective modulus instead of that of the material"});
+        command.option("--hardness", request.cut,
+                       {.help = "hardness at which pressures are cut; the default is elastic"});
+        command.fields(request);
+    };
+    const auto answer = [](const Given<TruthTexts>& given) {
+        return given.report(document_of(numbers_of(given.request)));
+    };
+    return request_command<TruthTexts>(command, add, answer);
+}
+
+}  // namespace fstiff::cli
