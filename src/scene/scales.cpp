@@ -4,6 +4,7 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 #include "scene/joint.hpp"
+#include "surface/documents.hpp"
 
 #include <algorithm>
 #include <cmath>
