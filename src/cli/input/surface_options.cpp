@@ -7,7 +7,7 @@ namespace fstiff::cli {
 
 void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key, SurfaceKind kind) {
     const SurfaceOptionRow& row = surface_option(key);
-    row.visit(options, [&](auto& to) { arguments.option(row.flag_name(), to, {.help = row.field_for(kind)}); });
+    row.visit(options, [&](auto& to) { arguments.option(row.flag_name(), to, row.field_for(kind)); });
 }
 
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind) {
