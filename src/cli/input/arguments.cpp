@@ -129,7 +129,8 @@ void Arguments::add(const std::string& name, const request::Field& field, const 
                       },
                       field.help)
                 : app_->add_option_function<std::string>(
-                      name, [taken](const std::string& text) { taken(Value::of_text(text, Value::Giver::command)); }, field.help);
+                      name, [taken](const std::string& text) { taken(Value::of_text(text, Value::Giver::command)); },
+                      field.help);
     if (several && !are_files) option->delimiter(',');
     std::string type(several ? "TEXT" : kind), words;
     if (field.has_range())
