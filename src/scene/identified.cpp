@@ -2,6 +2,7 @@
 #include "scene/identified.hpp"
 
 #include "document/file.hpp"
+#include "document/shown_unit.hpp"
 #include "io/number.hpp"
 #include "scene/result_rows.hpp"
 
@@ -15,12 +16,14 @@ namespace {
 
 /// Measured value, model and residual are in these units.
 struct ShownValue {
-    std::string_view name, unit, column;
-    double factor;
+    std::string_view name, column;
+    ShownUnit unit{};
 };
 ShownValue shown_value(const MeasuredCurve& curve) {
-    return curve.is_reflection ? ShownValue{"|R|", "", "reflection", 1}
-                               : ShownValue{"K/A0", " [GPa/µm]", "stiffness_Pa_per_m", 1e-15};
+    if (curve.is_reflection) return {"|R|", "reflection"};
+    std::vector<double> values;
+    for (const MeasuredPoint& point : curve.points) values.push_back(point.value);
+    return {"K/A0", "stiffness_Pa_per_m", shown_unit(values, "Pa/m")};
 }
 
 Json matrix_json(const Eigen::MatrixXd& matrix) {
@@ -57,10 +60,10 @@ Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
     const ShownValue y = shown_value(curve);
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, fit.points, &MeasuredPoint::pressure);
-    rows.add({std::string(y.column), std::string(y.name) + " measured" + std::string(y.unit), y.factor}, fit.points,
+    rows.add({std::string(y.column), y.unit.heading(std::string(y.name) + " measured"), y.unit.factor}, fit.points,
              &MeasuredPoint::value);
     if (curve.has_errors) rows.add({"error"}, fit.points, &MeasuredPoint::error);
-    rows.add({"model", "model", y.factor}, fit.found.model);
+    rows.add({"model", "model", y.unit.factor}, fit.found.model);
     rows.add({"residual", fit.found.errors_known ? "residual [errors]" : "residual [scatter]", 1, 3},
              fit.found.residuals);
     return rows;

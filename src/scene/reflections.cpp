@@ -2,6 +2,7 @@
 #include "scene/reflections.hpp"
 
 #include "document/file.hpp"
+#include "document/shown_unit.hpp"
 #include "io/number.hpp"
 
 #include <cmath>
@@ -150,14 +151,17 @@ Rows rows_of(const CurveOfStiffness& found) {
         return [=](const std::optional<K>& k) { return k ? Cell(value(*k)) : Cell(otherwise); };
     };
     const bool errors = !found.errors.empty();
+    std::vector<double> stiffnesses;
+    for (const auto& stiffness : found.stiffness) stiffnesses.push_back(stiffness ? stiffness->value : 0);
+    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, found.curve.points, &MeasuredPoint::pressure);
     rows.add({.key = "reflection", .shown = "|R|", .csv = false}, found.curve.points, &MeasuredPoint::value);
     if (errors) rows.add({.key = "reflection_error", .shown = "error", .digits = 2, .csv = false}, found.errors);
-    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, found.stiffness,
+    rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, found.stiffness,
              of([](const K& k) { return k.value; }, Cell::Kind::null));
     if (errors) {
-        rows.add({"stiffness_error_Pa_per_m", "error [GPa/µm]", 1e-15, 2}, found.stiffness,
+        rows.add({"stiffness_error_Pa_per_m", unit.heading("error"), unit.factor, 2}, found.stiffness,
                  of([](const K& k) { return k.error; }));
         rows.add({"", "error of K [%]", 100, 2}, found.stiffness, of([](const K& k) { return k.error / k.value; }));
     }
@@ -184,15 +188,16 @@ void add_curve(Document& document, const Reflection& found) {
 /// Reflection and transmission of a wave at one stiffness.
 void add_one(Document& document, const Reflection& found) {
     const Reflected& one = found.one;
+    const ShownUnit unit = shown_unit(one.stiffness, "Pa/m");
     const std::string K = rounded(one.stiffness, 6),
-                      error = one.stiffness_error ? " +- " + rounded(*one.stiffness_error / 1e15, 2) + " GPa/µm" : "";
+                      error = one.stiffness_error ? " +- " + unit(*one.stiffness_error, 2) : "";
     document.line("interface as a spring, eq. (5.1)");
     document.json["equations"] = {"(5.1)"};
     document.facts("frequency", {{"frequency_Hz", found.frequency, "", 1e-6, " MHz", 6}});
     document.facts("impedances", {{"impedance_Rayl", found.media.incident, "", 1e-6, " and ", 6},
                                   {"impedance2_Rayl", found.media.beyond, "", 1e-6, " MRayl", 6}});
-    document.facts("K per nominal area",
-                   {{"stiffness_Pa_per_m", one.stiffness, "", 1e-15, " GPa/µm = " + K + " Pa/m" + error, 6}});
+    document.facts("K per nominal area", {{"stiffness_Pa_per_m", one.stiffness, "", unit.factor,
+                                           " " + std::string(unit.name) + " = " + K + " Pa/m" + error, 6}});
     document.facts("|R|",
                    {{"reflection", one.reflection, "", 1, " (welded joint " + rounded(found.welded, 6) + ")", 6}});
     document.facts("phase of R", {{"reflection_phase_rad", one.phase, "", 1, " rad", 6}});

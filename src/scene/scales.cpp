@@ -155,6 +155,9 @@ Rows rows_of(const ScaleRows& scales) {
         return cut_off ? shown_length(*cut_off, 4) : "none";
     };
     const auto parameter = [](Parameter which) { return [which](const Scale& scale) { return scale.value(which); }; };
+    std::vector<double> stiffnesses;
+    for (const Scale& scale : scales) stiffnesses.push_back(scale.stiffness.value_or(0));
+    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
     Rows rows;
     rows.add({.key = "lambda_s_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_s; });
     rows.add({.key = "lambda_c_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_c; });
@@ -166,7 +169,7 @@ Rows rows_of(const ScaleRows& scales) {
     rows.add({"peak_radius_m", "R [µm]", 1e6}, scales, parameter(Parameter::peak_radius));
     rows.add({"peak_density_per_m2", "D_p [/mm²]", 1e-6}, scales, parameter(Parameter::peak_density));
     rows.add({"fractal_dimension", "D"}, scales, parameter(Parameter::fractal_dimension));
-    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, scales, &Scale::stiffness);
+    rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, scales, &Scale::stiffness);
     rows.add({.key = "refusal", .shown = "", .csv = false}, scales, &Scale::refusal);
     return rows;
 }

@@ -107,14 +107,17 @@ std::vector<std::string> warnings_of(const TruthOfMap& solved) {
 
 Rows rows_of(const TruthOfMap& solved) {
     using Point = const TruthPoint<double>&;
+    std::vector<double> stiffnesses;
+    for (const auto& point : solved.at) stiffnesses.push_back(point.state.stiffness);
+    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, solved.at, [](Point one) { return one.state.pressure; });
     rows.add({"p_star", "p*", 1, 3}, solved.at, [&](Point one) {
         return Cell::finite(parts::dimensionless_pressure(one.state.pressure, solved.modulus, solved.rms_gradient));
     });
-    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, solved.at,
+    rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, solved.at,
              [](Point one) { return Cell::finite(one.state.stiffness); });
-    rows.add({"stiffness_error_Pa_per_m", "+- grid", 1e-15, 2}, solved.at, [](Point one) {
+    rows.add({"stiffness_error_Pa_per_m", "+- grid", unit.factor, 2}, solved.at, [](Point one) {
         return std::isfinite(one.state.stiffness) ? Cell::finite(one.stiffness_error) : Cell(Cell::Kind::null);
     });
     rows.add({"separation_m", "separation [µm]", 1e6}, solved.at, [](Point one) { return one.state.mean_gap; });
