@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/identification.hpp"
-
-#include "surface/request.hpp"
+#include "scene/identified.hpp"
 
 #include "document/shown_unit.hpp"
 #include "scene/results.hpp"
