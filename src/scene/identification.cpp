@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/identification.hpp"
-
-#include "surface/surface_option_table.hpp"
+#include "scene/identified.hpp"
 
 #include "document/shown_unit.hpp"
 #include "scene/results.hpp"

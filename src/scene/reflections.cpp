@@ -111,39 +111,6 @@ MeasuredCurve curve_of(const std::string& file, const std::string& name) {
     return read_measured_curve(file);
 }
 
-}  // namespace
-
-Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
-    const auto name = [&](std::string_view key) { return option_name(request.prefix, key); };
-    const bool of_reflection = curve || !request.reflection.empty();
-    const std::string error = name("reflection_error");
-    if (request.stiffness.empty() != of_reflection)
-        throw option_error("give one of " + name("stiffness") + " and " + name("reflection") +
-                           "; the other is computed");
-    if (request.reflection_error && !of_reflection)
-        throw option_error(error + " is that of " + name("reflection") + ", which is not there");
-    if (request.reflection_error && !(*request.reflection_error >= 0 && *request.reflection_error < 1))
-        throw domain_error(error + " = " + shortest(*request.reflection_error) +
-                           ": must be at least 0 and less than 1");
-    Reflection all;
-    all.frequency = request.frequency.positive(io::Dimension::frequency, name("frequency"));
-    all.media.incident = impedance_of(request.incident, request, "");
-    all.media.beyond = request.beyond.given() ? impedance_of(request.beyond, request, "2") : all.media.incident;
-    std::optional<double> given;
-    if (of_reflection && !curve) {
-        given = as_number(request.reflection);
-        if (!given) curve = curve_of(request.reflection.text(), name("reflection"));
-    }
-    all.welded = parts::welded_reflection(all.media);
-    if (curve)
-        convert(request, *std::move(curve), all);
-    else
-        all.one = at_one(request, all.media, parts::angular_frequency(all.frequency), given);
-    return all;
-}
-
-namespace {
-
 /// A row of the curve a row.
 Rows rows_of(const CurveOfStiffness& found) {
     using K = parts::MeasuredStiffness<double>;
@@ -210,6 +177,35 @@ void add_one(Document& document, const Reflection& found) {
 }
 
 }  // namespace
+
+Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
+    const auto name = [&](std::string_view key) { return option_name(request.prefix, key); };
+    const bool of_reflection = curve || !request.reflection.empty();
+    const std::string error = name("reflection_error");
+    if (request.stiffness.empty() != of_reflection)
+        throw option_error("give one of " + name("stiffness") + " and " + name("reflection") +
+                           "; the other is computed");
+    if (request.reflection_error && !of_reflection)
+        throw option_error(error + " is that of " + name("reflection") + ", which is not there");
+    if (request.reflection_error && !(*request.reflection_error >= 0 && *request.reflection_error < 1))
+        throw domain_error(error + " = " + shortest(*request.reflection_error) +
+                           ": must be at least 0 and less than 1");
+    Reflection all;
+    all.frequency = request.frequency.positive(io::Dimension::frequency, name("frequency"));
+    all.media.incident = impedance_of(request.incident, request, "");
+    all.media.beyond = request.beyond.given() ? impedance_of(request.beyond, request, "2") : all.media.incident;
+    std::optional<double> given;
+    if (of_reflection && !curve) {
+        given = as_number(request.reflection);
+        if (!given) curve = curve_of(request.reflection.text(), name("reflection"));
+    }
+    all.welded = parts::welded_reflection(all.media);
+    if (curve)
+        convert(request, *std::move(curve), all);
+    else
+        all.one = at_one(request, all.media, parts::angular_frequency(all.frequency), given);
+    return all;
+}
 
 Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
     const Reflection found = reflection_of(request, std::move(curve));

@@ -193,45 +193,46 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
         if (const auto at = curve.state_at(place)) joint.push_back(area * curve.states[*at].stiffness.value);
     const ShownUnit unit = summary_units(scene, results).stiffness, joint_unit = shown_unit(joint, "N/m"),
                     height = unit_of_length(scene.face.parameters.rms_height.value);
-    const bool closes = scene.asks(CurveQuantity::approach) && !curve.seated.empty();
-    const auto number = [&](double K) { return rounded(K * unit.factor, 3); };
-    TextRows rows{{scene.forces.empty() ? "pressure" : "force, pressure", unit.heading("K/A0"), "90 % band"}};
-    if (area > 0) rows[0].push_back(joint_unit.heading("K"));
-    if (closes) rows[0].push_back(height.heading("approach"));
-    if (answer.flows) rows[0].push_back("loading K/A0");
-    const std::size_t law = rows[0].size();
-    rows[0].emplace_back("law");
-    if (causes > 0) rows[0].emplace_back("band due to");
-    for (const std::size_t place : places) {
+    const auto at_state = [&](const auto& value) {
+        return [&curve, value](std::size_t place) {
+            const auto at = curve.state_at(place);
+            return at ? Cell(value(*at)) : Cell();
+        };
+    };
+    Rows rows;
+    rows.add({"", scene.forces.empty() ? "pressure" : "force, pressure"}, places, [&](std::size_t place) {
         const auto at = curve.state_at(place);
-        if (!at) {
-            rows.emplace_back(rows[0].size(), "-");
-            rows.back().front() = shown_point(scene, place);
-            continue;
-        }
-        const std::size_t i = *at;
-        const auto& [low, median, high, failed] = curve.band[i];
-        const int digits = high - low < 0.2 * median ? 3 : 2;  // enough to distinguish the ends
-        rows.push_back({scene.forces.empty() ? with_unit(curve.states[i].pressure.value, "Pa", 3)
-                                             : shown_point(scene, curve.places[i]),
-                        number(curve.states[i].stiffness.value),
-                        rounded(low * unit.factor, digits) + "–" + rounded(high * unit.factor, digits)});
-        if (area > 0) rows.back().push_back(rounded(curve.states[i].stiffness.value * area * joint_unit.factor, 3));
-        if (closes)
-            rows.back().push_back(rounded((curve.seated[i] - curve.states[i].separation.value) * height.factor, 3));
-        if (answer.flows) {
-            const auto& loading = answer.reasons[i].loading_stiffness;
-            rows.back().push_back(loading ? number(*loading) : "-");
-        }
-        rows.back().emplace_back(curve.law_at(i).name);
-        if (causes > 0) rows.back().push_back(shown_causes(answer.reasons[i], causes));
-    }
-    for (std::size_t column = law; column < rows[0].size(); ++column) {  // text begins on the left
+        return at && scene.forces.empty() ? with_unit(curve.states[*at].pressure.value, "Pa", 3)
+                                          : shown_point(scene, place);
+    });
+    rows.add({"", unit.heading("K/A0"), unit.factor, 3}, places,
+             at_state([&](std::size_t i) { return curve.states[i].stiffness.value; }));
+    rows.add({"", "90 % band"}, places, at_state([&](std::size_t i) {
+                 const auto& [low, median, high, failed] = curve.band[i];
+                 const int digits = high - low < 0.2 * median ? 3 : 2;  // enough to distinguish the ends
+                 return rounded(low * unit.factor, digits) + "–" + rounded(high * unit.factor, digits);
+             }));
+    if (area > 0)
+        rows.add({"", joint_unit.heading("K"), joint_unit.factor, 3}, places,
+                 at_state([&](std::size_t i) { return curve.states[i].stiffness.value * area; }));
+    if (scene.asks(CurveQuantity::approach) && !curve.seated.empty())
+        rows.add({"", height.heading("approach"), height.factor, 3}, places,
+                 at_state([&](std::size_t i) { return curve.seated[i] - curve.states[i].separation.value; }));
+    if (answer.flows)
+        rows.add({"", "loading K/A0", unit.factor, 3}, places,
+                 at_state([&](std::size_t i) { return answer.reasons[i].loading_stiffness; }));
+    const std::size_t law = rows.columns().size();
+    rows.add({"", "law"}, places, at_state([&](std::size_t i) { return curve.law_at(i).name; }));
+    if (causes > 0)
+        rows.add({"", "band due to"}, places,
+                 at_state([&](std::size_t i) { return shown_causes(answer.reasons[i], causes); }));
+    TextRows table = rows.table();
+    for (std::size_t column = law; column < table[0].size(); ++column) {  // text begins on the left
         std::size_t most = 0;
-        for (const auto& row : rows) most = std::max(most, shown_width(row[column]));
-        for (auto& row : rows) row[column] += std::string(most - shown_width(row[column]), ' ');
+        for (const auto& row : table) most = std::max(most, shown_width(row[column]));
+        for (auto& row : table) row[column] += std::string(most - shown_width(row[column]), ' ');
     }
-    return rows;
+    return table;
 }
 
 }  // namespace fstiff::scene

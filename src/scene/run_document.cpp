@@ -8,7 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
+#include <span>
 
 namespace fstiff::scene {
 namespace run_text {
@@ -63,39 +64,35 @@ std::string answered(const Scene& scene, const Results& results) {
     return text + in_text(outside_band(scene, results));
 }
 
-/// Surface parameters that the answer uses.
-std::vector<std::string> surface_of_answer(const Scene& scene, const Results& results) {
-    std::vector<std::string> parts{"sigma " + shown_length(scene.face.parameters.rms_height.value, 3)};
-    if (const auto& g = results.answer->curve.rms_gradient) parts.push_back("rms gradient " + rounded(*g, 3));
-    for (const Assumed& one : assumed(scene))
-        if (!scene.face.is_open(parts::Unknown::hurst))  // else it is among what was assumed
-            parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
-    if (scene.faces.empty()) parts.emplace_back("the other face smooth");
-    return parts;
-}
-
-/// The surface that the contact is of, and what was assumed of it.
-std::vector<std::string> surface_parts(const Scene& scene) {
+/// The surface that the contact is of, and what was assumed of it; with an answer, what that uses of it.
+std::vector<std::string> surface_parts(const Scene& scene, const Results& results) {
     const parts::SurfaceParameters<double>& s = scene.face.parameters;
     const std::vector<Parameter> unknown = unknown_parameters(scene, scene.best);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
-    std::vector<std::string> parts{"sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height))};
-    if (s.find(Parameter::peak_radius))
-        parts.push_back("R " + shown_length(s.peak_radius.value, digits(Parameter::peak_radius)));
-    parts.push_back(s.find(Parameter::peak_density)
-                        ? "D_p " + with_unit(s.peak_density.value, "/m^2", digits(Parameter::peak_density))
-                        : (s.find(Parameter::peak_radius) ? "D_p not known: " : "R and D_p not known: ") +
-                              s.why_no_density);
-    if (s.max_peak_height.value > 0) parts.push_back("R_p " + shown_length(s.max_peak_height.value));
-    if (s.fractal_dimension)
-        parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
-    if (const auto& g = s.fractal_roughness)
-        parts.push_back("G " + shown_length(g->value, parts::is_known(*g) ? 5 : 2));
-    if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
-    if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
+    const bool answers = scene.best && results.answer;
+    std::vector<std::string> parts{"sigma " +
+                                   shown_length(s.rms_height.value, answers ? 3 : digits(Parameter::rms_height))};
+    if (answers) {
+        if (const auto& g = results.answer->curve.rms_gradient) parts.push_back("rms gradient " + rounded(*g, 3));
+    } else {
+        if (s.find(Parameter::peak_radius))
+            parts.push_back("R " + shown_length(s.peak_radius.value, digits(Parameter::peak_radius)));
+        parts.push_back(s.find(Parameter::peak_density)
+                            ? "D_p " + with_unit(s.peak_density.value, "/m^2", digits(Parameter::peak_density))
+                            : (s.find(Parameter::peak_radius) ? "D_p not known: " : "R and D_p not known: ") +
+                                  s.why_no_density);
+        if (s.max_peak_height.value > 0) parts.push_back("R_p " + shown_length(s.max_peak_height.value));
+        if (s.fractal_dimension)
+            parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
+        if (const auto& g = s.fractal_roughness)
+            parts.push_back("G " + shown_length(g->value, parts::is_known(*g) ? 5 : 2));
+        if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
+        if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
+    }
     for (const Assumed& one : assumed(scene))
-        parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
-    if (scene.faces.empty()) parts.push_back("the other face smooth");
+        if (!answers || !scene.face.is_open(parts::Unknown::hurst))  // else it is among what was assumed
+            parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
+    if (scene.faces.empty()) parts.emplace_back("the other face smooth");
     return parts;
 }
 
@@ -151,9 +148,7 @@ std::string bodies_text(const Scene& scene, const Results& results) {
 /// The answer and what was computed of what: the lines above the curves.
 std::string introduction(const Scene& scene, const Results& results) {
     std::string text = "fstiff " FSTIFF_VERSION_TEXT ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
-    text +=
-        answered(scene, results) +
-        in_lines("surface", scene.best && results.answer ? surface_of_answer(scene, results) : surface_parts(scene));
+    text += answered(scene, results) + in_lines("surface", surface_parts(scene, results));
     if (!scene.faces.empty()) {
         std::vector<std::string> parts{"of the sum of two rough faces"};
         if (scene.face.map)
@@ -214,20 +209,42 @@ std::string label_of(const Curve& curve) {
            (curve.theta ? ", theta " + rounded(*curve.theta, 4) + ", r " + rounded(*curve.r, 4) : "");
 }
 
-/// A header or a row of the summary at \p points, whose first cells are as wide as those of all blocks.
-class Summary {
-public:
-    Summary(const Scene& scene, const Results& results, std::vector<std::size_t> points)
-        : scene_(scene), results_(results), points_(std::move(points)) {
-        for (const Curve& curve : results.curves) first_ = std::max(first_, label_of(curve).size());
+/// \p cell of every curve at every point of the summary, below \p what: tables below one another where one is wider than
+/// the page.
+template <class Cell>
+std::string curve_tables(const Scene& scene, const Results& results, std::string what, const Cell& cell) {
+    std::size_t first = std::max<std::size_t>(28, shown_width(what));  // columns of all blocks begin at one place
+    for (const Curve& curve : results.curves) first = std::max(first, shown_width(label_of(curve)));
+    const auto padded = [&](std::string label) { return label + std::string(first - shown_width(label), ' '); };
+    const std::vector<std::size_t> points = points_of_answer(scene);
+    const auto table = [&](std::span<const std::size_t> some) {
+        TextRows rows{{padded(what)}};
+        for (const std::size_t i : some) rows[0].push_back(shown_point(scene, i));
+        for (const Curve& curve : results.curves) {
+            rows.push_back({padded(label_of(curve))});
+            for (const std::size_t i : some) rows.back().push_back(cell(curve, i));
+        }
+        return table_text(rows);
+    };
+    std::string text;
+    for (std::size_t parts = 1; parts <= points.size(); ++parts) {
+        text.clear();
+        for (std::size_t part = 0; part < parts; ++part) {
+            const std::size_t from = part * points.size() / parts, to = (part + 1) * points.size() / parts;
+            text += (part > 0 ? "\n" : "") + table(std::span(points).subspan(from, to - from));
+        }
+        if (width_of(text) <= widest) break;
     }
+    return text;
+}
 
-    /// \p quantity of every curve, of a stiffness with its band.
-    [[nodiscard]] std::string block(CurveQuantity quantity, const Units& units) const {
-        const Column column{quantity};
-        const Heading heading = heading_of(column, units);
-        const bool band = has_band(results_) && column.row().of_stiffness == OfStiffness::rises;
-        return table(heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
+/// \p quantity of every curve, of a stiffness with its band.
+std::string quantity_tables(const Scene& scene, const Results& results, const Units& units, CurveQuantity quantity) {
+    const Column column{quantity};
+    const Heading heading = heading_of(column, units);
+    const bool band = has_band(results) && column.row().of_stiffness == OfStiffness::rises;
+    return curve_tables(
+        scene, results, heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
             const auto value = [&](Statistic statistic) {
                 const auto found = curve.value_at(i, quantity, statistic);
                 return found ? std::optional(*found * heading.factor) : found;
@@ -237,55 +254,6 @@ public:
             const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // enough to distinguish the ends
             return rounded(*middle, 3) + " (" + rounded(*low, digits) + "–" + rounded(*high, digits) + ")";
         });
-    }
-
-    /// K of every curve over that of the answer.
-    [[nodiscard]] std::string over_answer() const {
-        return table("K over the answer", [&](const Curve& curve, std::size_t i) -> std::string {
-            const Curve& answer = results_.answer->curve;
-            const auto mine = curve.state_at(i), best = answer.state_at(i);
-            if (!mine || !best) return "-";
-            const double ratio = curve.states[*mine].stiffness.value / answer.states[*best].stiffness.value;
-            return std::isfinite(ratio) ? rounded(ratio, 3) : "-";
-        });
-    }
-
-private:
-    /// \p cell of every curve and point, below \p what.
-    template <class Cell>
-    [[nodiscard]] std::string table(std::string what, const Cell& cell) const {
-        TextRows rows{{std::move(what)}};
-        for (const std::size_t i : points_) rows[0].push_back(shown_point(scene_, i));
-        for (const Curve& curve : results_.curves) {
-            rows.push_back({label_of(curve)});
-            for (const std::size_t i : points_) rows.back().push_back(cell(curve, i));
-        }
-        const std::size_t first = std::max(first_, shown_width(rows[0][0]));
-        for (auto& row : rows) row[0] += std::string(first - shown_width(row[0]), ' ');
-        return table_text(rows);
-    }
-
-    const Scene& scene_;
-    const Results& results_;
-    std::vector<std::size_t> points_;
-    std::size_t first_ = 28;  ///< width of the first column; that of the longest heading, or more
-};
-
-/// \p table of all points of the summary, below one another where they are wider than the page.
-template <class Table>
-std::string in_parts(const Scene& scene, const Results& results, const Table& table) {
-    const std::vector<std::size_t> points = points_of_answer(scene);
-    std::string text;
-    for (std::size_t parts = 1; parts <= points.size(); ++parts) {
-        text.clear();
-        for (std::size_t part = 0; part < parts; ++part)
-            text += (part > 0 ? "\n" : "") +
-                    table(Summary(scene, results,
-                                  {points.begin() + static_cast<std::ptrdiff_t>(part * points.size() / parts),
-                                   points.begin() + static_cast<std::ptrdiff_t>((part + 1) * points.size() / parts)}));
-        if (width_of(text) <= widest) break;
-    }
-    return text;
 }
 
 /// The tables of the summary.
@@ -308,10 +276,17 @@ std::string blocks(const Scene& scene, const Results& results) {
         if (scene.best && (quantity == stiffness || quantity == joint_stiffness || quantity == approach))
             continue;  // in it
         if (!scene.asks(quantity)) continue;
-        text += "\n" + in_parts(scene, results, [&](const Summary& summary) { return summary.block(quantity, units); });
+        text += "\n" + quantity_tables(scene, results, units, quantity);
     }
     if (!scene.needs_stiffness() || !results.answer || scene.best) return text;
-    return text + "\n" + in_parts(scene, results, [](const Summary& summary) { return summary.over_answer(); });
+    return text + "\n" + curve_tables(scene, results, "K over the answer", [&](const Curve& curve, std::size_t i) {
+               const Curve& answer = results.answer->curve;
+               const auto mine = curve.state_at(i), best = answer.state_at(i);
+               const double ratio = mine && best
+                                        ? curve.states[*mine].stiffness.value / answer.states[*best].stiffness.value
+                                        : std::numeric_limits<double>::quiet_NaN();
+               return std::isfinite(ratio) ? rounded(ratio, 3) : "-";
+           });
 }
 
 /// The answer, and each law that is named at the points of the summary.

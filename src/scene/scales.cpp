@@ -70,6 +70,32 @@ Scale scale_at(MeasureOptions options, const SurfaceInput& input, const parts::C
     return scale;
 }
 
+using ScaleRows = std::vector<std::reference_wrapper<const Scale>>;
+
+Rows rows_of(const ScaleRows& scales) {
+    const auto length = [](const std::optional<double>& cut_off) {
+        return cut_off ? shown_length(*cut_off, 4) : "none";
+    };
+    const auto parameter = [](Parameter which) { return [which](const Scale& scale) { return scale.value(which); }; };
+    std::vector<double> stiffnesses;
+    for (const Scale& scale : scales) stiffnesses.push_back(scale.stiffness.value_or(0));
+    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
+    Rows rows;
+    rows.add({.key = "lambda_s_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_s; });
+    rows.add({.key = "lambda_c_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_c; });
+    rows.add({"", "lambda_s"}, scales,
+             [&](const Scale& scale) { return length(scale.cut_offs.lambda_s) + (scale.chosen ? " *" : ""); });
+    rows.add({"", "lambda_c"}, scales, [&](const Scale& scale) { return length(scale.cut_offs.lambda_c); });
+    rows.add({"rms_height_m", "sigma [µm]", 1e6}, scales, parameter(Parameter::rms_height));
+    rows.add({"rms_gradient", "gradient"}, scales, &Scale::gradient);
+    rows.add({"peak_radius_m", "R [µm]", 1e6}, scales, parameter(Parameter::peak_radius));
+    rows.add({"peak_density_per_m2", "D_p [/mm²]", 1e-6}, scales, parameter(Parameter::peak_density));
+    rows.add({"fractal_dimension", "D"}, scales, parameter(Parameter::fractal_dimension));
+    rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, scales, &Scale::stiffness);
+    rows.add({.key = "refusal", .shown = "", .csv = false}, scales, &Scale::refusal);
+    return rows;
+}
+
 }  // namespace
 
 Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how) {
@@ -145,36 +171,6 @@ std::optional<double> Scale::value(Parameter parameter) const {
 std::optional<double> Scale::gradient() const {
     return surface && surface->found.heights ? std::optional(surface->found.rms_gradient.value) : std::nullopt;
 }
-
-namespace {
-
-using ScaleRows = std::vector<std::reference_wrapper<const Scale>>;
-
-Rows rows_of(const ScaleRows& scales) {
-    const auto length = [](const std::optional<double>& cut_off) {
-        return cut_off ? shown_length(*cut_off, 4) : "none";
-    };
-    const auto parameter = [](Parameter which) { return [which](const Scale& scale) { return scale.value(which); }; };
-    std::vector<double> stiffnesses;
-    for (const Scale& scale : scales) stiffnesses.push_back(scale.stiffness.value_or(0));
-    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
-    Rows rows;
-    rows.add({.key = "lambda_s_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_s; });
-    rows.add({.key = "lambda_c_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_c; });
-    rows.add({"", "lambda_s"}, scales,
-             [&](const Scale& scale) { return length(scale.cut_offs.lambda_s) + (scale.chosen ? " *" : ""); });
-    rows.add({"", "lambda_c"}, scales, [&](const Scale& scale) { return length(scale.cut_offs.lambda_c); });
-    rows.add({"rms_height_m", "sigma [µm]", 1e6}, scales, parameter(Parameter::rms_height));
-    rows.add({"rms_gradient", "gradient"}, scales, &Scale::gradient);
-    rows.add({"peak_radius_m", "R [µm]", 1e6}, scales, parameter(Parameter::peak_radius));
-    rows.add({"peak_density_per_m2", "D_p [/mm²]", 1e-6}, scales, parameter(Parameter::peak_density));
-    rows.add({"fractal_dimension", "D"}, scales, parameter(Parameter::fractal_dimension));
-    rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, scales, &Scale::stiffness);
-    rows.add({.key = "refusal", .shown = "", .csv = false}, scales, &Scale::refusal);
-    return rows;
-}
-
-}  // namespace
 
 Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface,
                      const Scales& scales, const ScalesOptions& how) {

@@ -29,38 +29,6 @@ Json json_of(const RoughnessTable& table) {
     return object;
 }
 
-}  // namespace
-
-void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs) {
-    document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
-    document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
-    document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
-}
-
-void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input) {
-    const std::vector<std::string> decisions = input.surface.record.sentences();
-    document.json["source"] = {{"file", display_name(options.file)},
-                               {"sha256", input.sha256},
-                               {"format", io::surface_format_name(input.surface.record.format)},
-                               {"kind", input.surface.is_profile() ? "profile" : "map"},
-                               {"decisions", decisions}};
-    for (const std::string& decision : decisions) document.line("file", decision);
-}
-
-void add_grid(Document& document, const SurfaceInput& input, const parts::PreparedMap<double>& levelled) {
-    const HeightMap<double>& map = levelled.map;
-    document.json.update({{"columns", map.columns()},
-                          {"rows", map.rows()},
-                          {"dx_m", map.dx},
-                          {"dy_m", map.dy},
-                          {"missing_points", input.missing()}});
-    put_cut_offs(document.json, levelled.cut_offs);
-    document.line("map", std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
-                             shown_length(map.dx) + ", dy " + shown_length(map.dy));
-}
-
-namespace {
-
 Json json_of_option(const SurfaceOptionRow& row, const SurfaceOptions& options) {
     return row.visit(options, []<class Value>(const Value& value) -> Json {
         if constexpr (std::is_same_v<Value, Amount>)
@@ -87,21 +55,6 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
     return inputs;
 }
 
-}  // namespace
-
-void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input, const std::string& form) {
-    add_source(document, options, input);
-    document.json["inputs"] = json_inputs(options, form);
-}
-
-void add_reading(Document& document, const SurfaceInput& input, std::string_view consequence, double rms_gradient) {
-    for (std::string& warning : reading_warnings(input, consequence, rms_gradient))
-        document.warnings.push_back(std::move(warning));
-    document.doubtful = document.doubtful || !parts::is_plausible_gradient(rms_gradient);
-}
-
-namespace {
-
 /// Parameters of \p of, or of one of its neighbours.
 void put_found(Json& document, const MeasuredSurface& of, const Surface<double>& found) {
     put_cut_offs(document, found.cut_offs);
@@ -126,60 +79,6 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
         {"m0_m2", moments.m0}, {"m2", moments.m2}, {"m4_per_m2", moments.m4}, {"alpha", moments.bandwidth()}};
     document["shape_share"] = found.shape_share;
 }
-
-}  // namespace
-
-Json measured_document(const MeasuredSurface& surface) {
-    const Surface<double>& found = surface.found;
-    Json document = json_document("measure");
-    document["source"] = {{"file", surface.file},
-                          {"sha256", surface.sha256},
-                          {"kind", surface.kind},
-                          {"decisions", surface.decisions},
-                          {"warnings", surface.of_file}};
-    put_found(document, surface, found);
-    for (const Surface<double>& neighbour : found.neighbours) {
-        Json of;
-        put_found(of, surface, neighbour);
-        Json one = {{"lambda_s_m", of["lambda_s_m"]}, {"lambda_c_m", of["lambda_c_m"]},
-                    {"surface", of["surface"]},       {"widest_band", of["widest_band"]},
-                    {"moments", of["moments"]},       {"shape_share", neighbour.shape_share}};
-        if (!neighbour.why_no_density.empty()) one["no_peak_density"] = neighbour.why_no_density;
-        document["neighbours"].push_back(std::move(one));
-    }
-    if (!found.why_no_dimension.empty()) document["no_fractal_dimension"] = found.why_no_dimension;
-    if (!found.why_no_peaks.empty()) document["no_r_and_theta"] = found.why_no_peaks;
-    Json names = Json::array(), rows = Json::array();
-    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) {
-        names.push_back(parts::parameter_table[i].key);
-        Json row = Json::array();
-        for (const double one : found.correlation[i]) row.push_back(one);
-        rows.push_back(std::move(row));
-    }
-    document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};
-    Json& concerns = document["concerns"] = Json::array();
-    for (const MeasuredConcern concern : found.concerns) concerns.push_back(name_of(concern));
-    document["warnings"] = surface.warnings;
-    return document;
-}
-
-RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c) {
-    if (surface.parts.empty())
-        return about_file(surface.file, [&] {
-            const Surface<double>& found = surface.found;
-            return found.profile ? roughness_table(*found.profile, lambda_c) : roughness_table(*found.map);
-        });
-    const auto tables = [&](const CutOff<double>& of) {
-        std::vector<RoughnessTable> all;
-        for (const MeasuredSurface& part : surface.parts) all.push_back(roughness_of(part, of));
-        return all;
-    };
-    const std::vector<RoughnessTable> by_table = tables(lambda_c);
-    const CutOff<double> shared = parts::shared_cut_off(lambda_c, by_table, &parts::CutOffs<double>::lambda_c);
-    return mean_of(shared.automatic() ? by_table : tables(shared));
-}
-
-namespace {
 
 Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
@@ -258,6 +157,91 @@ void add_surface(Document& document, const SharedSurface& surface, const std::st
 }
 
 }  // namespace
+
+void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs) {
+    document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
+    document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
+    document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
+}
+
+void add_grid(Document& document, const SurfaceInput& input, const parts::PreparedMap<double>& levelled) {
+    const HeightMap<double>& map = levelled.map;
+    document.json.update({{"columns", map.columns()},
+                          {"rows", map.rows()},
+                          {"dx_m", map.dx},
+                          {"dy_m", map.dy},
+                          {"missing_points", input.missing()}});
+    put_cut_offs(document.json, levelled.cut_offs);
+    document.line("map", std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
+                             shown_length(map.dx) + ", dy " + shown_length(map.dy));
+}
+
+void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input, const std::string& form) {
+    const std::vector<std::string> decisions = input.surface.record.sentences();
+    document.json["source"] = {{"file", display_name(options.file)},
+                               {"sha256", input.sha256},
+                               {"format", io::surface_format_name(input.surface.record.format)},
+                               {"kind", input.surface.is_profile() ? "profile" : "map"},
+                               {"decisions", decisions}};
+    document.json["inputs"] = json_inputs(options, form);
+    for (const std::string& decision : decisions) document.line("file", decision);
+}
+
+void add_reading(Document& document, const SurfaceInput& input, std::string_view consequence, double rms_gradient) {
+    for (std::string& warning : reading_warnings(input, consequence, rms_gradient))
+        document.warnings.push_back(std::move(warning));
+    document.doubtful = document.doubtful || !parts::is_plausible_gradient(rms_gradient);
+}
+
+Json measured_document(const MeasuredSurface& surface) {
+    const Surface<double>& found = surface.found;
+    Json document = json_document("measure");
+    document["source"] = {{"file", surface.file},
+                          {"sha256", surface.sha256},
+                          {"kind", surface.kind},
+                          {"decisions", surface.decisions},
+                          {"warnings", surface.of_file}};
+    put_found(document, surface, found);
+    for (const Surface<double>& neighbour : found.neighbours) {
+        Json of;
+        put_found(of, surface, neighbour);
+        Json one = {{"lambda_s_m", of["lambda_s_m"]}, {"lambda_c_m", of["lambda_c_m"]},
+                    {"surface", of["surface"]},       {"widest_band", of["widest_band"]},
+                    {"moments", of["moments"]},       {"shape_share", neighbour.shape_share}};
+        if (!neighbour.why_no_density.empty()) one["no_peak_density"] = neighbour.why_no_density;
+        document["neighbours"].push_back(std::move(one));
+    }
+    if (!found.why_no_dimension.empty()) document["no_fractal_dimension"] = found.why_no_dimension;
+    if (!found.why_no_peaks.empty()) document["no_r_and_theta"] = found.why_no_peaks;
+    Json names = Json::array(), rows = Json::array();
+    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) {
+        names.push_back(parts::parameter_table[i].key);
+        Json row = Json::array();
+        for (const double one : found.correlation[i]) row.push_back(one);
+        rows.push_back(std::move(row));
+    }
+    document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};
+    Json& concerns = document["concerns"] = Json::array();
+    for (const MeasuredConcern concern : found.concerns) concerns.push_back(name_of(concern));
+    document["warnings"] = surface.warnings;
+    return document;
+}
+
+RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c) {
+    if (surface.parts.empty())
+        return about_file(surface.file, [&] {
+            const Surface<double>& found = surface.found;
+            return found.profile ? roughness_table(*found.profile, lambda_c) : roughness_table(*found.map);
+        });
+    const auto tables = [&](const CutOff<double>& of) {
+        std::vector<RoughnessTable> all;
+        for (const MeasuredSurface& part : surface.parts) all.push_back(roughness_of(part, of));
+        return all;
+    };
+    const std::vector<RoughnessTable> by_table = tables(lambda_c);
+    const CutOff<double> shared = parts::shared_cut_off(lambda_c, by_table, &parts::CutOffs<double>::lambda_c);
+    return mean_of(shared.automatic() ? by_table : tables(shared));
+}
 
 Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface) {
     Document document("measure");

@@ -14,9 +14,8 @@
 
 namespace fstiff::scene {
 
-/// Adds the file, its SHA-256 and the decisions about it.
-void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input);
-/// The same, and the options as they were given; \p form is the one that was removed.
+/// Adds the file, its SHA-256, the decisions about it, and the options as they were given; \p form is the one that was
+/// removed.
 void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input, const std::string& form);
 /// Adds lambda_s_m, lambda_c_m and the filter of lambda_c: null where there is none.
 void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs);

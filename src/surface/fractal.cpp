@@ -6,6 +6,7 @@
 #include "surface/documents.hpp"
 
 #include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 
@@ -48,11 +49,6 @@ std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit, std
         default:
             return "the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took";
     }
-}
-
-void warn_of_fit(Strings& all, const FractalOptions& options, const FractalFit<double>& fit, const std::string& where) {
-    for (const MeasuredConcern concern : concerns_of(fit))
-        all.push_back(where + sentence(concern, fit, options.surface.prefix));
 }
 
 void put_fit(Json& document, const FractalFit<double>& fit) {
@@ -143,76 +139,6 @@ std::string note_of(const FractalFit<double>& fit) {
            ", G = " + shortest(fit.fractal.roughness) + " m +- " + rounded(fit.roughness_error, 2) + " m";
 }
 
-}  // namespace
-
-parts::FractalFitOptions<double> fit_options(const FractalOptions& options) {
-    parts::FractalFitOptions<double> how;
-    const SurfaceOptions& surface = options.surface;
-    if (!surface.window.empty()) how.window = parse_window(surface.window, surface.name("window"));
-    how.convention = options.convention;
-    how.seed = options.seed;
-    how.resamples = options.resamples;
-    const Instrument instrument = instrument_of(surface);
-    how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
-    return how;
-}
-
-ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input) {
-    parts::FractalFitOptions<double> how = fit_options(options);
-    how.progress = options.progress;
-    ProfileFractal result;
-    result.levelled = level_profile(options.surface, input);
-    const Profile<double>& profile = result.levelled.profile;
-    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
-    result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
-    result.no_spectrum = parts::fit_or_reason(result.spectrum, [&] {
-        const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
-        std::optional<parts::WavelengthWindow<double>> window;  // without the waves below lambda_s
-        if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
-            window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
-        const parts::SpectralFit<double> fit = parts::fit_spectrum(spectrum, window);
-        require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
-                "between 1 and 2: over these wavelengths the profile is not self-affine");
-        return fit;
-    });
-    result.no_moments = parts::fit_or_reason(result.moments, [&] { return parts::spectral_moments(profile); });
-    result.no_peaks = parts::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
-    result.structure = options.all_lags ? parts::structure_function_at_all_lags(result.levelled.of_structure())
-                                        : result.fit.structure_function;
-    return result;
-}
-
-MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input) {
-    if (options.all_lags)
-        throw option_error(options.surface.name("all_lags") + " is for profiles; must not be given for a map");
-    parts::FractalFitOptions<double> how = fit_options(options);
-    how.progress = options.progress;
-    MapFractal result;
-    result.levelled = level_map_of(options.surface, input);
-    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
-    about_file(options.surface.file, [&] {
-        result.fit = parts::fit_directions<double>(result.levelled, how);
-        if (!result.fit.x && !result.fit.y)
-            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.why_no_fit_x +
-                               "; along y: " + result.fit.why_no_fit_y);
-    });
-    return result;
-}
-
-Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s, const std::string& direction) {
-    const auto used = [&](double lag) { return lag >= fit.window.from && lag <= fit.window.to; };
-    Rows rows;
-    if (!direction.empty()) rows.repeat({.key = "direction", .json = false}, direction, s.size());
-    rows.add({"lag_m", "lag [µm]", 1e6}, s.lag);
-    rows.add({"value_m2", "S [µm²]", 1e12}, s.value);
-    rows.add({"pairs", "pairs"}, s.pairs);
-    rows.add({.key = "in_window", .json = false}, s.lag, [&](double lag) { return used(lag) ? 1 : 0; });
-    rows.add({"", "window"}, s.lag, [&](double lag) { return used(lag) ? "*" : ""; });
-    return rows;
-}
-
-namespace {
-
 Strings warnings_of(const FractalOptions& options, const ProfileFractal& result) {
     Strings all;
     for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
@@ -225,8 +151,11 @@ Strings warnings_of(const FractalOptions& options, const ProfileFractal& result)
 
 Strings warnings_of(const FractalOptions& options, const parts::DirectionalFit<double>& fit) {
     Strings all;
-    if (fit.x) warn_of_fit(all, options, *fit.x, "along x: ");
-    if (fit.y) warn_of_fit(all, options, *fit.y, "along y: ");
+    for (const auto* along : {&fit.x, &fit.y})
+        if (*along)
+            for (const MeasuredConcern concern : concerns_of(**along))
+                all.push_back((along == &fit.x ? "along x: " : "along y: ") +
+                              sentence(concern, **along, options.surface.prefix));
     if (!fit.x) all.push_back("along x: no fit: " + fit.why_no_fit_x);
     if (!fit.y) all.push_back("along y: no fit: " + fit.why_no_fit_y);
     if (fit.anisotropic())
@@ -333,13 +262,30 @@ Json add_direction(Document& document, const FractalOptions& options, const std:
     return values;
 }
 
+/// The fits along x and along y, one of them at least.
+parts::DirectionalFit<double> directions_of(const FractalOptions& options, const parts::PreparedMap<double>& levelled) {
+    parts::FractalFitOptions<double> how = fit_options(options);
+    how.progress = options.progress;
+    how.lambda_s = levelled.cut_offs.lambda_s.value_or(0);
+    return about_file(options.surface.file, [&] {
+        parts::DirectionalFit<double> fit = parts::fit_directions<double>(levelled, how);
+        if (!fit.x && !fit.y)
+            throw domain_error("no direction of the map allows a fit; along x: " + fit.why_no_fit_x +
+                               "; along y: " + fit.why_no_fit_y);
+        return fit;
+    });
+}
+
 Document of_map(const FractalOptions& options, SurfaceInput& input) {
-    const MapFractal result = fractal_of_map(options, input);
-    Document document = begun(options, input, "the map ", form_name(result.levelled));
+    if (options.all_lags)
+        throw option_error(options.surface.name("all_lags") + " is for profiles; must not be given for a map");
+    const parts::PreparedMap<double> levelled = level_map_of(options.surface, input);
+    const parts::DirectionalFit<double> fit = directions_of(options, levelled);
+    Document document = begun(options, input, "the map ", form_name(levelled));
     Json& json = document.json;
-    add_grid(document, input, result.levelled);
-    add_heights(document, "Sq", result.levelled, form_name(result.levelled));
-    const parts::ArealStatistics<double>& a = result.levelled.areal;
+    add_grid(document, input, levelled);
+    add_heights(document, "Sq", levelled, form_name(levelled));
+    const parts::ArealStatistics<double>& a = levelled.areal;
     document.facts("moments",
                    {{"m0_m2", a.m0},
                     {"m2", a.m2, "m2 "},
@@ -357,7 +303,6 @@ Document of_map(const FractalOptions& options, SurfaceInput& input) {
                     {"summit_curvature_per_m", a.summit_curvature, ", mean curvature ", 1e-6, " /µm\n"},
                     {"summit_height_m", a.summit_height}},
                    "areal");
-    const parts::DirectionalFit<double>& fit = result.fit;
     json["x"] = add_direction(document, options, "x", fit.x, fit.why_no_fit_x);
     json["y"] = add_direction(document, options, "y", fit.y, fit.why_no_fit_y);
     json["anisotropic"] = fit.anisotropic();
@@ -371,6 +316,55 @@ Document of_map(const FractalOptions& options, SurfaceInput& input) {
 }
 
 }  // namespace
+
+parts::FractalFitOptions<double> fit_options(const FractalOptions& options) {
+    parts::FractalFitOptions<double> how;
+    const SurfaceOptions& surface = options.surface;
+    if (!surface.window.empty()) how.window = parse_window(surface.window, surface.name("window"));
+    how.convention = options.convention;
+    how.seed = options.seed;
+    how.resamples = options.resamples;
+    const Instrument instrument = instrument_of(surface);
+    how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
+    return how;
+}
+
+ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input) {
+    parts::FractalFitOptions<double> how = fit_options(options);
+    how.progress = options.progress;
+    ProfileFractal result;
+    result.levelled = level_profile(options.surface, input);
+    const Profile<double>& profile = result.levelled.profile;
+    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
+    result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
+    result.no_spectrum = parts::fit_or_reason(result.spectrum, [&] {
+        const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
+        std::optional<parts::WavelengthWindow<double>> window;  // without the waves below lambda_s
+        if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
+            window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
+        const parts::SpectralFit<double> fit = parts::fit_spectrum(spectrum, window);
+        require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
+                "between 1 and 2: over these wavelengths the profile is not self-affine");
+        return fit;
+    });
+    result.no_moments = parts::fit_or_reason(result.moments, [&] { return parts::spectral_moments(profile); });
+    result.no_peaks = parts::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
+    result.structure = options.all_lags ? parts::structure_function_at_all_lags(result.levelled.of_structure())
+                                        : result.fit.structure_function;
+    return result;
+}
+
+Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s, const std::string& direction) {
+    const auto used = [&](double lag) { return lag >= fit.window.from && lag <= fit.window.to; };
+    Rows rows;
+    if (!direction.empty()) rows.repeat({.key = "direction", .json = false}, direction, s.size());
+    rows.add({"lag_m", "lag [µm]", 1e6}, s.lag);
+    rows.add({"value_m2", "S [µm²]", 1e12}, s.value);
+    rows.add({"pairs", "pairs"}, s.pairs);
+    rows.add({.key = "in_window", .json = false}, s.lag, [&](double lag) { return used(lag) ? 1 : 0; });
+    rows.add({"", "window"}, s.lag, [&](double lag) { return used(lag) ? "*" : ""; });
+    return rows;
+}
 
 Document document_of(const FractalOptions& options, std::optional<SurfaceInput> given) {
     (void)fit_options(options);  // their errors are reported before the file is read

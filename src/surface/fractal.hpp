@@ -6,7 +6,6 @@
 #include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
-#include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
@@ -52,18 +51,11 @@ struct ProfileFractal {
     StructureFunction<double> structure;  ///< that is shown
 };
 
-struct MapFractal {
-    parts::PreparedMap<double> levelled;
-    parts::DirectionalFit<double> fit;
-};
-
 /// \throws domain_error for a window, a tip radius or a resolution that is not a length.
 [[nodiscard]] parts::FractalFitOptions<double> fit_options(const FractalOptions& options);
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
 [[nodiscard]] ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input);
-/// The same of a map, whose heights \p input gives up.
-[[nodiscard]] MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input);
 
 /// The structure function \p s; \p direction of a map, else empty.
 [[nodiscard]] Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,

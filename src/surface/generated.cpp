@@ -91,6 +91,17 @@ Generated self_affine(const GenerateRequest& request, const WaveRange& waves) {
     return made;
 }
 
+Json arrays_of(const io::ProfileOrMap& surface) {
+    if (const auto* profile = std::get_if<Profile<double>>(&surface))
+        return {{"heights_m", profile->heights}, {"columns", profile->size()}, {"rows", 1}, {"dx_m", profile->spacing}};
+    const auto& map = std::get<HeightMap<double>>(surface);
+    return {{"heights_m", std::vector<double>(map.heights.data(), map.heights.data() + map.size())},
+            {"columns", map.columns()},
+            {"rows", map.rows()},
+            {"dx_m", map.dx},
+            {"dy_m", map.dy}};
+}
+
 }  // namespace
 
 std::string Generated::origin() const {
@@ -130,21 +141,6 @@ std::string file_of(const Generated& generated, GeneratedForm form) {
         generated.surface);
     return std::move(stream).str();
 }
-
-namespace {
-
-Json arrays_of(const io::ProfileOrMap& surface) {
-    if (const auto* profile = std::get_if<Profile<double>>(&surface))
-        return {{"heights_m", profile->heights}, {"columns", profile->size()}, {"rows", 1}, {"dx_m", profile->spacing}};
-    const auto& map = std::get<HeightMap<double>>(surface);
-    return {{"heights_m", std::vector<double>(map.heights.data(), map.heights.data() + map.size())},
-            {"columns", map.columns()},
-            {"rows", map.rows()},
-            {"dx_m", map.dx},
-            {"dy_m", map.dy}};
-}
-
-}  // namespace
 
 Document document_of(const GenerateRequest& request) {
     const auto generated = std::make_shared<const Generated>(generate(request));

@@ -10,7 +10,9 @@
 
 namespace fstiff::scene {
 
-IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) {
+namespace {
+
+RepresentativeIslands<double> islands_of(const IslandsRequest& options, const HeightMap<double>& map) {
     IslandOptions<double> how;
     how.connectivity = options.neighbours == 4 ? parts::Connectivity::four : parts::Connectivity::eight;
     how.border = options.border;
@@ -19,15 +21,8 @@ IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) 
     how.quantiles = options.levels;
     parts::IslandSpread spread = options.spread;
     how.progress = spread.progress = options.progress;
-    IslandsOfMap result;
-    result.levelled = level_map_of(options.surface, input);
-    result.levelled.unfiltered.reset();  // islands are those of the filtered map
-    result.islands =
-        about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
-    return result;
+    return about_file(options.surface.file, [&] { return representative_islands(map, how, spread); });
 }
-
-namespace {
 
 /// The curve, a level a row.
 Rows rows_of(const RepresentativeIslands<double>& islands) {
@@ -80,7 +75,9 @@ void add_pair(Document& document, const IslandsRequest& options, const Represent
 
 Document document_of(const IslandsRequest& options, std::optional<SurfaceInput> given) {
     SurfaceInput input = input_of(options.surface, std::move(given));
-    const auto [levelled, r] = islands_of_map(options, input);
+    parts::PreparedMap<double> levelled = level_map_of(options.surface, input);
+    levelled.unfiltered.reset();  // islands are those of the filtered map
+    const RepresentativeIslands<double> r = islands_of(options, levelled.map);
     Document document("islands");
     document.title("islands of " + shown_name(options.surface.file));
     add_source(document, options.surface, input, form_name(levelled));

@@ -51,14 +51,8 @@ struct IslandsRequest {
     }
 };
 
-struct IslandsOfMap {
-    parts::PreparedMap<double> levelled;
-    RepresentativeIslands<double> islands;
-};
-
-/// \throws domain_error in one sentence with the name of the file; \p input gives up its heights.
-[[nodiscard]] IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input);
-/// The document of fstiff measure --show islands for \p input, or for the file that \p options name. \throws as above.
+/// The document of fstiff measure --show islands for \p input, or for the file that \p options name.
+/// \throws domain_error in one sentence with the name of the file.
 [[nodiscard]] Document document_of(const IslandsRequest& options, std::optional<SurfaceInput> input = {});
 
 }  // namespace fstiff::scene

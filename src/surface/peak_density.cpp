@@ -65,27 +65,6 @@ PeakDensity of_numbers(const PeakDensityRequest& request) {
     return {PeakDistribution<double>(*request.r, theta), "r, theta", {}};
 }
 
-}  // namespace
-
-PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input) {
-    const auto name = [&](std::string_view key) { return option_name(request.surface.prefix, key); };
-    std::vector<double> heights;
-    if (!request.heights.empty()) heights = heights_of(request.heights, name("heights"));
-    const bool angles = request.r || !request.theta.empty() || request.exponential;
-    const bool correlations = request.rho1 || request.rho2;
-    const bool measured = input || !request.surface.file.empty();
-    if (int(angles) + int(correlations) + int(measured) != 1)
-        throw option_error("give one of " + name("r") + " and " + name("theta") + ", " + name("theta") + " and " +
-                           name("exponential") + ", " + name("rho1") + " and " + name("rho2") + ", " +
-                           std::string(request.profile));
-    if (measured && !input) input = read_surface_input(request.surface);
-    PeakDensity found = measured ? of_profile(request.surface, std::move(*input)) : of_numbers(request);
-    found.heights = std::move(heights);
-    return found;
-}
-
-namespace {
-
 /// The profile that the density is of.
 void add_profile(Document& document, const PeakDensityRequest& request, const PeakDensity& found) {
     const parts::PreparedProfile<double>& levelled = *found.levelled;
@@ -130,6 +109,23 @@ void add_moments(Document& document, const PeakDistribution<double>& p,
 }
 
 }  // namespace
+
+PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input) {
+    const auto name = [&](std::string_view key) { return option_name(request.surface.prefix, key); };
+    std::vector<double> heights;
+    if (!request.heights.empty()) heights = heights_of(request.heights, name("heights"));
+    const bool angles = request.r || !request.theta.empty() || request.exponential;
+    const bool correlations = request.rho1 || request.rho2;
+    const bool measured = input || !request.surface.file.empty();
+    if (int(angles) + int(correlations) + int(measured) != 1)
+        throw option_error("give one of " + name("r") + " and " + name("theta") + ", " + name("theta") + " and " +
+                           name("exponential") + ", " + name("rho1") + " and " + name("rho2") + ", " +
+                           std::string(request.profile));
+    if (measured && !input) input = read_surface_input(request.surface);
+    PeakDensity found = measured ? of_profile(request.surface, std::move(*input)) : of_numbers(request);
+    found.heights = std::move(heights);
+    return found;
+}
 
 Document document_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input) {
     const PeakDensity found = peak_density_of(request, std::move(input));

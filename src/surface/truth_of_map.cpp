@@ -3,7 +3,7 @@
 
 #include <fstiff/double/surfaces.hpp>
 #include "document/file.hpp"
-#include "document/shown_unit.hpp"
+#include "surface/documents.hpp"
 
 #include <fstiff/answer/checks.hpp>
 
@@ -15,22 +15,43 @@ namespace fstiff::scene {
 namespace {
 
 template <class Test>
-std::size_t count_if(const TruthOfMap& solved, const Test& test) {
+std::size_t count(const TruthOfMap& solved, const Test& test) {
     return static_cast<std::size_t>(std::count_if(solved.at.begin(), solved.at.end(), test));
 }
 
-/// Points where all of the map is in contact, so that there is no K.
-std::size_t closed(const TruthOfMap& solved) {
-    return count_if(solved, [](const TruthPoint<double>& point) { return std::isinf(point.state.stiffness); });
+/// All of the map is in contact, so that there is no K.
+bool is_closed(const TruthPoint<double>& point) { return std::isinf(point.state.stiffness); }
+
+std::string shown_pressure(double pressure) { return unit_of_pressure(pressure)(pressure, 3); }
+
+/// The first pressure at which a contact carries more than its hardness; null where none does.
+const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
+    if (!(solved.flows_above > 0)) return nullptr;
+    const auto found = std::find_if(solved.at.begin(), solved.at.end(), [&](const TruthPoint<double>& point) {
+        return point.state.max_pressure > solved.flows_above;
+    });
+    return found == solved.at.end() ? nullptr : &*found;
 }
 
-/// Points that the grid does not resolve: K changes by more than a fifth from the grid half as fine.
-std::size_t unresolved(const TruthOfMap& solved) {
-    return count_if(solved, [](const auto& point) { return point.stiffness_error > 0.2 * point.state.stiffness; });
-}
-
-std::size_t not_converged(const TruthOfMap& solved) {
-    return count_if(solved, [](const TruthPoint<double>& point) { return !point.state.converged; });
+/// Adds the doubts about K.
+void add_doubts(Document& document, const TruthOfMap& solved, const std::string& points_option) {
+    const auto doubt = [&](std::size_t points, const std::string& before, const std::string& after) {
+        if (points == 0) return;
+        document.warnings.push_back(before + std::to_string(points) + after);
+        document.doubtful = true;
+    };
+    const std::string of_all = " of " + std::to_string(solved.at.size()) + " pressures: ";
+    doubt(count(solved, is_closed), "all points of the map are in contact at ", of_all + "there is no K there");
+    doubt(count(solved, [](const auto& point) { return point.stiffness_error > 0.2 * point.state.stiffness; }),
+          "K changes by more than a fifth from the grid half as fine at ",
+          of_all + "the contacts there are a few points wide (" + points_option + ", or a finer map)");
+    doubt(count(solved, [](const auto& point) { return !point.state.converged; }), "", " solutions did not converge");
+    if (const TruthPoint<double>* most = first_flowing(solved))
+        document.warnings.push_back(
+            "elastic pressures of up to " + shown_pressure(most->state.max_pressure) +
+            " at p = " + shown_pressure(most->state.pressure) + " exceed the hardness of the softer body, " +
+            shown_pressure(solved.flows_above) +
+            ": the contacts yield, and this K does not apply to them (--hardness cuts the pressures)");
 }
 
 }  // namespace
@@ -46,13 +67,10 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     TruthOfMap solved;
     solved.file = display_name(options.surface.file);
     solved.form = form_name(map) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");
-    solved.points_option = std::string(options.surface.prefix) + "points";
     solved.modulus = options.modulus;
     solved.rms_height = map.rms;
     solved.rms_gradient = map.areal.rms_gradient;
-    solved.reading = reading_warnings(input, "truth needs them filled", solved.rms_gradient);
     solved.points = std::min<Eigen::Index>(options.points, std::max(map.map.columns(), map.map.rows()));
-    solved.edges = options.edges;
     if (!(options.hardness > 0)) solved.flows_above = options.known_hardness;
     solved.at = truth(
         map.map, solved.modulus, options.pressures,
@@ -62,47 +80,12 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
             !std::isfinite(gap_error) || !std::isfinite(state.max_pressure))
             throw domain_error(solved.file + ": a result for pressure = " + shortest(state.pressure) +
                                " is beyond the range of double precision; pressures must be less extreme");
-    if (closed(solved) == solved.at.size())
+    if (count(solved, is_closed) == solved.at.size())
         throw domain_error(solved.file + ": all points of the map are in contact" +
                            (solved.at.size() == 1 ? " at " : " at every pressure, the least of them ") +
                            shortest(*std::min_element(options.pressures.begin(), options.pressures.end())) +
                            " Pa, so that there is no K; pressures must be lower, or the effective modulus higher");
     return solved;
-}
-
-namespace {
-
-std::string shown_pressure(double pressure) { return unit_of_pressure(pressure)(pressure, 3); }
-
-/// The first pressure at which a contact carries more than its hardness; null where none does.
-const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
-    if (!(solved.flows_above > 0)) return nullptr;
-    const auto found = std::find_if(solved.at.begin(), solved.at.end(), [&](const TruthPoint<double>& point) {
-        return point.state.max_pressure > solved.flows_above;
-    });
-    return found == solved.at.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
-std::vector<std::string> warnings_of(const TruthOfMap& solved) {
-    std::vector<std::string> warnings = solved.reading;
-    if (const std::size_t points = closed(solved))
-        warnings.push_back("all points of the map are in contact at " + std::to_string(points) + " of " +
-                           std::to_string(solved.at.size()) + " pressures: there is no K there");
-    if (const std::size_t points = unresolved(solved))
-        warnings.push_back("K changes by more than a fifth from the grid half as fine at " + std::to_string(points) +
-                           " of " + std::to_string(solved.at.size()) +
-                           " pressures: the contacts there are a few points wide (" + solved.points_option +
-                           ", or a finer map)");
-    if (const std::size_t points = not_converged(solved))
-        warnings.push_back(std::to_string(points) + " solutions did not converge");
-    if (const TruthPoint<double>* most = first_flowing(solved))
-        warnings.push_back("elastic pressures of up to " + shown_pressure(most->state.max_pressure) +
-                           " at p = " + shown_pressure(most->state.pressure) +
-                           " exceed the hardness of the softer body, " + shown_pressure(solved.flows_above) +
-                           ": the contacts yield, and this K does not apply to them (--hardness cuts the pressures)");
-    return warnings;
 }
 
 Rows rows_of(const TruthOfMap& solved) {
@@ -130,24 +113,24 @@ Rows rows_of(const TruthOfMap& solved) {
 }
 
 Document document_of(const TruthRequest& options, std::optional<SurfaceInput> given) {
-    const TruthOfMap solved = truth_of_map(options, input_of(options.surface, std::move(given)));
+    const SurfaceInput input = input_of(options.surface, std::move(given));
+    const TruthOfMap solved = truth_of_map(options, input);
     Document document("truth");
     document.json.update({{"map", solved.file},
                           {"points", solved.points},
-                          {"edges", name_of(solved.edges)},
+                          {"edges", name_of(options.edges)},
                           {"effective_modulus_Pa", solved.modulus},
                           {"rms_height_m", solved.rms_height},
                           {"rms_gradient", solved.rms_gradient}});
     document.title("boundary elements of " + printable(solved.file));
     document.line("  " + std::to_string(solved.points) + " points along the longer side, edges " +
-                  std::string(name_of(solved.edges)) + ", form removed: " + solved.form);
+                  std::string(name_of(options.edges)) + ", form removed: " + solved.form);
     document.line("  sigma " + rounded(solved.rms_height * 1e6) + " µm, rms gradient " + rounded(solved.rms_gradient) +
                   ", effective modulus " + rounded(solved.modulus / 1e9) + " GPa" +
                   (options.hardness > 0 ? ", pressures cut at " + with_unit(options.hardness, "Pa") : "") + "\n");
     document.table(rows_of(solved), {.key = "rows", .as_list = true});
-    document.warnings = warnings_of(solved);
-    document.doubtful = closed(solved) + unresolved(solved) + not_converged(solved) > 0 ||
-                        !parts::is_plausible_gradient(solved.rms_gradient);
+    add_reading(document, input, "truth needs them filled", solved.rms_gradient);
+    add_doubts(document, solved, std::string(options.surface.prefix) + "points");
     return document;
 }
 

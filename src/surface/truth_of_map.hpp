@@ -37,19 +37,14 @@ struct TruthRequest {
 
 struct TruthOfMap {
     std::string file, form;
-    std::string points_option;  ///< what messages call TruthRequest::points
     double modulus = 0, rms_height = 0, rms_gradient = 0;
     Eigen::Index points = 0;  ///< along the longer side, after coarsening
-    Edges edges = Edges::mirrored;
-    double flows_above = 0;  ///< the hardness that elastic pressures may exceed [Pa]; 0: not known, or cut there
+    double flows_above = 0;   ///< the hardness that elastic pressures may exceed [Pa]; 0: not known, or cut there
     std::vector<TruthPoint<double>> at;
-    std::vector<std::string> reading;  ///< warnings of the reader
 };
 
 /// \throws domain_error in one sentence, for a profile too, and where all of the map is in contact at every pressure.
 [[nodiscard]] TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input);
-/// Doubts, in sentences.
-[[nodiscard]] std::vector<std::string> warnings_of(const TruthOfMap& solved);
 /// A pressure a row.
 [[nodiscard]] Rows rows_of(const TruthOfMap& solved);
 /// The document of fstiff truth for \p input, or for the file that \p options name. \throws as truth_of_map().

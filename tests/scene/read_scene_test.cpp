@@ -255,11 +255,11 @@ TEST_CASE("truth warns where elastic pressures exceed the hardness of the body, 
     const scene::SurfaceInput input = scene::surface_of_heights(request.surface, {map}, "made here");
     const scene::TruthOfMap flows = scene::truth_of_map(request, input);
     REQUIRE(flows.at.front().state.max_pressure > 5e8);
-    CHECK(contains(joined(scene::warnings_of(flows)), "exceed the hardness of the softer body, 500 MPa"));
+    CHECK(contains(joined(document_of(request, input).warnings), "exceed the hardness of the softer body, 500 MPa"));
     request.known_hardness = 2 * flows.at.front().state.max_pressure;
-    CHECK_FALSE(contains(joined(scene::warnings_of(scene::truth_of_map(request, input))), "exceed"));
+    CHECK_FALSE(contains(joined(document_of(request, input).warnings), "exceed"));
     request.known_hardness = request.hardness = 5e8;
-    CHECK_FALSE(contains(joined(scene::warnings_of(scene::truth_of_map(request, input))), "exceed"));
+    CHECK_FALSE(contains(joined(document_of(request, input).warnings), "exceed"));
     test::check_refused("truth - --hardness '0 Pa'", 3, {"--hardness = 0", "greater than 0"}, "1 2\n");
 }
 

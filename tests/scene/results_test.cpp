@@ -7,7 +7,7 @@
 #include "support/accuracy.hpp"
 
 #include "document/file.hpp"
-#include "scene/identification.hpp"
+#include "scene/identified.hpp"
 #include "scene/measured_curve.hpp"
 #include "scene/result_rows.hpp"
 

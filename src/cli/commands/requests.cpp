@@ -56,6 +56,47 @@ Command request_command(Arguments& command, const Add& add, Report (*answer)(con
 
 constexpr const char* profile_or_map = "profile or map, as fstiff formats lists them; - is standard input";
 
+/// What is solved, as text; the request has the numbers.
+struct TruthTexts : TruthRequest {
+    std::string scene{}, at{}, effective_modulus{}, cut{};
+};
+
+std::vector<double> pressures_of(const std::string& list) {
+    std::vector<double> pressures;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        if (list.substr(begin, end - begin).find_first_not_of("0123456789+-.eE ") == std::string::npos)
+            throw domain_error("--pressures = \"" + list +
+                               "\": every pressure needs its unit, and the point as decimal mark");
+        pressures.push_back(parse_positive(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
+        begin = end + 1;
+    }
+    return pressures;
+}
+
+TruthRequest numbers_of(const TruthTexts& texts) {
+    const Scene scene = read_scene(SceneOptions{texts.scene, ""});
+    const auto positive = [](const std::string& text, const char* name) {
+        return parse_positive(text, io::Dimension::pressure, name);
+    };
+    TruthRequest request = texts;
+    request.modulus = texts.effective_modulus.empty() ? effective_modulus(scene.upper, scene.lower)
+                                                      : positive(texts.effective_modulus, "--modulus");
+    if (texts.at.empty() && scene.at_separations)
+        throw domain_error("the scene has separations; must have contact.pressures, or --pressures must be given");
+    request.pressures = texts.at.empty() ? scene.points : pressures_of(texts.at);
+    if (!texts.cut.empty()) {
+        request.hardness = io::parse_quantity(texts.cut, io::Dimension::pressure, "--hardness");
+        require_positive("--hardness", request.hardness);
+    }
+    if (texts.effective_modulus.empty())  // else the bodies are not those of the scene
+        request.known_hardness = scene.hardness ? *scene.hardness
+                                 : scene.yield_strength
+                                     ? parts::hardness_over_yield_strength<double> * *scene.yield_strength
+                                     : 0;
+    return request;
+}
+
 }  // namespace
 
 Command add_fit(Arguments& command) {
@@ -149,51 +190,6 @@ Command add_export(Arguments& command) {
     };
     return request_command<ExportRequest>(command, add, answer, nullptr, true);
 }
-
-namespace {
-
-/// What is solved, as text; the request has the numbers.
-struct TruthTexts : TruthRequest {
-    std::string scene{}, at{}, effective_modulus{}, cut{};
-};
-
-std::vector<double> pressures_of(const std::string& list) {
-    std::vector<double> pressures;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        if (list.substr(begin, end - begin).find_first_not_of("0123456789+-.eE ") == std::string::npos)
-            throw domain_error("--pressures = \"" + list +
-                               "\": every pressure needs its unit, and the point as decimal mark");
-        pressures.push_back(parse_positive(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
-        begin = end + 1;
-    }
-    return pressures;
-}
-
-TruthRequest numbers_of(const TruthTexts& texts) {
-    const Scene scene = read_scene(SceneOptions{texts.scene, ""});
-    const auto positive = [](const std::string& text, const char* name) {
-        return parse_positive(text, io::Dimension::pressure, name);
-    };
-    TruthRequest request = texts;
-    request.modulus = texts.effective_modulus.empty() ? effective_modulus(scene.upper, scene.lower)
-                                                      : positive(texts.effective_modulus, "--modulus");
-    if (texts.at.empty() && scene.at_separations)
-        throw domain_error("the scene has separations; must have contact.pressures, or --pressures must be given");
-    request.pressures = texts.at.empty() ? scene.points : pressures_of(texts.at);
-    if (!texts.cut.empty()) {
-        request.hardness = io::parse_quantity(texts.cut, io::Dimension::pressure, "--hardness");
-        require_positive("--hardness", request.hardness);
-    }
-    if (texts.effective_modulus.empty())  // else the bodies are not those of the scene
-        request.known_hardness = scene.hardness ? *scene.hardness
-                                 : scene.yield_strength
-                                     ? parts::hardness_over_yield_strength<double> * *scene.yield_strength
-                                     : 0;
-    return request;
-}
-
-}  // namespace
 
 Command add_truth(Arguments& command) {
     const auto add = [&](auto& given) {

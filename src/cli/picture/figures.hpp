@@ -3,7 +3,7 @@
 // The pictures of analyses and of fits.
 
 #include "picture/plot.hpp"
-#include "scene/identification.hpp"
+#include "scene/identified.hpp"
 #include "scene/scales.hpp"
 #include "surface/spectrum.hpp"
 
