@@ -14,23 +14,11 @@
 namespace fstiff::scene {
 namespace {
 
-/// Measured value, model and residual are in these units.
-struct ShownValue {
-    std::string_view name, column;
-    ShownUnit unit{};
-};
-ShownValue shown_value(const MeasuredCurve& curve) {
-    if (curve.is_reflection) return {"|R|", "reflection"};
-    std::vector<double> values;
-    for (const MeasuredPoint& point : curve.points) values.push_back(point.value);
-    return {"K/A0", "stiffness_Pa_per_m", shown_unit(values, "Pa/m")};
-}
-
 Json matrix_json(const Eigen::MatrixXd& matrix) {
     Json rows = Json::array();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         Json row = Json::array();
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(Cell::finite(matrix(i, k)).json());
+        for (const double value : matrix.row(i)) row.push_back(Cell::finite(value).json());
         rows.push_back(std::move(row));
     }
     return rows;
@@ -57,13 +45,13 @@ Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p)
 
 /// Measured and fitted values at the points of \p fit.
 Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
-    const ShownValue y = shown_value(curve);
+    const Heading value = curve.is_reflection ? Heading{"reflection", "|R| measured"}
+                                              : Heading{"stiffness_Pa_per_m", "K/A0 measured [GPa/µm]", 1e-15};
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, fit.points, &MeasuredPoint::pressure);
-    rows.add({std::string(y.column), y.unit.heading(std::string(y.name) + " measured"), y.unit.factor}, fit.points,
-             &MeasuredPoint::value);
+    rows.add(value, fit.points, &MeasuredPoint::value);
     if (curve.has_errors) rows.add({"error"}, fit.points, &MeasuredPoint::error);
-    rows.add({"model", "model", y.unit.factor}, fit.found.model);
+    rows.add({"model", "model", value.factor}, fit.found.model);
     rows.add({"residual", fit.found.errors_known ? "residual [errors]" : "residual [scatter]", 1, 3},
              fit.found.residuals);
     return rows;

@@ -209,8 +209,8 @@ std::string label_of(const Curve& curve) {
            (curve.theta ? ", theta " + rounded(*curve.theta, 4) + ", r " + rounded(*curve.r, 4) : "");
 }
 
-/// \p cell of every curve at every point of the summary, below \p what: tables below one another where one is wider
-/// than the page.
+/// \p cell of every curve at every point of the summary, below \p what: in several tables where one is wider than the
+/// page.
 template <class Cell>
 std::string curve_tables(const Scene& scene, const Results& results, std::string what, const Cell& cell) {
     std::size_t first = std::max<std::size_t>(28, shown_width(what));  // columns of all blocks begin at one place

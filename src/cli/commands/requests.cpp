@@ -45,7 +45,8 @@ Command request_command(Arguments& command, const Add& add, Report (*answer)(con
     const auto given = std::make_shared<Given<Request>>();
     if constexpr (requires { given->request.prefix; }) given->request.prefix = "--";
     add(*given);
-    is_file ? add_file_option(command, given->output) : add_output_options(command, given->output);
+    given->output.format = Format::csv;  // that of a file
+    is_file ? add_output_option(command, given->output) : add_output_options(command, given->output);
     if (draws) add_picture_option(command, given->picture, draws);
     return {&given->output, [given, answer] {
                 Given<Request> own = *given;

@@ -18,12 +18,10 @@ void add_format_option(Arguments& arguments, OutputOptions& options, Format init
 
 void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
     add_format_option(arguments, options, initial);
-    add_file_option(arguments, options);
-    options.format = initial;
+    add_output_option(arguments, options);
 }
 
-void add_file_option(Arguments& arguments, OutputOptions& options) {
-    options.format = Format::csv;
+void add_output_option(Arguments& arguments, OutputOptions& options) {
     arguments.option("-o,--output", options.file,
                      {.help = "write to FILE instead of standard output, which - is", .type = "FILE"});
 }
