@@ -45,8 +45,12 @@ Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p)
 
 /// Measured and fitted values at the points of \p fit.
 Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
-    const Heading value = curve.is_reflection ? Heading{"reflection", "|R| measured"}
-                                              : Heading{"stiffness_Pa_per_m", "K/A0 measured [GPa/µm]", 1e-15};
+    std::vector<double> values;
+    for (const MeasuredPoint& point : curve.points) values.push_back(point.value);
+    const ShownUnit unit = shown_unit(values, "Pa/m");
+    const Heading value = curve.is_reflection
+                              ? Heading{"reflection", "|R| measured"}
+                              : Heading{"stiffness_Pa_per_m", unit.heading("K/A0 measured"), unit.factor};
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, fit.points, &MeasuredPoint::pressure);
     rows.add(value, fit.points, &MeasuredPoint::value);
