@@ -221,7 +221,8 @@ std::int64_t whole(const Value& value, std::string_view key, const Field& field,
     if (value.kind != Kind::whole || !range.holds(value.number)) {
         const bool is_written_so = value.kind == Kind::real && value.number == std::floor(value.number);
         refuse(value, key,
-               "must be " + range.allowed(true) + (is_written_so ? ", written without a point and an exponent" : ""));
+               "must be " + range.allowed(true) +
+                   (is_written_so ? ", written without a point and an exponent" : of_a_grid(value)));
     }
     const auto& words = field.words;
     if (!words.empty() && std::find(words.begin(), words.end(), value.written) == words.end())
