@@ -31,6 +31,8 @@ bool is_bare_zero(const std::string& text) {
 }  // namespace
 
 double parse_length(const Amount& given, std::string_view name) {
+    if (given.numbers().size() > 1)
+        throw domain_error({.parameter = name, .value = "\"" + given.text("m") + "\"", .allowed = "one length"});
     return parse_positive(given.text("m"), io::Dimension::length, name);
 }
 
