@@ -108,17 +108,17 @@ void refuse_empty(const std::vector<std::string>& words) {
 
 }  // namespace
 
-void Arguments::add(const std::string& name, const request::Field& field, const char* kind, const std::string& initial,
-                    const std::function<void(const request::Value&)>& take) {
+void Arguments::add(const std::string& name, const request::Field& field, const Target& target) {
     using request::Value;
-    const auto taken = [take](const Value& value) {
+    const auto taken = [field, key = name.substr(name.find(',') + 1), put = target.put,
+                        member = target.member](const Value& value) {
         try {
-            take(value);
+            put(value, member, key, field);
         } catch (const domain_error& error) {
             throw CLI::ValidationError(error.what());
         }
     };
-    const bool several = std::string_view(kind) == "TEXT ...", are_files = field.form == request::Form::file;
+    const bool several = std::string_view(target.kind) == "TEXT ...", are_files = field.form == request::Form::file;
     CLI::Option* option =
         several ? app_->add_option_function<std::vector<std::string>>(
                       name,
@@ -132,15 +132,16 @@ void Arguments::add(const std::string& name, const request::Field& field, const 
                       name, [taken](const std::string& text) { taken(Value::of_text(text, Value::Giver::command)); },
                       field.help);
     if (several && !are_files) option->delimiter(',');
-    std::string type(several ? "TEXT" : kind), words;
+    std::string type(several ? "TEXT" : target.kind), words;
     if (field.has_range())
         type += ":" + type + " in [" + request::Field::text_of(field.low) + " - " +
                 request::Field::text_of(field.high) + "]";
     if (!field.type.empty()) type = field.type;
-    for (const std::string_view word : field.words) words += (words.empty() ? "" : ",") + std::string(word);
+    for (const std::string_view word : target.words.empty() ? field.words : target.words)
+        words += (words.empty() ? "" : ",") + std::string(word);
     option->type_name(type + (words.empty() ? "" : ":{" + words + "}"));
     option->required(field.required);
-    if (field.shows_default) option->default_str(initial);
+    if (field.shows_default) option->default_str(target.initial);
 }
 void Arguments::flag(const std::string& name, bool& to, const std::string& help) { app_->add_flag(name, to, help); }
 

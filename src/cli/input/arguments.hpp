@@ -31,17 +31,15 @@ public:
     /// The option \p name, whose value goes to \p to; of a bool a flag.
     template <class Member>
     void option(const std::string& name, Member& to, const request::Field& field) {
-        if constexpr (std::is_same_v<Member, bool>) {
+        using request::Value;
+        if constexpr (std::is_same_v<Member, bool>)
             flag(name, to, field.help);
-        } else {
-            const std::string key = name.substr(name.find(',') + 1);
-            request::Field shown = field;
-            if constexpr (requires { parts::choices<Member>(); }) shown.words = words_of<Member>();
-            if constexpr (requires { parts::choices<typename Member::value_type>(); })
-                shown.words = words_of<typename Member::value_type>();
-            add(name, shown, kind_of(to), default_of(to),
-                [&to, key, field](const request::Value& value) { request::put(value, to, key, field); });
-        }
+        else
+            add(name, field,
+                {kind_of<Member>(), words_of<Member>(), default_of(to), &to,
+                 [](const Value& value, void* member, const std::string& key, const request::Field& of) {
+                     request::put(value, *static_cast<Member*>(member), key, of);
+                 }});
     }
     /// Every field of \p owner, which are the targets.
     template <class Owner>
@@ -50,27 +48,38 @@ public:
             option((field.positional ? "" : "--") + scene::with_dashes(key), to, field);
         });
     }
-    /// \p take is called with the value, which the help calls \p kind where \p field has no name for it.
-    void add(const std::string& name, const request::Field& field, const char* kind, const std::string& initial,
-             const std::function<void(const request::Value&)>& take);
+    /// Where the value of an option goes. One function for each type, not for each option, keeps the program small.
+    struct Target {
+        const char* kind;                     ///< how the help calls the value, unless the field has a name for it
+        std::vector<std::string_view> words;  ///< of an enum
+        std::string initial;
+        void* member;
+        void (*put)(const request::Value& value, void* member, const std::string& key, const request::Field& field);
+    };
+    void add(const std::string& name, const request::Field& field, const Target& target);
 
 private:
-    template <class Enum>
+    template <class Member>
     static std::vector<std::string_view> words_of() {
-        constexpr auto words = parts::choices<Enum>();
-        return {words.begin(), words.end()};
+        if constexpr (parts::NamedEnum<Member>) {
+            constexpr auto words = parts::choices<Member>();
+            return {words.begin(), words.end()};
+        } else if constexpr (requires(Member member) { member.has_value(); }) {
+            return words_of<typename Member::value_type>();
+        } else {
+            return {};
+        }
     }
-    static const char* kind_of(const std::vector<std::string>&) { return "TEXT ..."; }
     template <class Member>
-    static const char* kind_of(const std::optional<Member>&) {
-        return kind_of(Member{});
-    }
-    template <class Member>
-    static const char* kind_of(const Member&) {
-        return std::is_unsigned_v<Member>         ? "UINT"
-               : std::is_integral_v<Member>       ? "INT"
-               : std::is_floating_point_v<Member> ? "FLOAT"
-                                                  : "TEXT";
+    static constexpr const char* kind_of() {
+        if constexpr (requires(Member member) { member.has_value(); })
+            return kind_of<typename Member::value_type>();
+        else
+            return std::is_same_v<Member, std::vector<std::string>> ? "TEXT ..."
+                   : std::is_unsigned_v<Member>                     ? "UINT"
+                   : std::is_integral_v<Member>                     ? "INT"
+                   : std::is_floating_point_v<Member>               ? "FLOAT"
+                                                                    : "TEXT";
     }
     template <class Member>
     static std::string default_of(const Member& value) {

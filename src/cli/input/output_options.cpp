@@ -6,14 +6,20 @@ namespace fstiff::cli {
 void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
     options.format = initial;
     options.for_people = initial != Format::table;
-    request::Field field{.help = "table, csv or json; default " + std::string(name_of(initial)) +
-                                 (options.for_people ? ", and table on a terminal" : ""),
-                         .type = "FORMAT"};
-    for (const auto& [format, word] : names<Format>) field.words.push_back(word);
-    arguments.add("--format", field, "", "", [&options](const request::Value& value) {
-        request::put(value, options.format, "--format", {});
-        options.for_people = false;
-    });
+    const request::Field field{.help = "table, csv or json; default " + std::string(name_of(initial)) +
+                                       (options.for_people ? ", and table on a terminal" : ""),
+                               .type = "FORMAT"};
+    constexpr auto words = parts::choices<Format>();
+    arguments.add("--format", field,
+                  {"",
+                   {words.begin(), words.end()},
+                   "",
+                   &options,
+                   [](const request::Value& value, void* member, const std::string& key, const request::Field& of) {
+                       auto& output = *static_cast<OutputOptions*>(member);
+                       request::put(value, output.format, key, of);
+                       output.for_people = false;
+                   }});
 }
 
 void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
