@@ -52,6 +52,7 @@ WRITTEN = {  # by --update, in its order
 |---|---|
 | io |  |
 | document |  |
+| request |  |
 | instances |  |
 | surface |  |
 | scene |  |
