@@ -112,7 +112,7 @@ LAYERS = [
     ("must hold the lines <!-- folders of src -->", "docs/architecture.md", "<!-- layers -->\n<!-- /layers -->\n"),
     ("src/io may include only io", "src/io/text.hpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/io may include only io", "src/io/text.hpp", "#  include <sweep/a.hpp>\n", "src/sweep/a.hpp", ""),
-    ("src/c may include only io, document, instances, surface, scene, c", "src/c/a.cpp",
+    ("src/c may include only io, document, request, instances, surface, scene, c", "src/c/a.cpp",
      '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/cli/input may include", "src/cli/input/a.hpp", '#include "picture/a.hpp"\n', "src/cli/picture/a.hpp", ""),
     ("none.hpp is neither in src nor in src/cli", "src/io/text.hpp", '#include "io/none.hpp"\n'),
