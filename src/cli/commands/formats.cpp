@@ -68,13 +68,13 @@ constexpr bool is_complete() {
 static_assert(is_complete());
 
 Document formats() {
-    Document document("formats");
+    Document document("formats", 15);
     document.title("files that are read");
     for (const Row& row : rows) {
         document.line("\n" + std::string(row.name) + "  (" + std::string(row.endings) + ")");
-        document.line("  holds          " + std::string(row.holds));
-        document.line("  recognised by  " + std::string(row.recognised));
-        document.line("  needs          " + std::string(row.asked));
+        document.line("holds", row.holds);
+        document.line("recognised by", row.recognised);
+        document.line("needs", row.asked);
     }
     document.line(
         "\nThe first nineteen are profiles and maps, for measure, truth and run --surface. The name of a file\n"
