@@ -81,7 +81,7 @@ Solid solid_of(const std::string& name, const Numbers& numbers, const char* whic
         const parts::NamedMaterial* found = parts::find_material(name);
         if (!found) {
             std::vector<std::string_view> names;
-            for (const parts::NamedMaterial& one : parts::named_materials) names.push_back(one.name);
+            for (const parts::NamedMaterial& material : parts::named_materials) names.push_back(material.name);
             throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": must be one of " +
                                scene::list_of(names) + ", or a dict with youngs_modulus and poisson_ratio");
         }
@@ -190,10 +190,10 @@ struct Columns {
             const auto shares = parts::shares_of(point.causes);
             for (std::size_t c = 0; c < shares.size(); ++c)
                 at("causes/" + std::string(name_of(static_cast<parts::Cause>(c))), place) = shares[c];
-            for (const Derived* one : wanted) {
-                if (!(point.*one->value))
-                    throw domain_error("quantities: " + std::string(one->name) + " needs " + one->needs);
-                put(one->name, one->suffix, place, *(point.*one->value));
+            for (const Derived* derived : wanted) {
+                if (!(point.*derived->value))
+                    throw domain_error("quantities: " + std::string(derived->name) + " needs " + derived->needs);
+                put(derived->name, derived->suffix, place, *(point.*derived->value));
             }
         }
         std::vector<std::string>& names = concerns.emplace_back();

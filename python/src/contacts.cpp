@@ -180,7 +180,7 @@ std::vector<Out> batch(const In& x, const Filled& filled, const Call& call) {
             call(ArrayIn(x.data(), size), out(0), out(1));
     }
     std::vector<Out> taken;
-    for (NewArray& one : made) taken.push_back(one.take());
+    for (NewArray& array : made) taken.push_back(array.take());
     return taken;
 }
 

@@ -99,7 +99,7 @@ OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks
     if (!law.empty()) {
         of.laws = offered_laws(scene);
         std::vector<std::string_view> names;
-        for (const Law* one : of.laws) names.push_back(one->name);
+        for (const Law* law : of.laws) names.push_back(law->name);
         while (place < names.size() && names[place] != law) ++place;
         if (place == names.size())
             throw domain_error("law = \"" + law + "\": must be one of the scene's: " + list_of(names));
@@ -148,7 +148,7 @@ void add_scenes(nb::module_& m) {
         .def_prop_ro("laws",
                      [](const Scene& scene) {
                          std::vector<std::string> names;
-                         for (const Law* one : scene.laws) names.emplace_back(one->name);
+                         for (const Law* law : scene.laws) names.emplace_back(law->name);
                          return names;
                      })
         .def_prop_ro("at_separations", [](const Scene& scene) { return scene.at_separations; })

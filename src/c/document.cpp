@@ -89,9 +89,9 @@ std::vector<double> numbers_at(const Json& document, const std::string& path) {
     const std::size_t star = path.find('*');
     std::vector<double> numbers;
     bool found = false;
-    const auto take = [&](const Json* one) {
-        found = found || one;
-        const std::vector<double> more = one ? one->numbers() : std::vector{std::numeric_limits<double>::quiet_NaN()};
+    const auto take = [&](const Json* json) {
+        found = found || json;
+        const std::vector<double> more = json ? json->numbers() : std::vector{std::numeric_limits<double>::quiet_NaN()};
         numbers.insert(numbers.end(), more.begin(), more.end());
     };
     if (star == std::string::npos) take(document.at(path));

@@ -46,7 +46,7 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const std::optional<double>& ratio = answer.relative_hardness;
     const std::string number = ratio ? " (H/(E g) = " + rounded(*ratio, 2) + ")" : "";
     const bool loads = std::any_of(answer.reasons.begin(), answer.reasons.end(),
-                                   [](const AnswerReason& one) { return one.loading_stiffness.has_value(); });
+                                   [](const AnswerReason& reason) { return reason.loading_stiffness.has_value(); });
     if (is_nearly_elastic(scene, answer))
         return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves."};
     if (answer.flows)

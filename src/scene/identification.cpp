@@ -88,9 +88,9 @@ std::shared_ptr<const MapOfSurface> made_taller(MapOfSurface map, double factor)
     map.taller *= factor;
     for (Summits<double>& of : map.summits) {
         of.rms_height *= factor;
-        for (parts::Summit<double>& one : of.summits) {
-            one.height *= factor, one.max_curvature *= factor, one.min_curvature *= factor;
-            one.load_factor /= std::sqrt(factor), one.area_factor /= factor;  // R^(1/2) and R
+        for (parts::Summit<double>& summit : of.summits) {
+            summit.height *= factor, summit.max_curvature *= factor, summit.min_curvature *= factor;
+            summit.load_factor /= std::sqrt(factor), summit.area_factor /= factor;  // R^(1/2) and R
         }
     }
     return std::make_shared<const MapOfSurface>(std::move(map));
@@ -161,10 +161,12 @@ void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
     const std::optional<double> g = gradient(fitted);
     const auto shifted = [&](double parts::LawError<double>::*end) {
         std::vector<Observation<double>> data = inputs.data;
-        for (Observation<double>& one : data) {
+        for (Observation<double>& observation : data) {
             AnswerReason reason;
-            if (g) reason.p_star = parts::dimensionless_pressure(one.pressure, inputs.start.effective_modulus, *g);
-            one = scaled(one, std::exp(-wider * law_error(problem, fit.law->which, reason).*end), inputs.options.wave);
+            if (g)
+                reason.p_star = parts::dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
+            observation = scaled(observation, std::exp(-wider * law_error(problem, fit.law->which, reason).*end),
+                                 inputs.options.wave);
         }
         return found_by(problem, fit, {data, inputs.wanted, inputs.start, inputs.options});
     };

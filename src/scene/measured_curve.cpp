@@ -100,8 +100,8 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
         std::any_of(cells.begin(), cells.end(), [](auto cell) { return title_of(cell).name == "stiffness"; });
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Title title = title_of(cells[i]);
-        const auto meaning = std::find_if(meanings().begin(), meanings().end(), [&](const Meaning& one) {
-            return std::find(one.names.begin(), one.names.end(), title.name) != one.names.end();
+        const auto meaning = std::find_if(meanings().begin(), meanings().end(), [&](const Meaning& known) {
+            return std::find(known.names.begin(), known.names.end(), title.name) != known.names.end();
         });
         if (meaning == meanings().end() || i == header.r) continue;
         if (header.computed() && meaning->kind == column::error) {

@@ -116,13 +116,13 @@ std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint
     std::vector<Number> all = known_numbers(joint);
     all.push_back({"pressure", &pressure});
     std::map<std::string, double> slopes;
-    for (const Number& one : all) {
-        const double x = *one.value;
-        slopes[one.name] = difference(one, x, [&](double changed) {
-            *one.value = changed;
+    for (const Number& number : all) {
+        const double x = *number.value;
+        slopes[number.name] = difference(number, x, [&](double changed) {
+            *number.value = changed;
             return stiffness();
         });
-        *one.value = x;
+        *number.value = x;
     }
     return slopes;
 }

@@ -89,9 +89,10 @@ std::vector<std::string> surface_parts(const Scene& scene, const Results& result
         if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
         if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
     }
-    for (const Assumed& one : assumed(scene))
+    for (const Assumed& assumption : assumed(scene))
         if (!answers || !scene.face.is_open(parts::Unknown::hurst))  // else it is among what was assumed
-            parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
+            parts.push_back(std::string(assumption.symbol) + " " + rounded(assumption.value, 3) + " (" +
+                            assumption.how + ")");
     if (scene.faces.empty()) parts.emplace_back("the other face smooth");
     return parts;
 }

@@ -145,7 +145,7 @@ Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const
 
 std::vector<std::string> what_is_settled(const Scales& scales) {
     const auto about = [&](const std::vector<Scale>& rows, const std::string& name) {
-        const auto chosen = std::find_if(rows.begin(), rows.end(), [](const Scale& one) { return one.chosen; });
+        const auto chosen = std::find_if(rows.begin(), rows.end(), [](const Scale& scale) { return scale.chosen; });
         if (chosen == rows.end() || !chosen->stiffness) return "K at the chosen " + name + " is not known";
         double low = 0, high = 0;
         int known = 0;

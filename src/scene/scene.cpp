@@ -38,7 +38,7 @@ std::vector<Assumed> assumed(const Scene& scene) {
 
 std::vector<NamedFace> measured_files(const Scene& scene) {
     std::vector<NamedFace> all = named_faces(scene);
-    std::erase_if(all, [](const NamedFace& one) { return !one.measured; });
+    std::erase_if(all, [](const NamedFace& named_face) { return !named_face.measured; });
     return all;
 }
 
@@ -75,7 +75,7 @@ std::string phrase_of(const Prior& prior, const Face& face) {
 
 std::string phrase_of_hardness(const Scene& scene) {
     const auto& [low, middle, high] = *scene.hardness_range;
-    const auto name = [](const parts::NamedMaterial* one) { return std::string(one ? one->name : ""); };
+    const auto name = [](const parts::NamedMaterial* material) { return std::string(material ? material->name : ""); };
     const std::string upper = name(scene.upper_name), lower = name(scene.lower_name);
     return "hardness " + with_unit(middle, "Pa", 2) + " (" + with_unit(low, "Pa", 2) + " to " +
            with_unit(high, "Pa", 2) + "), of " +

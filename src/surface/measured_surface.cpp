@@ -264,8 +264,8 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surf
     if (found.find(Parameter::peak_density))
         lines.push_back(line(Parameter::peak_density, "/m^2",
                              profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area"));
-    const auto add = [&](const char* name, const Measurement<double>& one, const char* how) {
-        lines.push_back({name, "m", one, how, parts::is_known(one)});
+    const auto add = [&](const char* name, const Measurement<double>& measurement, const char* how) {
+        lines.push_back({name, "m", measurement, how, parts::is_known(measurement)});
     };
     if (found.max_peak_height.value > 0)
         add("max_peak_height", found.max_peak_height, "highest point; the error is a lower bound");

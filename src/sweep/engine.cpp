@@ -137,7 +137,7 @@ public:
     Threads& operator=(const Threads&) = delete;
     ~Threads() {
         queue_.stop(nullptr);
-        for (std::thread& one : all_) one.join();
+        for (std::thread& thread : all_) thread.join();
     }
 
 private:

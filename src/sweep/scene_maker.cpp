@@ -157,7 +157,7 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
                      std::any_of(grid.axes.begin(), grid.axes.end(),
                                  [](const Axis& axis) { return axis.key.starts_with("output."); });
     const auto point =
-        std::find_if(setters_.begin(), setters_.end(), [](const Setter& one) { return one.put == put_point; });
+        std::find_if(setters_.begin(), setters_.end(), [](const Setter& setter) { return setter.put == put_point; });
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
     // boundary elements take seconds a point, and another law may not be computed so
     folds_ = point != setters_.end() && first->points.size() == 1 &&

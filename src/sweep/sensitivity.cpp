@@ -62,9 +62,9 @@ public:
         for (const Key& key : order_) {
             SensitivityRow row = found_[key];
             if (row.places == 0) continue;
-            for (Sensitivity& one : row.of_inputs) {
-                one.first_order /= static_cast<double>(row.places);
-                one.rank_correlation /= static_cast<double>(row.places);
+            for (Sensitivity& sensitivity : row.of_inputs) {
+                sensitivity.first_order /= static_cast<double>(row.places);
+                sensitivity.rank_correlation /= static_cast<double>(row.places);
             }
             all.push_back(std::move(row));
         }

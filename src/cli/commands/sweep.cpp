@@ -104,10 +104,10 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
                                         : several_points ? ", point " + std::to_string(row.point + 1)
                                                          : "")};
         double rest = 1;
-        for (const sweep::Sensitivity& one : row.of_inputs) {
-            cells.push_back(parts::fixed_text(one.first_order, 3));
-            cells.push_back(parts::fixed_text(one.rank_correlation, 3));
-            rest -= one.first_order;
+        for (const sweep::Sensitivity& sensitivity : row.of_inputs) {
+            cells.push_back(parts::fixed_text(sensitivity.first_order, 3));
+            cells.push_back(parts::fixed_text(sensitivity.rank_correlation, 3));
+            rest -= sensitivity.first_order;
         }
         cells.push_back(parts::fixed_text(rest, 3));
         table.push_back(std::move(cells));

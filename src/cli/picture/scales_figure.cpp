@@ -43,7 +43,8 @@ std::vector<Panel> scales_panels(const Scales& scales) {
             return std::optional(scale.cut_offs.lambda_c.value_or(scales.length));
         })};
     const auto is_curve = [](const PlotLine& line) { return line.x.size() > 1; };
-    std::erase_if(panels, [&](const Panel& one) { return std::none_of(one.lines.begin(), one.lines.end(), is_curve); });
+    std::erase_if(panels,
+                  [&](const Panel& panel) { return std::none_of(panel.lines.begin(), panel.lines.end(), is_curve); });
     return panels;
 }
 

@@ -72,7 +72,7 @@ Layout layout_of(const sweep::Grid& grid, const std::string& file) {
             if (grid.mode == sweep::Mode::product || all.empty() || all.back().is_points())  // others go with the first
                 all.push_back({i, grid.axes[i].count(), !grid.axes[i].is_text()});
     std::stable_sort(all.begin(), all.end(), [](const Dimension& a, const Dimension& b) { return a.count > b.count; });
-    const auto x = std::find_if(all.begin(), all.end(), [](const Dimension& one) { return one.numeric; });
+    const auto x = std::find_if(all.begin(), all.end(), [](const Dimension& dimension) { return dimension.numeric; });
     if (x != all.end()) {
         layout.x = *x;
         all.erase(x);
@@ -81,8 +81,8 @@ Layout layout_of(const sweep::Grid& grid, const std::string& file) {
         layout.lines = all.front();
         all.erase(all.begin());
     }
-    layout.pools =
-        grid.samples > 1 || std::any_of(all.begin(), all.end(), [](const Dimension& one) { return !one.is_points(); });
+    layout.pools = grid.samples > 1 || std::any_of(all.begin(), all.end(),
+                                                   [](const Dimension& dimension) { return !dimension.is_points(); });
     return layout;
 }
 
