@@ -309,9 +309,9 @@ FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_r
 /* ---- What the other commands compute, as documents ---- */
 
 /** Output of a command, whose numbers can be taken out. Every function below takes its options as a text of lines
- * "key = value", which name the options of the command of that name (`fstiff spectrum --help`) without their dashes,
- * such as "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that the function
- * does not know is refused. Warnings of the result are in fstiff_last_message() afterwards. */
+ * "key = value", which name the options of the command of that name (`fstiff measure --show spectrum --help`) without
+ * their dashes, such as "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that
+ * the function does not know is refused. Warnings of the result are in fstiff_last_message() afterwards. */
 typedef struct fstiff_document fstiff_document;
 
 /** A measured curve. Where a function takes NULL in its place, an option names the file. */
@@ -324,9 +324,9 @@ typedef struct fstiff_curve {
     int is_reflection; /**< 1: the values are |R|; 0: K */
 } fstiff_curve;
 
-/** Power spectral density or autocorrelation. Options: of, taper, file and all of `fstiff spectrum` that read a
- * surface. Numbers: "psd.wavenumber_rad_per_m", "psd.psd_m3" of a profile, "psd.psd_m4" of a map, "acf.lag_m",
- * "acf.acf" ... */
+/** Power spectral density or autocorrelation. Options: of, taper, file and all of `fstiff measure --show spectrum`
+ * that read a surface. Numbers: "psd.wavenumber_rad_per_m", "psd.psd_m3" of a profile, "psd.psd_m4" of a map,
+ * "acf.lag_m", "acf.acf" ... */
 FSTIFF_API int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made);
 /** Density of peak heights and curvatures. Options: r and theta, or theta and exponential = true, or rho1 and rho2, or
  * a profile with the options that read it; heights = FROM,TO,COUNT. Numbers: "r", "theta", "mean_height",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// D and G of a measured profile or map with their errors, and the other results of fstiff fit.
+// D and G of a measured profile or map with their errors, and the other results of fstiff measure --show fit.
 
 #include "document/document.hpp"
 #include "surface/surface_file.hpp"
