@@ -67,11 +67,13 @@ Measured read_from(Source& source, const Section& surface, const ProgressHook& p
     bool defaults = true;
     for (const SurfaceOptionRow& row : surface_option_table())
         if (const toml::node* node = surface.find(row.key)) {
-            row.visit(options.input,
-                      [&](auto& to) { source.read(*node, surface.key(row.key), to, row.field_for(SurfaceKind::any)); });
+            row.visit(options.input, [&](auto& to) {
+                source.read(*node, surface.key(row.key), to, row.field_for(SurfaceKind::any));
+                if constexpr (std::is_same_v<decltype(to), std::string&>)
+                    if (row.more.form == request::Form::file) to = beside_scene(source, to);
+            });
             defaults = false;
         }
-    if (surface.find("mask")) options.input.mask = beside_scene(source, options.input.mask);
     return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
 }
 

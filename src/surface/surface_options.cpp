@@ -10,7 +10,15 @@
 namespace fstiff::scene {
 namespace {
 
-/// The parts of \p text between its commas.
+/// Whether \p text is 0 without a unit.
+bool is_bare_zero(const std::string& text) {
+    const auto first = text.find_first_not_of(' ');
+    return first != std::string::npos && text.find_first_not_of("0. ", first) == std::string::npos &&
+           text.find('0') != std::string::npos;
+}
+
+}  // namespace
+
 std::vector<std::string> split_at_commas(const std::string& text) {
     std::vector<std::string> parts;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -20,15 +28,6 @@ std::vector<std::string> split_at_commas(const std::string& text) {
     }
     return parts;
 }
-
-/// Whether \p text is 0 without a unit.
-bool is_bare_zero(const std::string& text) {
-    const auto first = text.find_first_not_of(' ');
-    return first != std::string::npos && text.find_first_not_of("0. ", first) == std::string::npos &&
-           text.find('0') != std::string::npos;
-}
-
-}  // namespace
 
 double parse_length(const Amount& given, std::string_view name) {
     if (given.numbers().size() > 1)

@@ -58,6 +58,8 @@ struct SurfaceOptions {
 /// SurfaceOptions::detrend of a profile in addition to the forms: the line, then the filter of ISO 16610-21.
 inline constexpr std::string_view gaussian_form = "gaussian";
 
+/// The parts of \p text between its commas.
+[[nodiscard]] std::vector<std::string> split_at_commas(const std::string& text);
 /// One length greater than 0 [m], of the option called \p name in messages. \throws domain_error, which quotes it.
 [[nodiscard]] double parse_length(const Amount& given, std::string_view name);
 /// Two lengths greater than 0, the first the shorter.

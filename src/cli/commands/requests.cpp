@@ -64,13 +64,11 @@ struct TruthTexts : TruthRequest {
 
 std::vector<double> pressures_of(const std::string& list) {
     std::vector<double> pressures;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        if (list.substr(begin, end - begin).find_first_not_of("0123456789+-.eE ") == std::string::npos)
+    for (const std::string& part : split_at_commas(list)) {
+        if (part.find_first_not_of("0123456789+-.eE ") == std::string::npos)
             throw domain_error("--pressures = \"" + list +
                                "\": every pressure needs its unit, and the point as decimal mark");
-        pressures.push_back(parse_positive(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
-        begin = end + 1;
+        pressures.push_back(parse_positive(part, io::Dimension::pressure, "--pressures"));
     }
     return pressures;
 }
