@@ -100,7 +100,7 @@ def axes(ax: Axes | None) -> Axes:
     try:
         import matplotlib.pyplot
     except ImportError as error:
-        raise ImportError("plot() needs matplotlib; pip install matplotlib") from error
+        raise ImportError("pictures need matplotlib: pip install 'fstiff[plot]'") from error
     made: Axes = matplotlib.pyplot.subplots()[1]
     return made
 
