@@ -7,6 +7,7 @@
 #include "scene/one_contact.hpp"
 #include "scene/reflections.hpp"
 #include "scene/result_rows.hpp"
+#include "surface/documents.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -84,12 +85,35 @@ nb::dict run(const Scene& scene) {
     all["bands"] = bands;
     all["curves"] = curves;
     all["warnings"] = results.warnings;
+    nb::list lines;
+    for (const InputLine& line : input_lines(scene, results)) lines.append(nb::make_tuple(line.label, line.parts));
+    all["input_lines"] = lines;
+    nb::list checks;
+    const auto add_checks = [&](const std::string& of, const std::vector<parts::Check<double>>& made) {
+        for (const auto& check : made)
+            checks.append(nb::make_tuple(of, std::string(name_of(check.concern)), check.least, check.greatest,
+                                         check.limit, check.holds()));
+    };
+    add_checks("surface", results.surface_checks);
+    for (const Curve& curve : results.curves) add_checks(title(curve), curve.checks);
+    all["checks"] = checks;
     all["answer_table"] = results.answer ? answer_table(scene, results) : TextRows();
     all["document"] = run_document(scene, results).str();
     all["best"] = scene.best;
     all["effective_modulus"] = results.modulus;
     all["doubtful"] = results.doubtful;
     return all;
+}
+
+/// Every measured face: its name, and the document of fstiff measure.
+nb::list measured_of(const Scene& scene) {
+    nb::list faces;
+    for (const auto& [name, face, file] : measured_files(scene))
+        for (const auto& surface : scene.measured)
+            if (surface.get() == file)
+                faces.append(
+                    nb::make_tuple(std::string(name), found(document_of(scene::MeasureOptions(), surface), surface)));
+    return faces;
 }
 
 OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks) {
@@ -143,6 +167,8 @@ void add_scenes(nb::module_& m) {
                     nb::arg("measured").none())
         .def_static("of_file", &scene_of_file, nb::arg("file"), nb::arg("surface"), nb::arg("measured").none())
         .def("run", &run)
+        .def("finer", [](const Scene& scene) { return with_finer_points(scene); })
+        .def("measured", &measured_of)
         .def("contact", &contact, nb::arg("law"), nb::arg("peaks"))
         .def_prop_ro("name", [](const Scene& scene) { return scene.name; })
         .def_prop_ro("laws",

@@ -2,6 +2,7 @@
 // Measured surfaces, from files and from arrays, and what is found of them: the JSON documents of the command.
 #include "given.hpp"
 
+#include "scene/scales.hpp"
 #include "surface/documents.hpp"
 #include "surface/fractal.hpp"
 #include "surface/generated.hpp"
@@ -98,6 +99,63 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
     return found(document_of(how, surface), surface);
 }
 
+/// Heights, dx and dy (0 of a profile).
+nb::tuple arrays_of(const Profile<double>& profile) {
+    return nb::make_tuple(NewArray(profile.heights).take(), profile.spacing, 0.);
+}
+nb::tuple arrays_of(const HeightMap<double>& map) {
+    const std::size_t rows = static_cast<std::size_t>(map.rows()), columns = static_cast<std::size_t>(map.columns());
+    return nb::make_tuple(NewArray({map.heights.data(), rows * columns}, {rows, columns}).take(), map.dx, map.dy);
+}
+nb::tuple arrays_of(const io::ProfileOrMap& surface) {
+    return std::visit([](const auto& one) { return arrays_of(one); }, surface);
+}
+
+/// What pictures of a measured surface show: the heights without their form, the structure functions of second
+/// differences with what is fitted to them, and the islands of a map.
+nb::dict views(const MeasuredSurface& surface) {
+    nb::dict all;
+    const auto array = [](const std::vector<double>& values) { return NewArray(values).take(); };
+    const auto add_fit = [&](const char* along, const FractalFit<double>& fit) {
+        nb::dict one;
+        one["lag_m"] = array(fit.second_differences.lag), one["value_m2"] = array(fit.second_differences.value);
+        one["fitted_lag_m"] = array(fit.fitted.lag), one["fitted_value_m2"] = array(fit.fitted.value);
+        one["window_m"] = nb::make_tuple(fit.window.from, fit.window.to);
+        one["fractal_dimension"] = nb::make_tuple(fit.fractal.dimension, fit.dimension_error);
+        all[along] = one;
+    };
+    if (surface.found.profile) {
+        const Profile<double>& profile = surface.found.profile->profile;
+        all["heights"] = arrays_of(profile);
+        if (surface.found.profile_fit) add_fit("fit", *surface.found.profile_fit);
+    } else if (surface.found.map) {
+        const HeightMap<double>& map = surface.found.map->map;
+        all["heights"] = arrays_of(map);
+        if (surface.found.map_fit && surface.found.map_fit->x) add_fit("fit along x", *surface.found.map_fit->x);
+        if (surface.found.map_fit && surface.found.map_fit->y) add_fit("fit along y", *surface.found.map_fit->y);
+        if (surface.found.islands) {
+            const IslandCurve<double>& curve = surface.found.islands->curve;
+            nb::dict islands;
+            islands["bearing_area"] = array(curve.bearing_area);
+            islands["density_per_m2"] = array(curve.density), islands["radius_m"] = array(curve.radius);
+            islands["representative"] = curve.representative();
+            all["islands"] = islands;
+        }
+    }
+    return all;
+}
+
+/// The document of fstiff measure --scales, of a surface measured of \p heights or of its file.
+Found scales(const std::shared_ptr<const MeasuredSurface>& surface, const Heights& heights, double pressure,
+             double modulus) {
+    if (!surface->how) throw domain_error(surface->file + ": must be measured from one file or array");
+    const nb::gil_scoped_release free;
+    const ScalesOptions how{pressure, modulus, until_interrupted()};
+    const auto input = input_of(surface->how->input, heights);
+    return found(document_of(*surface->how, surface,
+                             scales_of(*surface, input ? *input : read_surface_input(surface->how->input), how), how));
+}
+
 /// The answer to a request about heights, or about numbers if there are none.
 template <class Request>
 Found answered(const nb::dict& options, const std::optional<Heights>& heights) {
@@ -115,15 +173,6 @@ Found truth(const nb::dict& options, const Heights& heights, const In& pressures
     values_of(options).read("hardness", request.hardness);
     const nb::gil_scoped_release free;
     return found(document_of(request, input_of(request.surface, heights)));
-}
-
-/// Heights, dx and dy (0 of a profile).
-nb::tuple arrays_of(const io::ProfileOrMap& surface) {
-    if (const auto* profile = std::get_if<Profile<double>>(&surface))
-        return nb::make_tuple(NewArray(profile->heights).take(), profile->spacing, 0.);
-    const auto& map = std::get<HeightMap<double>>(surface);
-    const std::size_t rows = static_cast<std::size_t>(map.rows()), columns = static_cast<std::size_t>(map.columns());
-    return nb::make_tuple(NewArray({map.heights.data(), rows * columns}, {rows, columns}).take(), map.dx, map.dy);
 }
 
 /// Heights, dx and dy, and how they were made.
@@ -151,7 +200,13 @@ nb::tuple read(const nb::dict& options) {
 }  // namespace
 
 void add_surfaces(nb::module_& m) {
-    nb::class_<MeasuredSurface>(m, "Measured", "What was measured, for scenes and contacts.");
+    nb::class_<MeasuredSurface>(m, "Measured", "What was measured, for scenes and contacts.")
+        .def("views", &views)
+        .def("parts", [](const std::shared_ptr<const MeasuredSurface>& surface) {  // of a pooled one
+            std::vector<std::shared_ptr<const MeasuredSurface>> parts;
+            for (const MeasuredSurface& part : surface->parts) parts.emplace_back(surface, &part);
+            return parts;
+        });
     nb::class_<Heights>(m, "Heights", "Where the heights are.")
         .def(
             "__init__",
@@ -163,6 +218,7 @@ void add_surfaces(nb::module_& m) {
         .def_ro("json", &Found::json)
         .def_ro("doubtful", &Found::doubtful)
         .def_ro("measured", &Found::measured);
+    m.def("scales", &scales, nb::arg("measured"), nb::arg("heights"), nb::arg("pressure"), nb::arg("modulus"));
     m.def("measure", &measure, nb::arg("options"), nb::arg("files"), nb::arg("contents"), nb::arg("arrays"));
     m.def("without_folders", &without_folders, nb::arg("names"));
     m.def("fit", &answered<FractalOptions>, nb::arg("options"), nb::arg("heights"));

@@ -32,6 +32,13 @@ struct Units {
 [[nodiscard]] std::string shown_point(const Scene& scene, std::size_t i);
 /// The answer for a JSON document: a row for each point, empty where nothing answers.
 [[nodiscard]] Json answer_json(const Scene& scene, const Results& results);
+/// A line of the input that the results rest on, for people: "surface", {"sigma 0.8 µm", "rms gradient 0.1"}.
+struct InputLine {
+    std::string label;
+    std::vector<std::string> parts;
+};
+/// Surface, measured files, material, contact, waves, what was assumed, and what to measure next.
+[[nodiscard]] std::vector<InputLine> input_lines(const Scene& scene, const Results& results);
 /// The document of fstiff run. The text is a summary at the points of the answer or, \p full, every point and quantity;
 /// the CSV has the rows of the answer, then those of the laws that are named.
 [[nodiscard]] Document document_of(const Scene& scene, const Results& results, bool full = false);

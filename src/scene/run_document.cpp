@@ -30,13 +30,19 @@ std::size_t width_of(const std::string& text) {
 /// Parts with commas between them, in lines of at most \p widest that begin with \p first and go on below it.
 std::string in_lines(const std::string& first, const std::vector<std::string>& parts) {
     std::string text = "  " + first + std::string(10 - first.size(), ' ');
-    std::size_t used = text.size();
+    const std::string below(text.size(), ' ');
+    if (parts.size() == 1) {  // a sentence
+        const std::vector<std::string> lines = wrapped(parts.front(), widest - below.size());
+        for (std::size_t i = 0; i < lines.size(); ++i) text += (i > 0 ? below : "") + lines[i] + "\n";
+        return text;
+    }
+    std::size_t used = below.size();
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::size_t size = shown_width(parts[i]) + 2;
         if (i > 0 && used + size > widest) {
             text.back() = '\n';
-            text += std::string(12, ' ');
-            used = 12;
+            text += below;
+            used = below.size();
         }
         text += parts[i] + (i + 1 < parts.size() ? ", " : "\n");
         used += size;
@@ -97,8 +103,8 @@ std::vector<std::string> surface_parts(const Scene& scene, const Results& result
     return parts;
 }
 
-/// The bodies, the nominal area and the waves.
-std::string bodies_text(const Scene& scene, const Results& results) {
+/// The bodies, the nominal area, the waves, what was assumed, and what to measure next.
+void add_bodies(const Scene& scene, const Results& results, std::vector<InputLine>& lines) {
     const auto pressure = [](double x) { return with_unit(x, "Pa"); };
     const auto material = [&](const Material<double>& m, const parts::NamedMaterial* name) {
         return (name ? std::string(name->name) + " " : "") + pressure(m.youngs_modulus) + ", nu " +
@@ -113,7 +119,7 @@ std::string bodies_text(const Scene& scene, const Results& results) {
     if (scene.yield_strength) parts.push_back("yield strength " + pressure(*scene.yield_strength));
     const std::string area = scene.nominal_area ? "nominal area " + rounded(*scene.nominal_area * 1e6) + " mm²" : "";
     if (scene.best && !area.empty()) parts.push_back(area);
-    std::string text = in_lines("material", parts);
+    lines.push_back({"material", parts});
     parts.clear();
     if (!scene.best && !area.empty()) parts.push_back(area);
     const auto how = interaction(scene);
@@ -126,7 +132,7 @@ std::string bodies_text(const Scene& scene, const Results& results) {
                       " over " + shown_length(how.length));
     if (results.plasticity_index && !scene.best)
         parts.push_back("plasticity index " + rounded(*results.plasticity_index, 3));
-    if (!parts.empty()) text += in_lines("contact", parts);
+    if (!parts.empty()) lines.push_back({"contact", parts});
     if (scene.ultrasound) {
         const Waves& waves = *scene.ultrasound;
         const auto pair = [](const Impedances<double>& z) {
@@ -134,45 +140,19 @@ std::string bodies_text(const Scene& scene, const Results& results) {
         };
         parts = {rounded(waves.frequency / 1e6) + " MHz", "impedances " + pair(waves.longitudinal)};
         if (waves.shear) parts.push_back("of shear waves " + pair(*waves.shear));
-        text += in_lines("waves", parts);
+        lines.push_back({"waves", parts});
     }
-    if (!scene.assumptions.empty()) text += in_lines("assumed", scene.assumptions);
-    const std::string next = scene.best ? measure_next(scene, results) : "";
-    std::string label = "  next      ";
-    for (const std::string& line : next.empty() ? std::vector<std::string>() : wrapped(next, widest - label.size())) {
-        text += label + line + "\n";
-        label.assign(label.size(), ' ');
-    }
-    return text;
+    if (!scene.assumptions.empty()) lines.push_back({"assumed", scene.assumptions});
+    if (std::string next = scene.best ? measure_next(scene, results) : ""; !next.empty())
+        lines.push_back({"next", {std::move(next)}});
 }
 
 /// The answer and what was computed of what: the lines above the curves.
 std::string introduction(const Scene& scene, const Results& results) {
     std::string text = "fstiff " FSTIFF_VERSION_TEXT ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
-    text += answered(scene, results) + in_lines("surface", surface_parts(scene, results));
-    if (!scene.faces.empty()) {
-        std::vector<std::string> parts{"of the sum of two rough faces"};
-        if (scene.face.map)
-            parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
-        text += in_lines("", parts);
-    }
-    for (const auto& [name, face, file] : measured_files(scene)) {
-        std::vector<std::string> parts;
-        const MeasuredSurface& measured = *file;
-        for (const parts::ParameterRow& row : parts::surface_parameter_table)
-            if (const auto* known = face->parameters.find(row.parameter);
-                known && (!scene.best || row.parameter == Parameter::rms_height))
-                parts.push_back(std::string(row.symbol) + " " + shown_percent(known->error / known->value));
-        parts.front() = "errors of " + parts.front();
-        parts.insert(parts.begin(), printable(measured.file) + " (" + measured.kind + ")");
-        const auto& cut_offs = measured.found.cut_offs;
-        if (cut_offs.any() && !scene.best) parts.push_back(sentence_of(cut_offs));
-        if (scene.best && cut_offs.lambda_s && !face->filtered)
-            parts.push_back("lambda_s " + shown_length(*cut_offs.lambda_s, 3));
-        if (scene.best && cut_offs.lambda_c) parts.push_back("lambda_c " + shown_length(*cut_offs.lambda_c, 3));
-        text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
-    }
-    return text + bodies_text(scene, results);
+    text += answered(scene, results);
+    for (const InputLine& line : input_lines(scene, results)) text += in_lines(line.label, line.parts);
+    return text;
 }
 
 /// Meaning of the symbols in the tables, and origin of a band.
@@ -301,6 +281,34 @@ std::string summary(const Scene& scene, const Results& results) {
 
 }  // namespace
 }  // namespace run_text
+
+std::vector<InputLine> input_lines(const Scene& scene, const Results& results) {
+    std::vector<InputLine> lines{{"surface", run_text::surface_parts(scene, results)}};
+    if (!scene.faces.empty()) {
+        lines.push_back({"", {"of the sum of two rough faces"}});
+        if (scene.face.map)
+            lines.back().parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) +
+                                         " random shifts");
+    }
+    for (const auto& [name, face, file] : measured_files(scene)) {
+        std::vector<std::string> parts;
+        const MeasuredSurface& measured = *file;
+        for (const parts::ParameterRow& row : parts::surface_parameter_table)
+            if (const auto* known = face->parameters.find(row.parameter);
+                known && (!scene.best || row.parameter == Parameter::rms_height))
+                parts.push_back(std::string(row.symbol) + " " + shown_percent(known->error / known->value));
+        parts.front() = "errors of " + parts.front();
+        parts.insert(parts.begin(), printable(measured.file) + " (" + measured.kind + ")");
+        const auto& cut_offs = measured.found.cut_offs;
+        if (cut_offs.any() && !scene.best) parts.push_back(sentence_of(cut_offs));
+        if (scene.best && cut_offs.lambda_s && !face->filtered)
+            parts.push_back("lambda_s " + shown_length(*cut_offs.lambda_s, 3));
+        if (scene.best && cut_offs.lambda_c) parts.push_back("lambda_c " + shown_length(*cut_offs.lambda_c, 3));
+        lines.push_back({scene.faces.empty() ? "measured" : std::string(name), std::move(parts)});
+    }
+    run_text::add_bodies(scene, results, lines);
+    return lines;
+}
 
 Document document_of(const Scene& given, const Results& found, bool full) {
     const auto scene = std::make_shared<const Scene>(given);
