@@ -12,6 +12,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -159,6 +160,19 @@ nb::tuple exported(const Scene& scene, const nb::dict& options) {
     return nb::make_tuple(document.file(), document.warnings, document.doubtful);
 }
 
+/// How the tables of the command call a column of \p values, with its unit, and the factor from SI.
+nb::tuple heading(const std::string& key, const In& values) {
+    for (const CurveQuantityRow& row : curve_quantities())
+        if (const Column column{row.quantity}; column.key() == key) {
+            std::vector<double> sizes;
+            for (const double value : numbers_of(values))
+                if (std::isfinite(value)) sizes.push_back(value);
+            const ShownUnit unit = shown_unit(sizes, row.unit);
+            return nb::make_tuple(unit.heading(row.symbol), unit.factor);
+        }
+    return nb::make_tuple(key, 1.);
+}
+
 }  // namespace
 
 void add_scenes(nb::module_& m) {
@@ -185,6 +199,13 @@ void add_scenes(nb::module_& m) {
     m.def("identify", &identified, nb::arg("scene"), nb::arg("options"), nb::arg("curve").none());
     m.def("ultrasound", &ultrasound, nb::arg("options"), nb::arg("curve").none());
     m.def("export", &exported, nb::arg("scene"), nb::arg("options"));
+    m.def("heading", &heading, nb::arg("key"), nb::arg("values"));
+    m.def(
+        "with_unit",
+        [](double value, const std::string& si, int digits, double error) {
+            return with_unit(value, si, digits, error);
+        },
+        nb::arg("value"), nb::arg("si"), nb::arg("digits"), nb::arg("error"));
     m.attr("builtin_scene") = std::string(builtin_scene);
 }
 

@@ -6,6 +6,8 @@
 #include "io/number.hpp"
 #include "scene/result_rows.hpp"
 
+#include <fstiff/ultrasound/propagation.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -61,7 +63,31 @@ Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
     return rows;
 }
 
-Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
+/// The fitted model from the least pressure to the greatest, at enough pressures for a smooth picture.
+Json curve_json(const Problem& problem, const Identified& identified, const Fit& fit) {
+    constexpr int steps = 40;
+    const auto [least, most] = std::minmax_element(
+        fit.points.begin(), fit.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
+    std::vector<double> pressures, loads;
+    for (int k = 0; k <= steps; ++k) {
+        const double p = least->pressure * std::pow(most->pressure / least->pressure, double(k) / steps);
+        pressures.push_back(p);
+        loads.push_back(std::max(p + fit.found.all.offset, 1e-6 * p));
+    }
+    const auto& wave = identified.found.wave;
+    std::vector<ContactPoint<double>> points = fitted_points(problem, fit, loads);
+    Rows rows;
+    rows.add({"pressure_Pa"}, pressures);
+    rows.add({wave ? "reflection" : "stiffness_Pa_per_m"}, points, [&](const ContactPoint<double>& point) {
+        const double K = point.state.stiffness.value;
+        return !point.ok() ? Cell()
+               : wave      ? Cell(reflection(wave->stiffness_ratio * K, wave->media, wave->angular_frequency))
+                           : Cell(K);
+    });
+    return rows.arrays();
+}
+
+Json fit_json(const Problem& problem, const Identified& identified, const Fit& fit) {
     const auto& found = fit.found;
     Json entry{{"law", fit.law->name}};
     if (fit.theta) entry["theta"] = *fit.theta, entry["r"] = *fit.r;
@@ -78,7 +104,9 @@ Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
         entry["covariance"] = matrix_json(found.covariance);
         entry["correlation"] = matrix_json(found.correlation);
     }
-    if (found.status != math::FitStatus::singular) rows_of(curve, fit).append_to(entry["rows"] = Json::array());
+    if (found.status == math::FitStatus::singular) return entry;
+    rows_of(identified.curve, fit).append_to(entry["rows"] = Json::array());
+    entry["curve"] = curve_json(problem, identified, fit);
     return entry;
 }
 
@@ -158,7 +186,6 @@ Rows correlation_rows(const std::vector<Parameter>& wanted, const Eigen::MatrixX
 
 void add_fit(Document& document, const Identified& identified, const Fit& fit) {
     const auto& found = fit.found;
-    document.json["fits"].push_back(fit_json(identified.curve, fit));
     document.line("\n" + title(fit) + ": " +
                   (found.status == math::FitStatus::not_converged ? "not converged"
                    : found.status == math::FitStatus::at_bound    ? "a parameter at the end of its range"
@@ -208,8 +235,11 @@ Identified identify_scene(const Scene& scene, const IdentifyRequest& request, st
 Document document_of(const Scene& scene, const Identified& identified) {
     Document document("identify", 10);
     introduce(document, scene, identified);
-    document.json["fits"] = Json::array();
     for (const Fit& fit : identified.found.fits) add_fit(document, identified, fit);
+    document.values([problem = Problem(scene), identified](Json& to) {
+        Json& fits = to["fits"] = Json::array();
+        for (const Fit& fit : identified.found.fits) fits.push_back(fit_json(problem, identified, fit));
+    });
     document.line();
     document.warnings = identified.found.warnings;
     document.doubtful = identified.found.doubtful;
