@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
 from ._contacts import numbers
-from ._results import Table, axes, frame, label_axes, shown, text_table
+from ._results import Columns, draw, frame, shown_rows, text_table
 from ._surfaces import Measurement, metres, warn_of_height
 
 if TYPE_CHECKING:
@@ -29,13 +29,14 @@ FACE = (
     "peak_radius", "peak_density", "fractal_dimension",
 )  # fmt: skip
 LENGTHS = {"height", "mean_height", "profile_spacing", "peak_radius"}
+KEYS = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
 SOLID = (
     "youngs_modulus", "poisson_ratio", "yield_strength", "hardness", "density", "velocity", "shear_velocity",
     "thermal_conductivity", "electrical_conductivity",
 )  # fmt: skip
 
 
-class Stiffness(Table["npt.NDArray[Any]"]):
+class Stiffness(Columns):
     """K of one joint or of many: a mapping from keys of `fstiff run --format json` to arrays, of the surfaces by the pressures.
 
     "pressure_Pa", "stiffness_Pa_per_m", the ends of its 90 % band "stiffness_p05_Pa_per_m" and "stiffness_p95_Pa_per_m", "law",
@@ -66,11 +67,6 @@ class Stiffness(Table["npt.NDArray[Any]"]):
         self.doubtful: npt.NDArray[np.bool_] = np.asarray(found["doubtful"], dtype=bool).reshape(surfaces)
 
     @property
-    def stiffness(self) -> Numbers:
-        """K per nominal area [Pa/m]."""
-        return self["stiffness_Pa_per_m"]
-
-    @property
     def low(self) -> Numbers:
         """The lower end of the 90 % band of K [Pa/m]."""
         return self["stiffness_p05_Pa_per_m"]
@@ -85,28 +81,16 @@ class Stiffness(Table["npt.NDArray[Any]"]):
         return frame({key: column.ravel() for key, column in self.items()})
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws K over the pressure with its band; returns the axes."""
+        """Draws K over the pressure with its band, a line for each joint; returns the axes."""
         import numpy as np
 
-        ax = axes(ax)
-        x, y = label_axes(ax, "pressure_Pa", "stiffness_Pa_per_m")
-        count = self["pressure_Pa"].shape[-1] if self["pressure_Pa"].ndim else 1
-        keys = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
-        for p, k, low, high in zip(*(np.reshape(self[key], (-1, count)) for key in keys)):
-            (line,) = ax.plot(p * x, k * y)
-            ax.fill_between(p * x, low * y, high * y, alpha=0.2, color=line.get_color(), lw=0)
-        return ax
+        count = self.pressure.shape[-1] if self.pressure.ndim else 1
+        columns = (np.reshape(self[key], (-1, count)) for key in KEYS)
+        return draw(ax, *KEYS[:2], [("", *line) for line in zip(*columns)])
 
     def __repr__(self) -> str:
-        keys = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
-        columns = [self[key].ravel() for key in keys]
-        size = columns[0].size
-        few = list(range(size)) if size <= 8 else [*range(4), *range(size - 4, size)]
-        rows = [["p [MPa]", "K [MPa/µm]", "5 %", "95 %", "law"]]
-        for i in few:
-            values = [shown(float(column[i]) * factor, 3) for column, factor in zip(columns, (1e-6, 1e-12, 1e-12, 1e-12))]
-            rows.append([*values, str(self["law"].ravel()[i]) or "-"])
-        return f"<fstiff.Stiffness: {size} points>\n{text_table(rows)}"
+        rows = shown_rows({key: self[key] for key in (*KEYS, "law")}, 3)
+        return f"<fstiff.Stiffness: {self.pressure.size} points>\n{text_table([[*rows[0][:2], '5 %', '95 %', 'law'], *rows[1:]])}"
 
 
 def _array(value: Any, name: str) -> Numbers:

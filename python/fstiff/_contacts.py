@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _core
-from ._results import Table, axes, frame, label_axes, shown, text_table
+from ._results import Columns, draw, frame, html_of, shown, shown_rows, text_table, with_unit
 from ._surfaces import Measurement, metres, warn_of_height
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ def numbers(values: npt.ArrayLike, name: str) -> Numbers:
     return np.asarray(array, dtype=np.float64, order="C")
 
 
-class Points(Table["Numbers"]):
+class Points(Columns):
     """The states of a contact: a mapping from the column names of `fstiff run --format csv` to arrays, in SI units.
 
     A point at which the model has no state is NaN in every column; `reasons` has the reason, by the index of the point.
@@ -57,59 +57,17 @@ class Points(Table["Numbers"]):
         self.reasons = reasons
         self.law = law
 
-    @property
-    def pressure(self) -> Numbers:
-        """Nominal pressure [Pa]."""
-        return self["pressure_Pa"]
-
-    @property
-    def separation(self) -> Numbers:
-        """Separation of the mean planes [m]."""
-        return self["separation_m"]
-
-    @property
-    def stiffness(self) -> Numbers:
-        """Normal stiffness K per nominal area [Pa/m]."""
-        return self["stiffness_Pa_per_m"]
-
-    @property
-    def stiffness_error(self) -> Numbers:
-        """A bound of the error of K for exact inputs [Pa/m]."""
-        return self["stiffness_error_Pa_per_m"]
-
-    @property
-    def loading_stiffness(self) -> Numbers:
-        """-dp/dd [Pa/m]."""
-        return self["loading_stiffness_Pa_per_m"]
-
-    @property
-    def real_area_fraction(self) -> Numbers:
-        """Real area of contact over the nominal area."""
-        return self["real_area_fraction"]
-
-    @property
-    def contact_density(self) -> Numbers:
-        """Number of contacts per nominal area [1/m^2]."""
-        return self["contacts_per_m2"]
-
     def to_dataframe(self) -> pd.DataFrame:
         """The columns as a data frame of pandas."""
         return frame({key: column.ravel() for key, column in self.items()})
 
     def plot(self, y: str = "stiffness_Pa_per_m", x: str = "pressure_Pa", ax: Axes | None = None) -> Axes:
         """Draws column `y` over column `x` with matplotlib; returns the axes."""
-        ax = axes(ax)
-        by_x, by_y = label_axes(ax, x, y)
-        ax.plot(self[x].ravel() * by_x, self[y].ravel() * by_y, label=self.law)
-        return ax
+        return draw(ax, x, y, [(self.law, self[x].ravel(), self[y].ravel(), None, None)])
 
     def __repr__(self) -> str:
-        columns = {key: column.ravel() for key, column in self.items()}
-        size = self.pressure.size
-        few = list(range(size)) if size <= 8 else [*range(4), *range(size - 4, size)]
-        rows = [list(columns), *([shown(float(column[i]), 6) for column in columns.values()] for i in few)]
         missing = f"\n{len(self.reasons)} points have no state: see reasons" if self.reasons else ""
-        return f"<fstiff.Points of {self.law}: {size} points>\n{text_table(rows)}{missing}"
+        return f"<fstiff.Points of {self.law}: {self.pressure.size} points>\n{text_table(shown_rows(self, 6))}{missing}"
 
 
 class Contact:
@@ -237,11 +195,21 @@ class Contact:
         law, given, interaction, _ = arguments
         return _core.sensitivity(law, given, interaction, pressure)
 
+    def plot(self, pressures: npt.ArrayLike = (1e5, 1e8), ax: Axes | None = None) -> Axes:
+        """Draws K between the least and the greatest of `pressures` [Pa]; returns the axes."""
+        import numpy as np
+
+        p = numbers(pressures, "pressures")
+        return self.at_pressures(np.geomspace(p.min(), p.max(), 61), ["stiffness"]).plot(ax=ax)
+
     def __reduce__(self) -> tuple[Callable[..., Contact], tuple[Any, ...]]:
         return self._recipe
 
     def __repr__(self) -> str:
         return f"<fstiff.Contact: {self.law} is {self._core.nature}>"
+
+    def _repr_html_(self) -> str:
+        return html_of(repr(self))
 
 
 def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurement | None) -> Contact:
@@ -360,6 +328,13 @@ class Law:
         """What the law does outside of its range."""
         return self._core.outside
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws K over the pressures of the table; returns the axes."""
+        import numpy as np
+
+        p = np.geomspace(*self.pressures, 201)[1:-1]
+        return draw(ax, "pressure_Pa", "stiffness_Pa_per_m", [("", p, self.stiffness(p), None, None)])
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Law) and self.to_text() == other.to_text()
 
@@ -370,11 +345,11 @@ class Law:
         return Law.from_text, (self.to_text(),)
 
     def __repr__(self) -> str:
-        low, high = self.pressures
-        return (
-            f"<fstiff.Law of {shown(low)} to {shown(high)} Pa, relative error {shown(self.relative_error, 2)}, "
-            f"outside: {self.outside}>"
-        )
+        low, high = (with_unit(p, "Pa") for p in self.pressures)
+        return f"<fstiff.Law of {low} to {high}, relative error {shown(self.relative_error, 2)}, outside: {self.outside}>"
+
+    def _repr_html_(self) -> str:
+        return html_of(repr(self))
 
 
 def _evaluated(

@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any, TypeVar
+
+from . import _core
 
 if TYPE_CHECKING:
     import numpy as np
@@ -14,7 +16,10 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
+    from ._values import Values
+
     Numbers = npt.NDArray[np.float64]
+    Line = tuple[str, Any, Any, Any, Any]
 
 Value = TypeVar("Value")
 
@@ -41,6 +46,62 @@ class Table(Mapping[str, Value]):
         return html_of(repr(self))
 
 
+#: The attributes of results, and their keys.
+FIELDS = {
+    "pressure": "pressure_Pa", "force": "force_N", "separation": "separation_m", "approach": "approach_m",
+    "stiffness": "stiffness_Pa_per_m", "stiffness_error": "stiffness_error_Pa_per_m", "joint_stiffness": "stiffness_N_per_m",
+    "loading_stiffness": "loading_stiffness_Pa_per_m", "tangential_stiffness": "tangential_stiffness_Pa_per_m",
+    "loss_factor": "loss_factor", "reflection": "reflection", "shear_reflection": "shear_reflection",
+    "thermal_conductance": "thermal_conductance_W_per_m2K", "electrical_conductance": "electrical_conductance_S_per_m2",
+    "real_area_fraction": "real_area_fraction", "contact_density": "contacts_per_m2", "law": "law",
+}  # fmt: skip
+
+
+class Columns(Table[Any]):
+    """A mapping from the column names of `fstiff run --format csv` to arrays in SI units; those that are there are attributes too.
+
+    What follows from K has the ends of its 90 % band: `stiffness.low`, `stiffness.high`; None where it has no band.
+    """
+
+    if TYPE_CHECKING:
+        pressure: Values  #: nominal [Pa]
+        force: Values  #: on the nominal area [N]
+        separation: Values  #: of the mean planes [m]
+        approach: Values  #: of the faces since they were seated [m]
+        stiffness: Values  #: normal stiffness K per nominal area [Pa/m]
+        stiffness_error: Values  #: a bound of the error of K for exact inputs [Pa/m]
+        joint_stiffness: Values  #: K of the nominal area [N/m]
+        loading_stiffness: Values  #: -dp/dd [Pa/m]
+        tangential_stiffness: Values  #: per nominal area [Pa/m]
+        loss_factor: Values  #: of a tangential cycle
+        reflection: Values  #: |R| of longitudinal waves
+        shear_reflection: Values  #: |R| of shear waves
+        thermal_conductance: Values  #: [W/(m^2 K)]
+        electrical_conductance: Values  #: [S/m^2]
+        real_area_fraction: Values  #: real area of contact over the nominal area
+        contact_density: Values  #: number of contacts per nominal area [1/m^2]
+        law: Any  #: the name of the law, at each point
+
+    def __getattr__(self, name: str) -> Any:
+        values = self.__dict__.get("_values", {})
+        key = FIELDS.get(name, "")
+        if key not in values:
+            raise AttributeError(f"{name}: is not a column here, which are {', '.join(values)}")
+        from ._values import Values
+
+        low, high = (values.get(band_key(key, end)) for end in ("p05", "p95"))
+        return values[key] if name == "law" else Values(values[key], low, high)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(name for name, key in FIELDS.items() if key in self)]
+
+
+def band_key(key: str, end: str) -> str:
+    """The key of an end of the band: "stiffness_p05_Pa_per_m"; a key ends with its unit."""
+    name, unit = re.fullmatch(r"(.*?)((?:_Pa_per_m|_N_per_m|_W_per_m2K|_S_per_m2)?)", key).groups()  # type: ignore[union-attr]
+    return f"{name}_{end}{unit}"
+
+
 def _same(one: Any, other: Any) -> bool:
     """Whether two values are the same, arrays by their numbers; NaN is NaN."""
     if isinstance(one, dict) and isinstance(other, dict):
@@ -57,6 +118,27 @@ def _same(one: Any, other: Any) -> bool:
 def shown(value: float, digits: int = 4) -> str:
     """A number for people; "-" where there is none."""
     return "-" if value != value else f"{value:.{digits}g}"
+
+
+def with_unit(value: float, si: str, digits: int = 4, error: float = 0.0) -> str:
+    """A quantity in the unit of its size, as the command writes it: "0.832 ± 0.08 µm"."""
+    return _core.with_unit(value, si, digits, error)
+
+
+def shown_rows(columns: Mapping[str, Any], digits: int = 4) -> list[list[str]]:
+    """The header and the rows of a table, in the units of the command; of many rows the first and the last ones."""
+    import numpy as np
+
+    rows: list[list[str]] = []
+    for key, column in columns.items():
+        values = np.ravel(column)
+        few = range(values.size) if values.size <= 8 else [*range(4), *range(values.size - 4, values.size)]
+        if values.dtype.kind == "f":
+            name, factor = heading(key, values)
+            rows.append([name, *(shown(float(values[i]) * factor, digits) for i in few)])
+        else:
+            rows.append([key, *(str(values[i]) or "-" for i in few)])
+    return [list(row) for row in zip(*rows)]
 
 
 def lines_of(warnings: list[str]) -> str:
@@ -94,39 +176,57 @@ def frame(columns: Any) -> pd.DataFrame:
     return pandas.DataFrame(columns)
 
 
+def need_matplotlib() -> None:
+    """Raises ImportError in one sentence where there is no matplotlib."""
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError as error:
+        raise ImportError("pictures need matplotlib: pip install 'fstiff[plot]'") from error
+
+
 def axes(ax: Axes | None) -> Axes:
     if ax is not None:
         return ax
-    try:
-        import matplotlib.pyplot
-    except ImportError as error:
-        raise ImportError("pictures need matplotlib: pip install 'fstiff[plot]'") from error
+    need_matplotlib()
+    import matplotlib.pyplot
+
     made: Axes = matplotlib.pyplot.subplots()[1]
     return made
 
 
-#: How the axes of a plot are called, by the keys of the columns, and the factor from SI.
-LABELS = {
-    "pressure_Pa": ("pressure [MPa]", 1e-6),
-    "separation_m": ("separation [µm]", 1e6),
-    "stiffness_Pa_per_m": ("stiffness K per area [GPa/µm]", 1e-15),
-    "loading_stiffness_Pa_per_m": ("-dp/dd [GPa/µm]", 1e-15),
-    "tangential_stiffness_Pa_per_m": ("tangential stiffness per area [GPa/µm]", 1e-15),
-    "thermal_conductance_W_per_m2K": ("thermal conductance [W/(m² K)]", 1.0),
-    "electrical_conductance_S_per_m2": ("electrical conductance [S/m²]", 1.0),
-    "real_area_fraction": ("real area over nominal area", 1.0),
-    "contacts_per_m2": ("contacts [1/mm²]", 1e-6),
-    "reflection": ("|R|", 1.0),
-    "shear_reflection": ("|R| of shear waves", 1.0),
-    "loss_factor": ("loss factor", 1.0),
-}
+def label_axes(ax: Axes, x: str, y: str, xs: Any, ys: Any) -> tuple[float, float]:
+    """Names the axes by the columns `x` and `y` of `xs` and `ys`, in the units of the command; returns the factors from SI.
 
-
-def label_axes(ax: Axes, x: str, y: str) -> tuple[float, float]:
-    """Names the axes by the columns `x` and `y`, logarithmic where their numbers cannot be negative. Returns the factors."""
-    for key, name, scale in ((x, ax.set_xlabel, ax.set_xscale), (y, ax.set_ylabel, ax.set_yscale)):
-        name(LABELS.get(key, (key, 1.0))[0])
-        if key != "separation_m" and "reflection" not in key:
+    An axis is logarithmic where its numbers cannot be negative.
+    """
+    factors = []
+    for key, values, name, scale in ((x, xs, ax.set_xlabel, ax.set_xscale), (y, ys, ax.set_ylabel, ax.set_yscale)):
+        label, factor = heading(key, values)
+        name(label)
+        factors.append(factor)
+        if "separation" not in key and "reflection" not in key and "approach" not in key:
             scale("log")
-    ax.grid(True, which="major", alpha=0.3)
-    return LABELS.get(x, (x, 1.0))[1], LABELS.get(y, (y, 1.0))[1]
+    ax.grid(True, which="major")
+    return factors[0], factors[1]
+
+
+def heading(key: str, values: Any) -> tuple[str, float]:
+    """How the tables of the command call a column, with the unit that fits `values`, and the factor from SI."""
+    import numpy as np
+
+    return _core.heading(key, np.ravel(np.asarray(values, dtype=np.float64)))
+
+
+def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
+    """Draws lines of (label, x, y, low, high), in SI, over one another; low and high are the ends of a band, or None."""
+    import numpy as np
+
+    ax = axes(ax)
+    by_x, by_y = label_axes(ax, x, y, *(np.concatenate([np.ravel(line[i]) for line in lines] or [[]]) for i in (1, 2)))
+    for label, at, values, low, high in lines:
+        (line,) = ax.plot(at * by_x, values * by_y, label=label or None)
+        if low is not None and not np.all(np.isnan(low)):
+            ax.fill_between(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=0)
+    if any(line[0] for line in lines):
+        ax.legend(fontsize="small")
+    return ax

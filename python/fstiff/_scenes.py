@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal, Union
 from . import _core
 from ._contacts import Contact
 from ._errors import named
-from ._results import Table, axes, frame, label_axes, lines_of, shown, text_table
+from ._pictures import draw_curves
+from ._results import Columns, Table, draw, frame, heading, lines_of, shown, text_table, with_unit
 from ._surfaces import Measurement, options_of
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     Given: TypeAlias = Union[str, os.PathLike[str], Mapping[str, Any], None]
 
 
-class Answer(Table["npt.NDArray[Any]"]):
+class Answer(Columns):
     """The answer of a scene: a mapping from the keys of `answer` in `fstiff run --format json` to arrays, a pressure each.
 
     "pressure_Pa", "stiffness_Pa_per_m", the ends of its 90 % band "stiffness_p05_Pa_per_m" and "stiffness_p95_Pa_per_m", "law";
@@ -47,6 +48,11 @@ class Answer(Table["npt.NDArray[Any]"]):
         keys = dict.fromkeys(key for row in self.rows for key in row if key != "causes")
         self._values = {key: np.asarray([row.get(key, np.nan) for row in self.rows]) for key in keys}
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws K over the pressure with its band at the pressures of the scene; returns the axes. Curves.plot() has more of them."""
+        k = self.stiffness
+        return draw(ax, "pressure_Pa", "stiffness_Pa_per_m", [("", self.pressure, k, k.low, k.high)])
+
     def to_dataframe(self) -> pd.DataFrame:
         """The rows as a data frame of pandas."""
         return frame(dict(self))
@@ -56,7 +62,7 @@ class Answer(Table["npt.NDArray[Any]"]):
         return f"<fstiff.Answer>\n{text_table(self._table)}" + "".join(f"\n{one}" for one in sentences)
 
 
-class Curves(Table["npt.NDArray[Any]"]):
+class Curves(Columns):
     """The curves of a scene: a mapping from the column names of `fstiff run --format csv` to arrays.
 
     The numbers are those of the CSV, digit for digit; all curves are one below the other. `law` is an array of texts. An empty
@@ -69,13 +75,14 @@ class Curves(Table["npt.NDArray[Any]"]):
     doubtful            the command would have ended with exit code 4
     """
 
-    def __init__(self, found: dict[str, Any], name: str) -> None:
+    def __init__(self, found: dict[str, Any], scene: Scene) -> None:
         import numpy as np
 
+        self._scene, self._found = scene, found
         self._values = {key: np.asarray(column) for key, column in found["columns"]}
         self._bands: dict[str, tuple[str, str]] = found["bands"]
         self._curves: list[tuple[str, float | None, float | None, int]] = found["curves"]
-        self.name = name
+        self.name = scene.name
         self.warnings: list[str] = found["warnings"]
         self.answer = Answer(json.loads(found["document"]), found["answer_table"])
         self.explanation = self.answer.explanation
@@ -96,29 +103,27 @@ class Curves(Table["npt.NDArray[Any]"]):
         """The columns as a data frame of pandas: what pandas reads of the CSV."""
         return frame(dict(self))
 
-    def plot(self, y: str = "stiffness_Pa_per_m", x: str = "pressure_Pa", ax: Axes | None = None) -> Axes:
-        """Draws column `y` of every curve over column `x`, with its band from 5 % to 95 % where it has one; returns the axes."""
-        import numpy as np
+    def smooth(self) -> Curves:
+        """The same with more pressures between those of the scene, for a picture; itself where there are enough."""
+        finer = self._scene._core.finer()
+        return self if finer.points.size == self._scene._core.points.size else Curves(finer.run(), self._scene)
 
-        ax = axes(ax)
-        by_x, by_y = label_axes(ax, x, y)
-        for title, columns in self.parts():
-            if np.all(np.isnan(columns[y])):
-                continue
-            (line,) = ax.plot(columns[x] * by_x, columns[y] * by_y, label=title)
-            low, high = (columns[key] for key in self._bands.get(y, (y, y)))
-            if y in self._bands and not np.all(np.isnan(low)):
-                ax.fill_between(columns[x] * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=0)
-        ax.legend(fontsize="small")
-        return ax
+    def plot(self, y: str = "stiffness_Pa_per_m", x: str = "pressure_Pa", ax: Axes | None = None) -> Axes:
+        """Draws column `y` of every curve over column `x`, with its band, and K of the answer; returns the axes.
+
+        The lines are those of smooth(), the marks are at the pressures of the scene. A dotted line is where the law of the answer
+        changes.
+        """
+        return draw_curves(self, self.smooth(), y, x, ax)
 
     def __repr__(self) -> str:
         key = "stiffness_Pa_per_m" if "stiffness_Pa_per_m" in self else list(self)[-1]
-        rows = [["curve", "points", "from p [Pa]", "to p [Pa]", "from " + key, "to " + key]]
+        label, factor = heading(key, self[key])
+        rows = [["curve", "points", "from", "to", f"from {label}", "to"]]
         for title, columns in self.parts():
-            p, k = columns["pressure_Pa"], columns[key]
-            ends = [shown(float(values[i])) if len(values) else "-" for values in (p, k) for i in (0, -1)]
-            rows.append([title, str(len(p)), *ends])
+            p, k = columns["pressure_Pa"], columns[key] * factor
+            ends = [with_unit(p[0], "Pa"), with_unit(p[-1], "Pa"), shown(k[0]), shown(k[-1])] if p.size else ["-"] * 4
+            rows.append([title, str(p.size), *ends])
         laws = "" if self._best else f"{text_table(rows)}\n"  # the curve of the answer is above
         return (
             f"<fstiff.Curves of {self.name}>\nanswer: {self.answer!r}\n{laws}  columns: {', '.join(self)}"
@@ -199,7 +204,7 @@ class Scene:
 
     def run(self) -> Curves:
         """Everything the scene asks for; Ctrl-C ends it."""
-        return Curves(self._core.run(), self.name)
+        return Curves(self._core.run(), self)
 
     def contact(self, law: str | None = None, peaks: int = 0) -> Contact:
         """The contact of the scene with the law called `law` (None: its first; any, of a scene that names none), on entry `peaks` of contact.peaks, from 0."""
@@ -216,10 +221,8 @@ class Scene:
     def __repr__(self) -> str:
         points = self._core.points
         what, unit = ("separations", "m") if self._core.at_separations else ("pressures", "Pa")
-        return (
-            f"<fstiff.Scene {self.name}: {', '.join(self.laws)} at {points.size} {what} of {shown(float(points[0]))} to "
-            f"{shown(float(points[-1]))} {unit}>"
-        )
+        ends = " to ".join(with_unit(float(points[i]), unit) for i in (0, -1))
+        return f"<fstiff.Scene {self.name}: {', '.join(self.laws)} at {points.size} {what} of {ends}>"
 
 
 def _scene_of(scene: Any, surface: Any) -> Scene:

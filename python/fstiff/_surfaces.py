@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Union
 
 from . import _core
 from ._errors import FileError, named
-from ._results import Table, axes, frame, lines_of, shown, text_table
+from ._pictures import draw_heights, draw_islands, draw_scales, draw_structure
+from ._results import Table, draw, frame, html_of, lines_of, shown, shown_rows, text_table, with_unit
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -159,34 +160,21 @@ class Surface:
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws the heights with matplotlib; returns the axes."""
-        import numpy as np
-
-        ax = axes(ax)
-        if self.dy is None:
-            ax.plot(np.arange(self.heights.size) * self.dx * 1e6, self.heights * 1e6, lw=0.6)
-            ax.set_ylabel("height [µm]")
-            ax.set_xlabel("x [µm]")
-        else:
-            rows, columns = self.heights.shape
-            image = ax.imshow(
-                self.heights * 1e6, extent=(0, columns * self.dx * 1e6, rows * self.dy * 1e6, 0), interpolation="nearest"
-            )
-            if ax.figure is not None:
-                ax.figure.colorbar(image, ax=ax, label="height [µm]")
-            ax.set_xlabel("x [µm]")
-            ax.set_ylabel("y [µm]")
-        return ax
+        return draw_heights(ax, self.heights, self.dx, self.dy or 0.0)
 
     def __repr__(self) -> str:
         import numpy as np
 
         missing = int(np.isnan(self.heights).sum())
         shape = (
-            f"profile of {self.heights.size} points, spacing {shown(self.dx)} m"
+            f"profile of {self.heights.size} points, spacing {with_unit(self.dx, 'm')}"
             if self.dy is None
-            else f"map of {self.heights.shape[1]} x {self.heights.shape[0]} points, dx {shown(self.dx)} m, dy {shown(self.dy)} m"
+            else f"map of {self.heights.shape[1]} x {self.heights.shape[0]} points, dx {with_unit(self.dx, 'm')}, dy {with_unit(self.dy, 'm')}"
         )
         return f"<fstiff.Surface {self.name}: {shape}{f', {missing} missing' if missing else ''}>" + lines_of(self.warnings)
+
+    def _repr_html_(self) -> str:
+        return html_of(repr(self))
 
 
 def surface_of_topography(topography: Any, name: str) -> Surface:
@@ -395,6 +383,11 @@ class Origin:
             self._measured = _measured_again(self._of)
         return self._measured
 
+    def arrays(self) -> list[Part]:
+        """What was measured, of arrays."""
+        arrays: list[Part] = (pickle.loads(self._of) if isinstance(self._of, bytes) else self._of)[-1]
+        return arrays
+
     def __deepcopy__(self, _: Any) -> Origin:
         return self  # nothing changes it
 
@@ -432,6 +425,19 @@ class Measurement(Document):
             raise AttributeError(f"{name}: is not a parameter of this surface, which has {', '.join(surface)}")
         return Parameter(surface[name]["value"], surface[name]["error"], surface[name].get("unit", ""))
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws the heights without their form; returns the axes. They are in the unit of their size."""
+        heights = self._measured.views().get("heights")
+        if heights is None:
+            raise ValueError("plot(): several surfaces were pooled; plot each by itself")
+        return draw_heights(ax, *heights)
+
+    def scales(self, *, pressure: float = 10e6, effective_modulus: float = 112.6e9) -> Scales:
+        """The parameters, and K at `pressure` [Pa], with other cut-offs by factors of two, as `fstiff measure --scales` finds them."""
+        arrays = self._origin.arrays()
+        heights = _core.Heights(*arrays[0]) if arrays else _core.Heights(None, 0.0, 0.0, "", "")
+        return Scales(_core.scales(self._measured, heights, pressure, effective_modulus))
+
     def to_dataframe(self) -> pd.DataFrame:
         """The parameters of a scene's [surface] with their standard errors and SI units, a parameter a row."""
         return frame(
@@ -442,11 +448,23 @@ class Measurement(Document):
         )
 
     def __repr__(self) -> str:
-        rows = [["parameter", "value", "+-", "unit"]]
+        rows = [["parameter", "value", "found by"]]
         for name, one in self["surface"].items():
-            rows.append([name, shown(one["value"], 5), shown(one["error"], 2), one.get("unit", "")])
+            rows.append([name, with_unit(one["value"], one.get("unit", ""), 5, one["error"]), one["how"]])
         source = self["source"]
         return f"<fstiff.Measurement of {source['file']} ({source['kind']})>\n{text_table(rows)}" + lines_of(self.warnings)
+
+
+class Scales(Document):
+    """The influence of the cut-offs: the keys of the JSON of `fstiff measure --scales`."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """A pair of cut-offs a row."""
+        return frame(dict(self["scales"]))
+
+    def plot(self, ax: Axes | None = None, of: Literal["lambda_s", "lambda_c"] = "lambda_s") -> Axes:
+        """Draws K and the parameters over those with the chosen cut-offs, against one cut-off; returns the axes."""
+        return draw_scales(ax, self, of)
 
 
 class Fit(Document):
@@ -463,22 +481,16 @@ class Fit(Document):
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws the structure function; returns the axes."""
-        ax = axes(ax)
-        for name, of in (("", self),) if "structure_function" in self else (("x", self["x"]), ("y", self["y"])):
-            if "refused" not in of:
-                s = of["structure_function"]
-                ax.loglog(s["lag_m"] * 1e6, s["value_m2"] * 1e12, ".", label=name or None)
-        ax.set_xlabel("lag [µm]")
-        ax.set_ylabel("structure function [µm²]")
-        return ax
+        parts = (("", self),) if "structure_function" in self else (("x", self["x"]), ("y", self["y"]))
+        return draw_structure(ax, [(name, of["structure_function"]) for name, of in parts if "refused" not in of])
 
     def __repr__(self) -> str:
         parts = [("", self._values)] if "structure_function" in self else [(f"along {of}: ", self[of]) for of in "xy"]
         text = "".join(
             f"\n  {where}no fit: {of['refused']}"
             if "refused" in of
-            else f"\n  {where}D = {shown(of['fractal_dimension'], 5)} +- {shown(of['fractal_dimension_error'], 2)}, "
-            f"G = {shown(of['fractal_roughness_m'], 5)} m +- {shown(of['fractal_roughness_error_m'], 2)} m"
+            else f"\n  {where}D = {with_unit(of['fractal_dimension'], '', 5, of['fractal_dimension_error'])}, "
+            f"G = {with_unit(of['fractal_roughness_m'], 'm', 5, of['fractal_roughness_error_m'])}"
             for where, of in parts
         )
         return f"<fstiff.Fit of {self['source']['file']}>{text}" + lines_of(self.warnings)
@@ -492,20 +504,16 @@ class Islands(Document):
         return frame(dict(self["curve"]))
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws the density of islands over the level; returns the axes."""
-        ax = axes(ax)
-        ax.plot(self["curve"]["level_m"] * 1e6, self["curve"]["density_per_m2"] * 1e-6)
-        ax.axvline(self["representative"]["level_m"] * 1e6, lw=0.8, ls=":")
-        ax.set_xlabel("level [µm]")
-        ax.set_ylabel("islands [1/mm²]")
-        return ax
+        """Draws the density of islands over the bearing area; returns the axes."""
+        return draw_islands(ax, self["curve"], "density_per_m2")
 
     def __repr__(self) -> str:
         of = self["representative"]
-        errors = [f" +- {shown(of[key], 2)}" if key in of else "" for key in ("peak_density_error_per_m2", "peak_radius_error_m")]
+        density = with_unit(of["peak_density_per_m2"], "1/m^2", 5, of.get("peak_density_error_per_m2", 0.0))
+        radius = with_unit(of["peak_radius_m"], "m", 5, of.get("peak_radius_error_m", 0.0))
         return (
-            f"<fstiff.Islands of {self['source']['file']}>\n  D_p = {shown(of['peak_density_per_m2'], 5)}{errors[0]} 1/m^2, "
-            f"R = {shown(of['peak_radius_m'], 5)}{errors[1]} m, of {of['islands']} islands" + lines_of(self.warnings)
+            f"<fstiff.Islands of {self['source']['file']}>\n  D_p = {density}, R = {radius}, of {of['islands']} islands"
+            + lines_of(self.warnings)
         )
 
 
@@ -524,18 +532,12 @@ class Truth(Document):
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws K over the pressure, with its change from a grid half as fine; returns the axes."""
-        from ._results import label_axes
-
-        ax = axes(ax)
-        by_x, by_y = label_axes(ax, "pressure_Pa", "stiffness_Pa_per_m")
         k, error = self.column("stiffness_Pa_per_m"), self.column("stiffness_error_Pa_per_m")
-        ax.errorbar(self.column("pressure_Pa") * by_x, k * by_y, error * by_y, fmt="o", label="boundary elements")
-        return ax
+        return draw(ax, "pressure_Pa", "stiffness_Pa_per_m", [("boundary elements", self.column("pressure_Pa"), k, k - error, k + error)])
 
     def __repr__(self) -> str:
-        rows = [["p [Pa]", "K [Pa/m]", "+-", "separation [m]", "real area"]]
         keys = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_error_Pa_per_m", "separation_m", "real_area_fraction")
-        rows += [[shown(row[key], 5) for key in keys] for row in self["rows"]]
+        rows = shown_rows({key: self.column(key) for key in keys}, 5)
         return f"<fstiff.Truth of {self['map']}>\n{text_table(rows)}" + lines_of(self.warnings)
 
 

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What results draw of themselves with matplotlib, on axes of the caller or on new ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ._results import axes, draw, heading, with_unit
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ._results import Numbers, Table
+    from ._scenes import Curves
+
+
+def draw_curves(given: Curves, smooth: Curves, y: str, x: str, ax: Axes | None) -> Axes:
+    """Curves.plot(), with the smooth lines of `given`."""
+    import numpy as np
+
+    answers = y == "stiffness_Pa_per_m" and x == "pressure_Pa" and bool(given.answer.rows)
+    lines: list[Any] = []
+    if answers:
+        k = smooth.answer.stiffness
+        lines.append(("K of the answer, 90 % band", smooth.answer.pressure, k, k.low, k.high))
+    for title, columns in smooth.parts():
+        if not np.all(np.isnan(columns[y])) and not (answers and given._best):
+            low, high = (columns[key] for key in given._bands.get(y, ())) if y in given._bands else (None, None)
+            lines.append((title, columns[x], columns[y], low, high))
+    ax = draw(ax, x, y, lines)
+    by_x, by_y = (heading(key, np.concatenate([line[i] for line in lines]))[1] for key, i in ((x, 1), (y, 2)))
+    marks: list[Any] = [(given.answer["pressure_Pa"], given.answer["stiffness_Pa_per_m"])] if answers else []
+    if not (answers and given._best):
+        marks += [(columns[x], columns[y]) for _, columns in given.parts() if not np.all(np.isnan(columns[y]))]
+    for line, (at, values) in zip(ax.get_lines()[-len(lines) :], marks):
+        ax.plot(at * by_x, values * by_y, "o", ms=4, color=line.get_color())
+    if answers:
+        laws, p = smooth.answer["law"], smooth.answer["pressure_Pa"]
+        for i in np.flatnonzero(laws[1:] != laws[:-1]):
+            ax.axvline(np.sqrt(p[i] * p[i + 1]) * by_x, ls=":", lw=1, color="grey")
+            for law, side in ((laws[i], "right"), (laws[i + 1], "left")):
+                text = f" {law.replace('_', ' ')} "
+                ax.text(np.sqrt(p[i] * p[i + 1]) * by_x, 0.02, text, ha=side, size="small", transform=ax.get_xaxis_transform())
+    return ax
+
+
+def draw_heights(ax: Axes | None, heights: Numbers, dx: float, dy: float) -> Axes:
+    """Draws a profile, of which a long one keeps the extremes of every stretch, or a map with its colours; returns the axes."""
+    import numpy as np
+
+    ax = axes(ax)
+    by, unit = next((1 / size, name) for name, size in (("mm", 1e-3), ("µm", 1e-6)) if size < 0.2 * max(heights.shape) * dx or name == "µm")
+    spread = np.nanmax(heights) - np.nanmin(heights)
+    by_z, unit_z = (1e6, "µm") if spread > 1e-7 else (1e9, "nm")
+    ax.set_xlabel(f"x [{unit}]")
+    if heights.ndim == 1:
+        step = max(1, heights.size // 2000)
+        stretches = heights[: heights.size // step * step].reshape(-1, step)
+        few = np.stack([np.nanmin(stretches, axis=1), np.nanmax(stretches, axis=1)], axis=1).ravel() if step > 2 else heights
+        ax.plot(np.linspace(0, heights.size * dx * by, few.size), few * by_z, lw=0.6)
+        ax.set_ylabel(f"height [{unit_z}]")
+        return ax
+    step = -(-max(heights.shape) // 600)
+    rows, columns = heights.shape
+    image = ax.imshow(heights[::step, ::step] * by_z, extent=(0, columns * dx * by, rows * dy * by, 0), interpolation="nearest")
+    ax.get_figure().colorbar(image, ax=ax, label=f"height [{unit_z}]")  # type: ignore[union-attr]
+    ax.set_ylabel(f"y [{unit}]")
+    return ax
+
+
+def draw_bearing(ax: Axes | None, heights: Numbers) -> Axes:
+    """Draws the height against the share of the surface above it."""
+    import numpy as np
+
+    ax = axes(ax)
+    z = np.sort(heights[~np.isnan(heights)])[::-1]
+    few = np.linspace(0, z.size - 1, min(z.size, 400)).astype(int)
+    ax.plot(100 * few / max(1, z.size - 1), z[few] * 1e6)
+    ax.set_xlabel("bearing area [%]")
+    ax.set_ylabel("height [µm]")
+    ax.grid(True)
+    return ax
+
+
+def draw_structure(ax: Axes | None, functions: Sequence[tuple[str, Mapping[str, Any]]]) -> Axes:
+    """Draws structure functions; of those with a fit also the fitted curve and the window of the fit."""
+    ax = axes(ax)
+    for name, of in functions:
+        (line,) = ax.loglog(of["lag_m"] * 1e6, of["value_m2"] * 1e12, ".", ms=3, label=name or None)
+        if "fitted_lag_m" in of:
+            label = "D = " + with_unit(of["fractal_dimension"][0], "", 4, of["fractal_dimension"][1])
+            ax.plot(of["fitted_lag_m"] * 1e6, of["fitted_value_m2"] * 1e12, color=line.get_color(), label=label)
+            ax.axvspan(*(lag * 1e6 for lag in of["window_m"]), alpha=0.1, color=line.get_color(), lw=0)
+    ax.set_xlabel("lag [µm]")
+    ax.set_ylabel("structure function [µm²]")
+    ax.grid(True)
+    ax.legend(fontsize="small")
+    return ax
+
+
+def draw_islands(ax: Axes | None, curve: Mapping[str, Any], key: str) -> Axes:
+    """Draws the density of islands, or their radius, over the bearing area; a mark is at the densest level."""
+    ax = axes(ax)
+    share, at = 100 * curve["bearing_area"], int(curve["density_per_m2"].argmax())
+    factor, label = (1e-6, "islands [1/mm²]") if key == "density_per_m2" else (1e6, "radius of the mean island [µm]")
+    ax.plot(share, curve[key] * factor)
+    ax.plot(share[at], curve[key][at] * factor, "o", ms=4)
+    ax.set_ylim(0, 4 * curve[key][at] * factor if key == "radius_m" else None)  # that of the few islands at the bottom is of no use
+    ax.set_xlabel("bearing area [%]")
+    ax.set_ylabel(label)
+    ax.grid(True)
+    return ax
+
+
+def draw_scales(ax: Axes | None, scales: Table[Any], of: str) -> Axes:
+    """Draws K and the parameters over those with the chosen cut-offs, against one cut-off."""
+    ax = axes(ax)
+    other = "lambda_c_m" if of == "lambda_s" else "lambda_s_m"
+    rows = [row for row in scales["scales"]["rows"] if row.get(other) == scales[other] and row.get(of + "_m")]
+    chosen = next((row for row in rows if row[of + "_m"] == scales[of + "_m"]), rows[len(rows) // 2] if rows else {})
+    for label, key in (("K", "stiffness_Pa_per_m"), ("σ", "rms_height_m"), ("gradient", "rms_gradient"),
+                       ("R", "peak_radius_m"), ("D_p", "peak_density_per_m2")):  # fmt: skip
+        known = [row for row in rows if row.get(key) and chosen.get(key)]
+        if known:
+            ax.loglog([row[of + "_m"] * 1e6 for row in known], [row[key] / chosen[key] for row in known], "o-", ms=3, label=label)
+    ax.set_xlabel(f"{of} [µm]")
+    ax.set_ylabel(f"ratio to the value at the chosen {of}")
+    ax.grid(True)
+    ax.legend(fontsize="small")
+    return ax
+
+
+def draw_fits(ax: Axes | None, found: Table[Any]) -> Axes:
+    """Draws a measured curve with its errors, and the curves that were fitted to it."""
+    import numpy as np
+
+    y = "reflection" if found["measured"]["quantity"] == "reflection" else "stiffness_Pa_per_m"
+    fits = [fit for fit in found["fits"] if "curve" in fit]
+    if not fits:
+        raise ValueError("plot(): no law could be fitted")
+    lines = [(fit["law"], fit["curve"]["pressure_Pa"], np.asarray(fit["curve"][y], dtype=float), None, None) for fit in fits]
+    ax = draw(ax, "pressure_Pa", y, lines)
+    rows = fits[0]["rows"]
+    by_x, by_y = (heading(key, np.concatenate([line[i] for line in lines]))[1] for key, i in (("pressure_Pa", 1), (y, 2)))
+    error = [row["error"] * by_y for row in rows] if found["measured"]["has_errors"] else None
+    p, values = ([row[key] * by for row in rows] for key, by in (("pressure_Pa", by_x), (y, by_y)))
+    ax.errorbar(p, values, error, fmt="o", ms=4, color="grey", capsize=3, label="measured" + (", ± standard error" if error else ""))
+    ax.legend(fontsize="small")
+    return ax
