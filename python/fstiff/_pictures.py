@@ -33,15 +33,16 @@ def draw_curves(given: Curves, smooth: Curves, y: str, x: str, ax: Axes | None) 
     marks: list[Any] = [(given.answer["pressure_Pa"], given.answer["stiffness_Pa_per_m"])] if answers else []
     if not (answers and given._best):
         marks += [(columns[x], columns[y]) for _, columns in given.parts() if not np.all(np.isnan(columns[y]))]
-    for line, (at, values) in zip(ax.get_lines()[-len(lines) :], marks):
+    for line, (at, values) in zip(ax.get_lines()[-len(lines) :], marks if smooth is not given else []):
         ax.plot(at * by_x, values * by_y, "o", ms=4, color=line.get_color())
     if answers:
         laws, p = smooth.answer["law"], smooth.answer["pressure_Pa"]
         for i in np.flatnonzero(laws[1:] != laws[:-1]):
-            ax.axvline(np.sqrt(p[i] * p[i + 1]) * by_x, ls=":", lw=1, color="grey")
-            for law, side in ((laws[i], "right"), (laws[i + 1], "left")):
-                text = f" {law.replace('_', ' ')} "
-                ax.text(np.sqrt(p[i] * p[i + 1]) * by_x, 0.02, text, ha=side, size="small", transform=ax.get_xaxis_transform())
+            at = np.sqrt(p[i] * p[i + 1]) * by_x
+            ax.axvline(at, ls=":", lw=1, color="grey")
+            for law, side, by in ((laws[i], "right", -3), (laws[i + 1], "left", 3)):
+                place: Any = {"xy": (at, 0.02), "xycoords": ax.get_xaxis_transform(), "xytext": (by, 0), "textcoords": "offset points"}
+                ax.annotate(law.replace("_", " "), ha=side, size="small", **place)
     return ax
 
 

@@ -16,7 +16,7 @@ from typing import Any
 
 from . import _core
 from ._page import Page, figure, sentence, style
-from ._pictures import draw_bearing, draw_heights, draw_islands, draw_scales, draw_structure
+from ._pictures import draw_bearing, draw_curves, draw_heights, draw_islands, draw_scales, draw_structure
 from ._results import Table, heading, shown, with_unit
 from ._scenes import Curves, Scene
 from ._surfaces import Scales
@@ -82,7 +82,7 @@ def page_of(scene: Scene) -> tuple[str, Curves]:
     return str(page), curves
 
 
-def picture(page: Page, draw: Callable[[Any], Any], title: str, caption: str = "", size: tuple[float, float] = (5.2, 3.2)) -> None:
+def picture(page: Page, draw: Callable[[Any], Any], title: str, caption: str = "", size: tuple[float, float] = (4.6, 2.9)) -> None:
     with style():
         made, ax = figure(*size)
         draw(ax)
@@ -92,9 +92,9 @@ def picture(page: Page, draw: Callable[[Any], Any], title: str, caption: str = "
 
 def answer_section(page: Page, curves: Curves, smooth: Curves, lines: list[tuple[str, list[str]]], document: dict[str, Any]) -> None:
     """The first screen: K, what it rests on, what speaks against it, and the picture."""
-    page.add('<div class="pair"><div>')
     if document["answer"]:
         page.table(curves._found["answer_table"])
+    page.add('<div class="pair"><div>')
     page.add(f'<div class="result{" warned" if curves.warnings else ""}">')
     page.paragraph(
         "Result: doubtful. Read the warnings before using any of these numbers."
@@ -106,13 +106,11 @@ def answer_section(page: Page, curves: Curves, smooth: Curves, lines: list[tuple
     page.list([*curves.explanation, *curves.warnings])
     page.add("</div>")
     page.paragraph(document["outside_band"] if document["answer"] else "")
-    page.table([["of", "what"], *([label, ", ".join(parts)] for label, parts in lines)])
+    page.table([["input", ""], *([label, ", ".join(parts)] for label, parts in lines)])
     page.add("</div>")
     if "stiffness_Pa_per_m" in curves:
-        from ._pictures import draw_curves
-
         draw = lambda ax: draw_curves(curves, smooth, "stiffness_Pa_per_m", "pressure_Pa", ax)
-        picture(page, draw, "Normal stiffness per nominal area", size=(5.6, 4.4))
+        picture(page, draw, "Normal stiffness per nominal area", size=(5.0, 4.0))
     page.add("</div>")
     if not curves._best:
         named_laws(page, curves)
@@ -146,8 +144,6 @@ def under_section(page: Page, curves: Curves, smooth: Curves) -> None:
 
     page.heading("Under the same pressures")
     page.add('<div class="pair">')
-    from ._pictures import draw_curves
-
     for key, title in UNDER.items():
         if key in curves and np.any(curves[key] > 0):
             picture(page, lambda ax: draw_curves(curves, smooth, key, "pressure_Pa", ax), title)
@@ -193,7 +189,7 @@ def views_section(page: Page, views: dict[str, Any]) -> None:
     if "heights" not in views:
         return page.paragraph("Its numbers were measured before; no heights are here to be drawn.")
     heights, dx, dy = views["heights"]
-    square = (5.2, 4.2) if dy else (5.2, 2.6)
+    square = (4.6, 3.8) if dy else (4.6, 2.4)
     picture(page, lambda ax: draw_heights(ax, heights, dx, dy), "Heights without the form", size=square)
     picture(page, lambda ax: draw_bearing(ax, heights), "Bearing curve")
     fits = [(key.removeprefix("fit").strip(), of) for key, of in views.items() if key.startswith("fit")]

@@ -227,6 +227,19 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
         (line,) = ax.plot(at * by_x, values * by_y, label=label or None)
         if low is not None and not np.all(np.isnan(low)):
             ax.fill_between(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=0)
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() == "log" and high < 1e4 * low:
+            name_ticks(axis, high < 30 * low)
     if any(line[0] for line in lines):
         ax.legend(fontsize="small")
     return ax
+
+
+def name_ticks(axis: Any, is_short: bool) -> None:
+    """Gives a logarithmic axis plain numbers, of a short one at 1, 2 and 5 of every decade."""
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if is_short else (1,)))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(NullFormatter())

@@ -66,7 +66,6 @@ bool lock(int file) {
 }
 
 void remove_file(const wchar_t* name) { _wunlink(name); }
-void remove_empty_folder(const wchar_t* name) { _wrmdir(name); }
 std::FILE* open_stream(const Path& path) { return _wfopen(path.c_str(), L"wb"); }
 bool is_writable(const Path& path) { return _waccess(path.c_str(), 2) == 0; }
 
@@ -146,7 +145,6 @@ void sync_folder(const Path& folder) {
 bool lock(int file) { return flock(file, LOCK_EX | LOCK_NB) == 0; }
 
 void remove_file(const char* name) { unlink(name); }
-void remove_empty_folder(const char* name) { rmdir(name); }
 std::FILE* open_stream(const Path& path) { return std::fopen(path.c_str(), "wb"); }
 bool is_writable(const Path& path) { return access(path.c_str(), W_OK) == 0; }
 

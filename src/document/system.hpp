@@ -40,9 +40,8 @@ void sync_folder(const Path& folder);
 /// To write bytes, or nullptr.
 [[nodiscard]] std::FILE* open_stream(const Path& path);
 [[nodiscard]] bool is_writable(const Path& path);
-/// These two may be called by a handler of signals.
+/// May be called by a handler of signals.
 void remove_file(const Path::value_type* name);
-void remove_empty_folder(const Path::value_type* name);
 
 [[nodiscard]] bool is_terminal(std::FILE* stream);
 /// The signals by which a user or a system ends a program.

@@ -98,7 +98,7 @@ std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity,
 }
 
 Scene with_finer_points(Scene scene) {
-    const std::size_t enough = scene.face.map ? 13 : 41;  // boundary elements are solved at each of a map
+    const std::size_t enough = scene.face.map ? 9 : 41;  // boundary elements are solved at each of a map
     std::vector<double> points = scene.points;
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -259,15 +259,6 @@ function show(document_, begun) {
     $("said").textContent = middle ? `Done. At ${rounded(middle.pressure_Pa / 1e6, 3)} MPa K is ${rounded(middle.stiffness_Pa_per_m / 1e12, 3)} MPa/µm.` : "Done.";
 }
 
-async function makeReport() {
-    const scene = new TextDecoder().decode(made["scene.toml"]);
-    const files = await run(["report", "scene.toml", "-o", "report"], sceneFiles(scene));
-    made = { ...made, "report.html": files["report.html"] };
-    showDownloads();
-    $("said").textContent = "The report is ready.";
-    $("downloads").lastElementChild.firstElementChild.focus();
-}
-
 async function makeExample() {
     const words = ["generate", "map", "--points", "256", "--spacing", "1 um", "--hurst", "0.8", "--rms", "1 um", "--longest",
         "64 um", "--format", "sdf", "-o", "example.sdf"];
@@ -308,7 +299,7 @@ addEventListener("drop", async (event) => {
 $("example").addEventListener("click", makeExample);
 $("stop").addEventListener("click", stop);
 $("solve").addEventListener("click", () => working("Boundary elements", () => computeFields(Number($("points").value))));
-$("make-report").addEventListener("click", () => working("Making the report", makeReport));
+$("print").addEventListener("click", () => print());
 $("scene").addEventListener("input", () => { edited = true; });
 $("run-scene").addEventListener("click", () => working("Computing the scene", computeScene));
 showScene();

@@ -11,8 +11,6 @@ constexpr CommandRow rows[] = {
 the nominal one, no convergence, a point that a law does not reach, or a measured parameter that is not
 known to a factor of two.)",
      "  fstiff run --format csv", add_run},
-    {"report", "Compute", "Report of a scene as one HTML file",
-     "The page holds its pictures and opens without a network.", "  fstiff report -o report", add_report},
     {"sweep", "Compute", "Many scenes: ranges, lists and distributions in one scene file",
      R"(A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as
 { normal = ["5 um", "0.2 um"] }. Exit code 4: some scenes cannot be computed; their lines give the reason.)",
@@ -55,9 +53,6 @@ value, or an elastic law is fitted to peaks that yield.)",
 no convergence, or all points of the map are in contact at some pressures, so that there is no K.)",
      R"(  fstiff generate map --hurst 0.8 --rms "1 um" --spacing "1 um" | fstiff truth - --pressures "10 MPa")",
      add_truth},
-    {"reproduce", "Checks", "The figures, tables and conclusions of the reference paper, into a folder",
-     "Figs. 2, 4, 6, 7, 8, 9 as SVG with their numbers (.plot.csv), errata.md, and index.html with all of it.",
-     "  fstiff reproduce -o reproduced", add_reproduce},
     {"formats", "Help", "File formats: how they are recognised and which options they need", "", "  fstiff formats",
      add_formats},
     {"measure --show fit", "", "Fractal dimension D and roughness G of a measured profile or map, with errors",

@@ -9,7 +9,6 @@ namespace fstiff::cli {
 [[nodiscard]] std::span<const CommandRow> commands();
 
 Command add_run(Arguments& command);
-Command add_report(Arguments& command);
 Command add_sweep(Arguments& command);
 Command add_merge(Arguments& command);
 Command add_export(Arguments& command);
@@ -22,7 +21,6 @@ Command add_spectrum(Arguments& command);
 Command add_generate(Arguments& command);
 Command add_identify(Arguments& command);
 Command add_truth(Arguments& command);
-Command add_reproduce(Arguments& command);
 Command add_formats(Arguments& command);
 
 }  // namespace fstiff::cli

@@ -4,7 +4,7 @@
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "picture/figures.hpp"
+#include "scene/scales.hpp"
 #include "surface/documents.hpp"
 
 #include <fstiff/io/quantity.hpp>
@@ -21,13 +21,12 @@ struct Options {
     std::vector<std::string> files;
     bool scales = false;
     std::string show;  ///< a command of its own, which Program::forward() chooses
-    std::string modulus = "112.6 GPa", pressure = "10 MPa", picture;
+    std::string modulus = "112.6 GPa", pressure = "10 MPa";
 };
 
-/// The document of --scales, and the picture where one is asked for.
+/// The document of --scales.
 Report execute_scales(const Options& options) {
     if (options.files.size() != 1) throw Usage("--scales is of one file");
-    keep_for_picture(options.picture);
     ScalesOptions how{.progress = progress_bar()};
     how.pressure = parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
     how.modulus = parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
@@ -36,21 +35,11 @@ Report execute_scales(const Options& options) {
     const SurfaceInput input = read_surface_input(measure.input);
     const auto surface = std::make_shared<const MeasuredSurface>(measure_surface(measure, input, progress_bar()));
     const Scales scales = scales_of(*surface, input, how);
-    const auto figure = [&] {
-        Figure figure{.title = shown_file(surface->file) + " filtered with other cut-offs",
-                      .panels = scales_panels(scales),
-                      .note = "K by " + scales.law + " at " + rounded(how.pressure / 1e6) + " MPa, effective modulus " +
-                              rounded(how.modulus / 1e9) + " GPa"};
-        if (figure.panels.empty()) throw domain_error(surface->file + ": holds no other cut-off; no picture is drawn");
-        return figure;
-    };
-    return with_picture(report(document_of(measure, surface, scales, how), options.output.chosen()), figure,
-                        options.picture);
+    return report(document_of(measure, surface, scales, how), options.output.chosen());
 }
 
 Report execute(const Options& options) {
     if (options.scales) return execute_scales(options);
-    if (!options.picture.empty()) throw Usage("--plot draws what --scales computes; give both");
     scene::MeasureOptions measure = options.measure;
     measure.keep_maps = false;
     return report(document_of(options.measure, std::make_shared<const MeasuredSurface>(
@@ -88,7 +77,6 @@ Command add_measure(Arguments& command) {
         {.help = "another analysis of the file, with its own options (--show fit --help lists them): fit (D and G), "
                  "islands (for a map), peaks (for a profile) or spectrum",
          .words = {"fit", "islands", "peaks", "spectrum"}});
-    add_picture_option(command, options->picture, "draw what --scales computes");
     add_output_options(command, options->output, Format::json);
     return {&options->output, [options] { return execute(*options); }};
 }

@@ -4,7 +4,6 @@
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "picture/figures.hpp"
 #include "scene/exported_law.hpp"
 #include "scene/identified.hpp"
 #include "scene/reflections.hpp"
@@ -28,7 +27,6 @@ struct Given {
     OutputOptions output{};
     SceneOptions scene{};
     Request request{};
-    std::string picture{};
 
     [[nodiscard]] Report report(const Document& document) const { return cli::report(document, output.format); }
 };
@@ -41,13 +39,12 @@ Report answered(const Given<Request>& given) {
 /// A command: \p add adds its options, and \p answer is called with what was given.
 template <class Request, class Add>
 Command request_command(Arguments& command, const Add& add, Report (*answer)(const Given<Request>&) = answered,
-                        const char* draws = nullptr, bool is_file = false) {
+                        bool is_file = false) {
     const auto given = std::make_shared<Given<Request>>();
     if constexpr (requires { given->request.prefix; }) given->request.prefix = "--";
     add(*given);
     given->output.format = Format::csv;  // that of a file
     is_file ? add_output_option(command, given->output) : add_output_options(command, given->output);
-    if (draws) add_picture_option(command, given->picture, draws);
     return {&given->output, [given, answer] {
                 Given<Request> own = *given;
                 if constexpr (requires { own.request.progress; }) own.request.progress = progress_bar();
@@ -133,15 +130,7 @@ Command add_spectrum(Arguments& command) {
         command.fields(given.request);
         add_surface_options(command, given.request.surface);
     };
-    const auto answer = [](const Given<SpectrumRequest>& given) {
-        keep_for_picture(given.picture);
-        const SurfaceInput input = read_surface_input(given.request.surface);
-        const Spectrum spectrum = spectrum_of(given.request, input);
-        return with_picture(
-            given.report(document_of(given.request, input, spectrum)),
-            [&] { return spectrum_figure(given.request, spectrum); }, given.picture);
-    };
-    return request_command<SpectrumRequest>(command, add, answer, "draw the curves");
+    return request_command<SpectrumRequest>(command, add);
 }
 
 Command add_ultrasound(Arguments& command) {
@@ -150,7 +139,7 @@ Command add_ultrasound(Arguments& command) {
 
 Command add_generate(Arguments& command) {
     return request_command<GenerateRequest>(
-        command, [&](auto& given) { command.fields(given.request); }, answered, nullptr, true);
+        command, [&](auto& given) { command.fields(given.request); }, answered, true);
 }
 
 Command add_identify(Arguments& command) {
@@ -161,17 +150,13 @@ Command add_identify(Arguments& command) {
         command.fields(given.request);
     };
     const auto answer = [](const Given<IdentifyRequest>& given) {
-        keep_for_picture(given.picture);
         if (given.scene.scene == "-" && given.request.measured == "-")
             throw Usage("the scene and --measured are both standard input; one of them must be a file");
         (void)parameters_of(given.request);  // their errors are reported before the scene is read
         const Scene scene = read_scene(given.scene);
-        const Identified identified = identify_scene(scene, given.request);
-        return with_picture(
-            given.report(document_of(scene, identified)),
-            [&] { return fit_figure(scene, identified.curve, identified.found); }, given.picture);
+        return given.report(document_of(scene, identify_scene(scene, given.request)));
     };
-    return request_command<IdentifyRequest>(command, add, answer, "draw the fit and its residuals");
+    return request_command<IdentifyRequest>(command, add, answer);
 }
 
 Command add_export(Arguments& command) {
@@ -187,7 +172,7 @@ Command add_export(Arguments& command) {
         check(given.request);  // its errors are reported before the scene is read
         return given.report(document_of(read_scene(given.scene), given.request));
     };
-    return request_command<ExportRequest>(command, add, answer, nullptr, true);
+    return request_command<ExportRequest>(command, add, answer, true);
 }
 
 Command add_truth(Arguments& command) {

@@ -33,7 +33,7 @@ Report execute(const Options& options) {
     const Results results = computed(scene);
     return with_picture(
         report(document_of(scene, results, options.full), options.output.format),
-        [&] { return results_figure(scene, results); }, options.picture);
+        [&] { return results_figure(scene, results, computed(with_finer_points(scene))); }, options.picture);
 }
 
 }  // namespace
@@ -48,7 +48,11 @@ Command add_run(Arguments& command) {
                       "- is standard input");
     add_output_options(command, options->output);
     command.option("--full", options->full, {"the table has every point and quantity, not a summary"});
-    add_picture_option(command, options->picture, "draw K(p)");
+    command.option(
+        "--plot", options->picture,
+        {.help = "draw K(p) with its band, and the quantities that are asked for, into FILE.svg; the numbers go "
+                 "to FILE.plot.csv",
+         .type = "FILE"});
     command.option("--example", options->example, {"print a scene with comments, to begin one of your own"});
     return {&options->output, [options] { return execute(*options); }};
 }

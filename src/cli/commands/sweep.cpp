@@ -4,11 +4,8 @@
 #include "document/output.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
-#include "picture/panels.hpp"
-#include "picture/sweep_figure.hpp"
 #include "sweep/engine.hpp"
 #include "sweep/results_file.hpp"
-#include "sweep/sensitivity.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -42,9 +39,8 @@ void warn_of_failed_scenes(Report& report, std::uint64_t failed) {
 struct Options {
     OutputOptions output;  // of the summary
     std::string grid, results, shard = "1/1";
-    int threads = 0;      ///< 0: as many as there are cores
-    std::string picture;  ///< file; empty: none
-    bool sensitivity = false, example = false;
+    int threads = 0;  ///< 0: as many as there are cores
+    bool example = false;
     bool merge = false;  ///< a command of its own, which Program::forward() chooses
 };
 
@@ -88,80 +84,6 @@ std::string summary(const sweep::Grid& grid, const sweep::Description& of, const
     return text;
 }
 
-/// The sensitivities of K to each distributed input.
-std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) {
-    std::vector<std::string> header{"K of"};
-    for (const sweep::Axis& axis : grid.axes)
-        if (axis.drawn) header.insert(header.end(), {"S " + shown_key(axis.key), "rank"});
-    header.emplace_back("rest");
-    TextRows table{std::move(header)};
-    const auto rows = sweep::sensitivities(grid, file);
-    const bool several_points =
-        std::any_of(rows.begin(), rows.end(), [](const sweep::SensitivityRow& row) { return row.point > 0; });
-    for (const sweep::SensitivityRow& row : rows) {
-        std::vector<std::string> cells{legend_of(row.law, row.theta, row.r) +
-                                       (row.pressure     ? ", p " + rounded(*row.pressure / 1e6, 3) + " MPa"
-                                        : several_points ? ", point " + std::to_string(row.point + 1)
-                                                         : "")};
-        double rest = 1;
-        for (const sweep::Sensitivity& sensitivity : row.of_inputs) {
-            cells.push_back(parts::fixed_text(sensitivity.first_order, 3));
-            cells.push_back(parts::fixed_text(sensitivity.rank_correlation, 3));
-            rest -= sensitivity.first_order;
-        }
-        cells.push_back(parts::fixed_text(rest, 3));
-        table.push_back(std::move(cells));
-    }
-    return "\n" + table_text(table) +
-           "\nS is the share of the variance of K due to one input alone (Sobol', first order), rank its rank "
-           "correlation\nwith K, rest the share due to inputs together; from " +
-           std::to_string(rows.front().draws) + " draws, S within " +
-           rounded(1 / std::sqrt(static_cast<double>(rows.front().draws)), 1) +
-           (rows.front().places > 1
-                ? " at each, means of " + std::to_string(rows.front().places) + " points of the grid\n"
-                : "\n");
-}
-
-/// Views of the results of the whole grid. A view without content does not affect the other.
-void add_views(Report& report, const Options& options, const sweep::Grid& grid, const std::string& file) {
-    const auto add = [&](const auto& view) {
-        try {
-            view();
-        } catch (const domain_error& error) {
-            report.diagnostics.push_back("warning: " + std::string(error.what()));
-            report.status = doubtful_result;
-        }
-    };
-    if (!options.picture.empty())
-        add([&] { say_written(report, write_figure(sweep_figure(grid, file), options.picture)); });
-    if (options.sensitivity) add([&] { report.document += sensitivity_table(grid, file); });
-}
-
-/// Before anything is computed. \throws Usage for sensitivities of a grid that cannot have them.
-void require_draws(const sweep::Grid& grid) {
-    if (std::none_of(grid.axes.begin(), grid.axes.end(),
-                     [](const sweep::Axis& axis) { return axis.drawn.has_value(); }))
-        throw Usage("--sensitivity needs a distribution in the grid, such as { normal = [\"5 um\", \"0.2 um\"] }");
-    if (grid.samples < 3)
-        throw Usage("--sensitivity needs 3 draws at least at each point of the grid; sweep.samples = " +
-                    std::to_string(grid.samples) + " must be 3 or more");
-}
-
-/// Before anything is computed. \throws Usage for views of K in a grid that has none.
-void require_stiffness(const Options& options, const sweep::SceneMaker& maker) {
-    if (maker.has_stiffness() || (!options.sensitivity && options.picture.empty())) return;
-    throw Usage(std::string(options.sensitivity ? "--sensitivity" : "--plot") +
-                " needs K; output.quantities must hold \"stiffness\"");
-}
-
-/// \throws Usage for a view of a shard.
-void require_views(const Options& options, const sweep::Shard& shard) {
-    if (shard.of > 1 && (options.sensitivity || !options.picture.empty()))
-        throw Usage("--plot and --sensitivity need the whole grid; merge the shards first, then run fstiff sweep " +
-                    options.grid + " -o with the merged file and without --shard");
-    if (!options.picture.empty()) keep_for_picture(options.picture);
-}
-
 Report execute(const Options& options) {
     if (options.example) {
         if (!options.grid.empty() || !options.results.empty())
@@ -172,16 +94,14 @@ Report execute(const Options& options) {
         throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
     refuse_standard_output(options.results, "a file, so that an interrupted run can continue");
     const sweep::Shard shard = sweep::parse_shard(options.shard);
-    require_views(options, shard);
     const std::string file = results_file(options, shard);
     sweep::require_lines(file);
     require_writable(file);
     keep_for_output(file);
     const sweep::Grid grid = sweep::read_grid(read_all(options.grid, longest_scene), display_name(options.grid));
     for (const std::string& named : grid.files) require_no_output(named);
-    if (options.sensitivity) require_draws(grid);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
-    const auto make = [&] { require_stiffness(options, maker.emplace(grid)); };
+    const auto make = [&] { maker.emplace(grid); };
     if (!std::filesystem::exists(path_of(sweep::description_file(file)))) make();
     sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
     Report report;
@@ -210,7 +130,6 @@ Report execute(const Options& options) {
                                      : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
                                            rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
     report.document = summary(grid, results.description(), file);
-    add_views(report, options, grid, file);
     warn_of_failed_scenes(report, results.description().failed);
     return report;
 }
@@ -250,9 +169,6 @@ Command add_sweep(Arguments& command) {
                    {.help = "threads that compute; the default is one for each core", .low = 1, .high = 4096});
     command.option("--shard", options->shard,
                    {"part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun"});
-    add_picture_option(command, options->picture, "draw K against the swept quantities");
-    command.option("--sensitivity", options->sensitivity,
-                   {"print which share of the variance of K each distributed input has"});
     command.option("--merge", options->merge,
                    {"put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl"});
     command.option("--example", options->example, {"print a grid with comments, to begin one of your own"});

@@ -44,16 +44,13 @@ void write_bytes(const fs::path& path, const std::string& text, const std::strin
     if (reason != 0) cannot_write(shown, reason);
 }
 
-/// Files that are being written and folders that were made for them, for the signal handler, which reads them while
-/// `has_partials` is 1.
-std::vector<fs::path> partial_files, made_folders;
+/// Files that are being written, for the signal handler, which reads them while `has_partials` is 1.
+std::vector<fs::path> partial_files;
 volatile std::sig_atomic_t has_partials = 0;
 
 extern "C" void remove_partials_and_end(int signal) {
-    if (has_partials) {
+    if (has_partials)
         for (const fs::path& file : partial_files) os::remove_file(file.c_str());
-        for (const fs::path& folder : made_folders) os::remove_empty_folder(folder.c_str());
-    }
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -61,9 +58,8 @@ extern "C" void remove_partials_and_end(int signal) {
 /// Files that are not complete yet: removed when this ends before keep(), by an exception or by Ctrl-C and the like.
 class Partials {
 public:
-    Partials(std::vector<fs::path> files, std::vector<fs::path> folders) {
+    explicit Partials(std::vector<fs::path> files) {
         partial_files = std::move(files);
-        made_folders = std::move(folders);
         has_partials = 1;
         for (const int signal : os::ending_signals())  // what the caller ignores (nohup) stays ignored
             if (std::signal(signal, remove_partials_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
@@ -71,10 +67,8 @@ public:
     Partials(const Partials&) = delete;
     Partials& operator=(const Partials&) = delete;
     ~Partials() {
-        if (has_partials) {
+        if (has_partials)
             for (const fs::path& file : partial_files) os::remove_file(file.c_str());
-            for (const fs::path& folder : made_folders) os::remove_empty_folder(folder.c_str());  // where it is empty
-        }
         has_partials = 0;
     }
     void keep() { has_partials = 0; }
@@ -97,16 +91,6 @@ void require_apart(const fs::path& output, const std::string& input) {
         fs::equivalent(fs::is_directory(file, none) ? output.parent_path() : output, file, none))
         throw file_error(name_of_path(output),
                          "is an input of this command and would be written over; give the output another name");
-}
-
-/// \p folder and those above it that are not there, the innermost first.
-std::vector<fs::path> missing_folders(const fs::path& folder) {
-    std::vector<fs::path> missing;
-    std::error_code error;
-    for (fs::path at = fs::absolute(folder / "."); !fs::exists(at, error) && at.has_relative_path();
-         at = at.parent_path())
-        if (at.has_filename() && at.filename() != ".") missing.push_back(at);
-    return missing;
 }
 
 }  // namespace
@@ -190,13 +174,8 @@ void deliver(const std::string& document, const std::string& file) {
                            (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()));
 }
 
-void deliver(const std::vector<OutputFile>& files, const std::string& folder) {
+void deliver(const std::vector<OutputFile>& files) {
     std::error_code error;
-    std::vector<fs::path> made;
-    if (!folder.empty()) {
-        made = missing_folders(path_of(folder));
-        for (const OutputFile& file : files) require_own(file.name);
-    }
     std::vector<fs::path> targets, partials;
     for (const OutputFile& file : files) {
         targets.push_back(output_target(file.name));
@@ -206,13 +185,7 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder) {
         else
             partials.emplace_back(targets.back()) += ".partial-" + std::to_string(std::random_device{}());
     }
-    Partials until_renamed(partials, made);
-    if (!folder.empty()) {
-        fs::create_directories(path_of(folder), error);
-        if (!fs::is_directory(path_of(folder)))
-            throw file_error(folder, "is not a folder and cannot be made one: " +
-                                         (error ? error : std::make_error_code(std::errc::not_a_directory)).message());
-    }
+    Partials until_renamed(partials);
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (fs::is_directory(targets[i], error))
             throw file_error(files[i].name, "is a folder; the output must be a file");

@@ -57,10 +57,9 @@ struct OutputFile {
 /// Writes \p document to \p file, or to standard output when \p file is empty.
 /// \throws file_error as below, domain_error for standard output, with the reason that the system gives.
 void deliver(const std::string& document, const std::string& file);
-/// Writes all of \p files or none: next to their targets first, then renamed. \p folder, where it is given, holds them
-/// all and is made when it is missing; files of others in it are not replaced (require_own).
+/// Writes all of \p files or none: next to their targets first, then renamed.
 /// \throws file_error naming the file that cannot be written, and the reason that the system gives.
-void deliver(const std::vector<OutputFile>& files, const std::string& folder = "");
+void deliver(const std::vector<OutputFile>& files);
 
 /// For a file that nobody named, such as one next to a picture, and for a law that may lie next to a model. \throws
 /// file_error where \p file holds something and its first line does not name fstiff as its maker.
@@ -75,8 +74,5 @@ void require_no_output(const std::string& input);
 /// Before a long computation. \throws file_error where the folder of \p file is not there, or \p file is a folder or
 /// protected from writing.
 void require_writable(const std::string& file);
-
-/// First line of a page that `require_own` recognises.
-inline constexpr const char* page_mark = "<!-- fstiff made this page and replaces it when it is asked for again -->\n";
 
 }  // namespace fstiff::cli

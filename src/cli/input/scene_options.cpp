@@ -17,12 +17,6 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
     if (!surface_help.empty()) arguments.option("--surface", options.surface, {.help = surface_help});
 }
 
-void add_picture_option(Arguments& arguments, std::string& picture, const std::string& draws) {
-    arguments.option(
-        "--plot", picture,
-        {.help = draws + " into FILE (.svg or .html); its numbers go to .plot.csv next to it", .type = "FILE"});
-}
-
 Scene read_scene(const SceneOptions& options) {
     if (options.scene == "-" && options.surface == "-")
         throw Usage("the scene and --surface are both standard input; one of them must be a file");

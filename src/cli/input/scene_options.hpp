@@ -19,8 +19,6 @@ struct SceneOptions {
 /// Adds the scene, and --surface unless \p surface_help is empty.
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& scene_help,
                        const std::string& surface_help = "");
-/// Adds --plot; \p draws describes the picture.
-void add_picture_option(Arguments& arguments, std::string& picture, const std::string& draws);
 
 /// \throws Usage when both files are standard input, domain_error as fstiff::scene::read_scene.
 [[nodiscard]] Scene read_scene(const SceneOptions& options);

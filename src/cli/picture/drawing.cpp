@@ -23,14 +23,10 @@ Range range_of(const Panel& panel, bool of_y) {
     Range range;
     const bool logarithmic = (of_y ? panel.y : panel.x).logarithmic;
     for (const PlotLine& line : panel.lines) {
-        if (!line.sets_range) continue;
         for (const auto* values : {of_y ? &line.y : &line.x, of_y ? &line.low : nullptr, of_y ? &line.high : nullptr})
             if (values)
                 for (const double value : *values) range.add(value, logarithmic);
     }
-    if (const auto& image = panel.image)
-        for (const double end : {of_y ? image->y_low : image->x_low, of_y ? image->y_high : image->x_high})
-            range.add(end, logarithmic);
     return range;
 }
 
@@ -43,7 +39,7 @@ void choose_unit(Panel& panel, bool of_y) {
     const double size = !(range.low <= range.high) ? 0
                         : axis.logarithmic         ? std::sqrt(range.low) * std::sqrt(range.high)
                                                    : std::max(std::abs(range.low), std::abs(range.high));
-    const ShownUnit unit = axis.unit ? *axis.unit : shown_unit(size, axis.si);
+    const ShownUnit unit = shown_unit(size, axis.si);
     const auto convert = [&](auto&... values) { ((values /= unit.size), ...); };
     for (PlotLine& line : panel.lines) {
         if (!of_y) std::for_each(line.x.begin(), line.x.end(), convert);
@@ -51,9 +47,10 @@ void choose_unit(Panel& panel, bool of_y) {
             for (auto* values : {&line.y, &line.low, &line.high})
                 std::for_each(values->begin(), values->end(), convert);
     }
-    for (PlotWindow& window : panel.windows)
-        if (window.of_y == of_y) convert(window.low, window.high);
-    if (auto& image = panel.image) of_y ? convert(image->y_low, image->y_high) : convert(image->x_low, image->x_high);
+    if (of_y)
+        for (PlotWindow& window : panel.windows) convert(window.low, window.high);
+    else
+        for (PlotChange& change : panel.changes) convert(change.x);
     if (axis.low) convert(*axis.low);
     if (axis.high) convert(*axis.high);
     axis.label = unit.heading(axis.label);
@@ -84,13 +81,6 @@ void choose_look(std::vector<PlotLine>& lines,
         lines[k].colour = static_cast<int>(colour);
         lines[k].stroke = static_cast<Stroke>(stroke);
     }
-}
-
-Figure narrow(Figure figure) {
-    for (Panel& panel : figure.panels)
-        if (!panel.image) panel.width = 440;
-    figure.legend_below = true;
-    return figure;
 }
 
 Figure in_units(Figure figure) {
@@ -163,7 +153,6 @@ void Drawing::tell_apart() {
 
 std::vector<Entry> Drawing::legend() const {
     std::vector<Entry> result;
-    if (!panel.legend) return result;
     constexpr std::size_t most = 44;  // characters of a line
     for (const PlotLine& line : lines)
         if (!line.label.empty())

@@ -74,6 +74,21 @@ std::vector<Chosen> drawn(const Results& results) {
     return chosen;
 }
 
+/// "π/4", or the angle in five digits.
+std::string shown_angle(double theta) {
+    for (const int n : {3, 4, 5, 6, 8, 10, 12})
+        if (std::abs(theta * n / std::numbers::pi - 1) < 1e-12) return "π/" + std::to_string(n);
+    return rounded(theta);
+}
+
+/// "fractal, θ = π/4, r = 0", or "answer (hybrid)".
+std::string legend_of(const Curve& curve) {
+    if (!curve.by.empty()) return "answer (" + laws_of(curve) + ")";
+    std::string text(curve.law->name);
+    if (curve.theta) text += ", θ = " + shown_angle(*curve.theta) + ", r = " + rounded(*curve.r, 3);
+    return text;
+}
+
 /// K that a wave of the scene's frequency can distinguish from a weld and from a gap.
 std::optional<PlotWindow> ultrasonic_window(const Problem& problem) {
     if (!problem.ultrasound) return std::nullopt;
@@ -82,7 +97,7 @@ std::optional<PlotWindow> ultrasonic_window(const Problem& problem) {
     if (!range) return std::nullopt;
     return PlotWindow{"|R| " + rounded(range->min_reflection, 2) + " to " + rounded(range->max_reflection, 2) + " at " +
                           rounded(waves.frequency / 1e6, 3) + " MHz",
-                      range->low, range->high, true};
+                      range->low, range->high};
 }
 
 /// The frame leaves room about 0 and 1; what is all close to one of them fills it.
@@ -97,158 +112,119 @@ void frame_reflection(Panel& panel) {
     panel.y.high = (low ? span : 1) + 0.04 * span;
 }
 
-/// The band of the stiffness, or the error of boundary elements; a lower end below a tenth of K is drawn at 0.
-void add_band(PlotLine& line, const Curve& curve, const Ends& ends) {
-    const bool sampled = !curve.band.empty() && curve.band.size() == curve.states.size();
-    if (!sampled && !is_truth(curve)) return;
+/// \p quantity of \p curve, with the ends of its band or, of boundary elements, with the error of K as bars.
+PlotLine line_of(const Curve& curve, CurveQuantity quantity) {
+    PlotLine line{.label = legend_of(curve), .x = {}, .y = {}};
+    line.bars = quantity == CurveQuantity::stiffness && is_truth(curve);
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        const double value = curve.states[i].stiffness.value, error = curve.states[i].stiffness.error;
-        const parts::SampledBand<double> grid{error < 0.9 * value ? value - error : 0, value, value + error, 0};
-        const auto [low, high] = ends(sampled ? curve.band[i] : grid);
-        line.low.push_back(low);
-        line.high.push_back(high);
+        const auto at = [&](Statistic statistic) { return curve.value_at(curve.places[i], quantity, statistic); };
+        const auto value = at(Statistic::value), low = at(Statistic::p05), high = at(Statistic::p95);
+        if (!value) continue;
+        line.x.push_back(curve.states[i].pressure.value);
+        line.y.push_back(*value);
+        if (low && high)
+            line.low.push_back(std::min(*low, *high)), line.high.push_back(std::max(*low, *high));
+        else if (const auto error = at(Statistic::error); error && line.bars)
+            line.low.push_back(*error < 0.9 * *value ? *value - *error : 0), line.high.push_back(*value + *error);
     }
-    line.bars = !sampled;
-    line.band = sampled ? shown_band : "± error";
+    line.bars = line.bars && line.low.size() == line.x.size();
+    if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
+    if (!line.low.empty()) line.band = line.bars ? "± error" : shown_band;
+    return line;
 }
 
-/// A panel against the pressure: \p fill gives the line of a curve its values and its band.
-Panel panel_of(const Results& results, Axis axis, const std::function<void(PlotLine&, const Curve&)>& fill) {
-    Panel panel{.x = {.label = "nominal pressure p", .si = "Pa"}, .y = std::move(axis), .height = 240};
+/// \p quantity of all curves that are drawn, against the pressure, with marks at the points of \p results.
+Panel panel_of(const Results& results, const Results& smooth, CurveQuantity quantity, std::string title, Axis axis) {
+    Panel panel{.title = std::move(title),
+                .x = {.label = "nominal pressure p", .si = "Pa"},
+                .y = std::move(axis),
+                .height = 240};
     std::vector<std::pair<std::size_t, std::optional<std::size_t>>> kinds;
-    for (const auto& [curve, law, peaks] : drawn(results)) {
-        PlotLine line{.label = legend_of(*curve), .x = {}, .y = {}};
-        for (const auto& state : curve->states) line.x.push_back(state.pressure.value);
-        fill(line, *curve);
-        panel.lines.push_back(std::move(line));
+    for (const auto& [curve, law, peaks] : drawn(smooth)) {
+        panel.lines.push_back(line_of(*curve, quantity));
         kinds.emplace_back(law, peaks);
     }
     choose_look(panel.lines, kinds);
+    const auto points = drawn(results);
+    const std::size_t lines = panel.lines.size();
+    if (points.size() != lines || points.front().curve->states.size() == drawn(smooth).front().curve->states.size())
+        return panel;
+    for (std::size_t k = 0; k < lines; ++k) {
+        PlotLine marks = line_of(*points[k].curve, quantity);
+        marks.label = "", marks.low.clear(), marks.high.clear();
+        marks.bars = false;
+        marks.colour = panel.lines[k].colour;
+        marks.stroke = Stroke::none;
+        marks.marker = Marker::circle;
+        panel.lines.push_back(std::move(marks));
+    }
     return panel;
 }
 
-Panel reflection_panel(const Problem& problem, const Results& results, const char* title,
-                       const Impedances<double>& media, double ratio) {
-    const auto of = [&](double stiffness) {
-        return reflection(ratio * stiffness, media, problem.ultrasound->angular());
-    };
-    Panel panel = quantity_panel(
-        results, {.label = "|R|", .logarithmic = false},
-        [&](const ContactState<double>& state) { return of(state.stiffness.value); },
-        [&](const parts::SampledBand<double>& band) {
-            return std::pair(of(band.high), of(band.low));
-        });  // R falls with K
-    panel.title = std::string(title) + ", " + rounded(problem.ultrasound->frequency / 1e6) + " MHz";
-    frame_reflection(panel);
+/// Where the law of the answer changes.
+std::vector<PlotChange> changes_of(const Results& results) {
+    std::vector<PlotChange> changes;
+    if (!results.answer) return changes;
+    const Curve& curve = results.answer->curve;
+    for (std::size_t i = 1; i < curve.states.size(); ++i)
+        if (const auto& before = curve.law_at(i - 1), &after = curve.law_at(i); &before != &after)
+            changes.push_back({std::sqrt(curve.states[i - 1].pressure.value * curve.states[i].pressure.value),
+                               std::string(before.name), std::string(after.name)});
+    return changes;
+}
+
+/// K, with the law of light loads for comparison.
+Panel stiffness_panel(const Problem& problem, const Results& results, const Results& smooth) {
+    Panel panel = panel_of(results, smooth, CurveQuantity::stiffness, "Normal stiffness per nominal area",
+                           {.label = "K/A₀", .si = "Pa/m"});
+    panel.height = 360;
+    panel.changes = changes_of(smooth);
+    if (const auto window = ultrasonic_window(problem)) panel.windows.push_back(*window);
+    Range pressures;
+    for (const PlotLine& line : panel.lines)
+        for (const double p : line.x) pressures.add(p, true);
+    if (!(pressures.low <= pressures.high)) return panel;
+    // a straight line on logarithmic axes: two points are enough
+    PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low}, .y = {}};
+    if (pressures.low < pressures.high) reference.x.push_back(pressures.high);
+    const double rms_height = problem.face.parameters.rms_height.value;
+    for (const double p : reference.x) reference.y.push_back(parts::linear_stiffness(p, rms_height));
+    reference.colour = neutral;
+    reference.stroke = Stroke::dashed;
+    panel.lines.push_back(std::move(reference));
     return panel;
 }
 
 }  // namespace
 
-std::vector<Panel> reflection_panels(const Problem& problem, const Results& results) {
-    std::vector<Panel> panels;
-    if (!problem.ultrasound) return panels;
-    const Waves& waves = *problem.ultrasound;
-    panels.push_back(reflection_panel(problem, results, "Reflection of longitudinal waves", waves.longitudinal, 1));
-    if (waves.shear)
-        panels.push_back(
-            reflection_panel(problem, results, "Reflection of shear waves", *waves.shear, results.tangential_ratio));
-    return panels;
-}
-
-std::vector<Panel> panels_after_stiffness(const Scene& scene, const Results& results) {
-    std::vector<Panel> panels;
-    const auto add = [&](bool asked, CurveQuantity quantity, const char* title, const char* label) {
-        if (!asked) return;
-        panels.push_back(panel_of(results, {.label = label}, [&](PlotLine& line, const Curve& curve) {
-            for (const std::size_t place : curve.places) {
-                const auto end = [&](Statistic one, std::vector<double>& to) {
-                    if (const auto found = curve.value_at(place, quantity, one)) to.push_back(*found);
-                };
-                end(Statistic::value, line.y), end(Statistic::p05, line.low), end(Statistic::p95, line.high);
-            }
-            if (line.y.empty()) line.x.clear();
-            if (!line.low.empty()) line.band = shown_band;
-        }));
-        panels.back().title = title;
-    };
-    add(scene.asks(CurveQuantity::loss_factor), CurveQuantity::loss_factor, "Loss factor of a tangential cycle",
-        "loss factor");
-    add(scene.asks(CurveQuantity::thermal_conductance), CurveQuantity::thermal_conductance,
-        "Thermal conductance of the spots", "h [W/(m² K)]");
-    add(scene.asks(CurveQuantity::electrical_conductance), CurveQuantity::electrical_conductance,
-        "Electrical conductance of the spots", "h [S/m²]");
-    return panels;
-}
-
-std::string shown_angle(double theta) {
-    for (const int n : {3, 4, 5, 6, 8, 10, 12})
-        if (std::abs(theta * n / std::numbers::pi - 1) < 1e-12) return "π/" + std::to_string(n);
-    return rounded(theta);
-}
-
-std::string legend_of(std::string_view law, std::optional<double> theta, std::optional<double> r) {
-    std::string text(law);
-    if (theta) text += ", θ = " + shown_angle(*theta) + ", r = " + rounded(*r, 3);
-    return text;
-}
-
-std::string legend_of(const Curve& curve) {
-    if (!curve.by.empty()) return "answer (" + laws_of(curve) + ")";
-    return legend_of(curve.law->name, curve.theta, curve.r);
-}
-
-Panel stiffness_panel(const Problem& problem, const Results& results) {
-    Panel panel = quantity_panel(
-        results, {.label = "K/A₀", .si = "Pa/m"},
-        [](const ContactState<double>& state) { return state.stiffness.value; },
-        [](const parts::SampledBand<double>& band) { return std::pair(band.low, band.high); });
-    panel.title = "Normal stiffness per nominal area";
-    panel.height = 360;
-    if (const auto window = ultrasonic_window(problem)) panel.windows.push_back(*window);
-    Range pressures;
-    for (const Curve& curve : results.curves)
-        for (const auto& state : curve.states) pressures.add(state.pressure.value, true);
-    if (pressures.low <= pressures.high) {
-        // a straight line on logarithmic axes: two points are enough
-        PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low}, .y = {}};
-        if (pressures.low < pressures.high) reference.x.push_back(pressures.high);
-        const double rms_height = problem.face.parameters.rms_height.value;
-        for (const double p : reference.x) reference.y.push_back(parts::linear_stiffness(p, rms_height));
-        reference.colour = neutral;
-        reference.stroke = Stroke::dashed;
-        panel.lines.push_back(std::move(reference));
-    }
-    return panel;
-}
-
-Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
-                     const Ends& ends) {
-    return panel_of(results, std::move(axis), [&](PlotLine& line, const Curve& curve) {
-        for (const auto& state : curve.states) line.y.push_back(value(state));
-        if (ends) add_band(line, curve, ends);
-    });
-}
-
-std::string left_out(const Results& results) {
-    const auto all = shown_curves(results);
-    const auto with_points =
-        std::count_if(all.begin(), all.end(), [](const Curve* curve) { return !curve->states.empty(); });
-    return some_of(drawn(results).size(), static_cast<std::size_t>(with_points));
-}
-
-Figure results_figure(const Scene& scene, const Results& results) {
+Figure results_figure(const Scene& scene, const Results& results, const Results& smooth) {
     if (!scene.needs_stiffness())
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
     Figure figure{.title = "Contact stiffness: " + scene.name,
                   .explanation = results.short_explanation,
-                  .panels = {stiffness_panel(scene, results)}};
-    for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
-    for (Panel& panel : panels_after_stiffness(scene, results)) figure.panels.push_back(std::move(panel));
+                  .panels = {stiffness_panel(scene, results, smooth)}};
+    const auto add = [&](CurveQuantity quantity, const std::string& title, Axis axis) {
+        if (scene.asks(quantity)) figure.panels.push_back(panel_of(results, smooth, quantity, title, std::move(axis)));
+    };
+    using enum CurveQuantity;
+    const Axis amplitude{.label = "|R|", .logarithmic = false};
+    const std::string waves = scene.ultrasound ? ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz" : "";
+    add(reflection, "Reflection of longitudinal waves" + waves, amplitude);
+    add(shear_reflection, "Reflection of shear waves" + waves, amplitude);
+    for (Panel& panel : figure.panels)
+        if (panel.y.label == "|R|") frame_reflection(panel);
+    add(loss_factor, "Loss factor of a tangential cycle", {.label = "loss factor"});
+    add(thermal_conductance, "Thermal conductance of the spots", {.label = "h [W/(m² K)]"});
+    add(thermal_conductance_gap, "Thermal conductance of the gap", {.label = "h [W/(m² K)]"});
+    add(electrical_conductance, "Electrical conductance of the spots", {.label = "h [S/m²]"});
     figure.note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file +
                   ", σ = " + with_unit(scene.face.parameters.rms_height.value, "m", 4);
-    if (const std::string some = left_out(results); !some.empty())
-        figure.note += "; " + some + ", fstiff run --format csv has the numbers of all";
+    const auto all = shown_curves(results);
+    const auto with_points =
+        std::count_if(all.begin(), all.end(), [](const Curve* curve) { return !curve->states.empty(); });
+    if (const auto some = drawn(results).size(); some != static_cast<std::size_t>(with_points))
+        figure.note += "; " + std::to_string(some) + " of " + std::to_string(with_points) +
+                       " curves are drawn, fstiff run --format csv has the numbers of all";
     return figure;
 }
 

@@ -2,23 +2,15 @@
 // The files of a figure: the picture, and its numbers as CSV.
 #include "picture/plot.hpp"
 
-#include "document/output.hpp"
-#include "picture/page.hpp"
-
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
+#include "document/output.hpp"
 
 #include <filesystem>
 
 namespace fstiff::cli {
 
-std::string html_page(const Figure& figure) {
-    Figure picture = narrow(figure);
-    Page page(picture.title);
-    picture.title = picture.note = "";
-    page.figure(picture, figure.note);
-    return page.str();
-}
+namespace {
 
 std::string figure_csv(const Figure& given) {
     const Figure figure = in_units(given);
@@ -39,44 +31,30 @@ std::string figure_csv(const Figure& given) {
     return text;
 }
 
-std::string some_of(std::size_t some, std::size_t all) {
-    return some == all ? "" : std::to_string(some) + " of " + std::to_string(all) + " curves are drawn";
-}
-
-std::string shown_file(const std::string& file) {
-    const std::string name = name_of_path(path_of(file).filename());
-    return name.empty() ? file : name;
-}
-
-PictureFiles::PictureFiles(const std::string& file) : picture(file) {
+/// trace.svg to trace.plot.csv. \throws Usage unless \p file ends in .svg.
+std::string table_of(const std::string& file) {
     const std::filesystem::path path = path_of(file);
-    if (path.extension() != ".svg" && path.extension() != ".html")
-        throw Usage("--plot = \"" + file +
-                    "\": must end in .svg or .html; the numbers (.plot.csv) are written next to it");
-    table = name_of_path(std::filesystem::path(path).replace_extension(".plot.csv"));
+    if (path.extension() != ".svg")
+        throw Usage("--plot = \"" + file + "\": must end in .svg; the numbers (.plot.csv) are written next to it");
+    return name_of_path(std::filesystem::path(path).replace_extension(".plot.csv"));
 }
+
+}  // namespace
 
 void keep_for_picture(const std::string& file) {
     if (file.empty()) return;
-    const PictureFiles names(file);
+    const std::string table = table_of(file);
     require_writable(file);
-    require_own(names.table);
-    for (const std::string& name : names.all()) keep_for_output(name);
-}
-
-std::vector<OutputFile> figure_files(const Figure& figure, const std::string& file) {
-    const PictureFiles names(file);
-    return {{names.picture, path_of(file).extension() == ".svg" ? svg(figure) : html_page(figure)},
-            {names.table, figure_csv(figure)}};
-}
-
-std::vector<std::string> write_figure(const Figure& figure, const std::string& file) {
-    deliver(figure_files(figure, file));
-    return PictureFiles(file).all();
+    require_own(table);
+    keep_for_output(file);
+    keep_for_output(table);
 }
 
 Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file) {
-    if (!file.empty()) say_written(report, write_figure(figure(), file));
+    if (file.empty()) return report;
+    const Figure drawn = figure();
+    deliver({{file, svg(drawn)}, {table_of(file), figure_csv(drawn)}});
+    say_written(report, {file, table_of(file)});
     return report;
 }
 

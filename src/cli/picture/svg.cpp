@@ -12,6 +12,24 @@ namespace {
 
 constexpr double left = 84, title_height = 26, below = 54, row_height = 24, line_height = 17, gap = 24;
 
+/// \p text between the tags of SVG.
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : scene::printable(text)) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
 /// Pixels to a tenth, as short as can be.
 std::string px(double value) {
     std::string text = parts::fixed_text(value, 1);
@@ -63,18 +81,10 @@ std::string stroke_class(const PlotLine& line) {
             : line.covered > 0 ? " wide"
                                : "");
 }
-std::string window_class(const PlotWindow& window) {
-    const std::string colour = colour_class(window.colour);
-    return window.colour == next_colour ? "window" : "window f" + colour + " " + colour;
-}
-
 std::string mark(Marker marker, double x, double y) {
     using Points = std::vector<std::pair<double, double>>;
-    static const std::array<Points, 6> shapes{Points{},
-                                              Points{},
-                                              Points{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}},
+    static const std::array<Points, 5> shapes{Points{}, Points{}, Points{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}},
                                               Points{{0, -4}, {3.8, 3}, {-3.8, 3}},
-                                              Points{{0, -4.4}, {4.4, 0}, {0, 4.4}, {-4.4, 0}},
                                               Points{{-1, -4},
                                                      {1, -4},
                                                      {1, -1},
@@ -121,30 +131,22 @@ std::string style() {
     return "<style>" + light + "@media screen and (prefers-color-scheme:dark){" + dark + "}</style>\n";
 }
 
-/// Background of the lines: an image, shaded windows, the grid.
+/// Background of the lines: shaded windows, changes of the law, the grid.
 std::string background(const Drawing& d) {
     const Panel& panel = d.panel;
     const double width = panel.width, height = panel.height;
     std::string out;
-    if (panel.image) {
-        const PlotImage& image = *panel.image;
-        const double x = d.place_x(image.x_low), y = d.place_y(image.y_high);
-        out += "<image x=\"" + px(x) + "\" y=\"" + px(y) + "\" width=\"" + px(d.place_x(image.x_high) - x) +
-               "\" height=\"" + px(d.place_y(image.y_low) - y) +
-               "\" preserveAspectRatio=\"none\" href=\"data:image/bmp;base64," + base64(image.bmp) + "\"/>\n";
-    }
     for (const PlotWindow& window : panel.windows) {
-        const auto bounded = [](double at, double size) { return std::clamp(at, 0.0, size); };
-        const std::string data = data_range("range", window.low, window.high, 15);
-        if (window.of_y) {
-            const double high = bounded(d.place_y(window.high), height), low = bounded(d.place_y(window.low), height);
-            out += rectangle(window_class(window), 0, high, width, low - high, data);
-        } else {
-            const double low = bounded(d.place_x(window.low), width), high = bounded(d.place_x(window.high), width);
-            out += rectangle(window_class(window), low, 0, high - low, height, data);
-        }
+        const double high = std::clamp(d.place_y(window.high), 0.0, height),
+                     low = std::clamp(d.place_y(window.low), 0.0, height);
+        out += rectangle("window", 0, high, width, low - high, data_range("range", window.low, window.high, 15));
     }
-    if (panel.image) return out;
+    for (const PlotChange& change : panel.changes) {
+        const double x = d.place_x(change.x);
+        out += line_at("line cn dot", x, 0, x, height) +
+               text_at(x - 6, height - 8, change.before, "class=\"small\" text-anchor=\"end\"") +
+               text_at(x + 6, height - 8, change.after, "class=\"small\"");
+    }
     const auto kind = [](const Tick& tick) { return tick.label.empty() ? "fine" : "grid"; };
     for (const Tick& tick : d.x_scale.ticks())
         out += line_at(kind(tick), d.place_x(tick.value), 0, d.place_x(tick.value), height);
@@ -219,10 +221,10 @@ std::string axes(const Drawing& d, double plot_top) {
     const double width = panel.width, height = panel.height;
     std::string out;
     for (const Tick& tick : d.x_scale.ticks())
-        if (panel.x.ticks && !tick.label.empty())
+        if (!tick.label.empty())
             out += text_at(left + d.place_x(tick.value), plot_top + height + 18, tick.label, "text-anchor=\"middle\"");
     for (const Tick& tick : d.y_scale.ticks())
-        if (panel.y.ticks && !tick.label.empty())
+        if (!tick.label.empty())
             out += text_at(left - 7, plot_top + d.place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
     const bool aside = std::any_of(d.lines.begin(), d.lines.end(), [](const auto& line) { return line.aside != 0; });
     out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label() + (aside ? ", marks side by side" : ""),
@@ -241,7 +243,7 @@ std::string draw(const std::vector<Entry>& legend, double x, double y) {
     std::string out;
     for (const Entry& entry : legend) {
         if (entry.window)
-            out += rectangle(window_class(*entry.window), x, y - 7, 30, 14);
+            out += rectangle("window", x, y - 7, 30, 14);
         else {
             const std::string colour = colour_class(entry.line->colour);
             if (entry.line->bars)
@@ -263,20 +265,18 @@ std::string draw(const std::vector<Entry>& legend, double x, double y) {
 struct Size {
     double width, height;
 };
-Size size_of(const Panel& panel, bool legend_below) {
+Size size_of(const Panel& panel) {
     const std::vector<Entry> legend = Drawing(panel).legend();
     std::size_t widest = 0;
     for (const Entry& entry : legend)
         for (const auto& text : entry.text) widest = std::max(widest, shown_width(text));
     const double title = panel.title.empty() ? 12 : title_height;
-    if (legend.empty() || legend_below)
-        return {left + panel.width + 24, title + panel.height + below + height_of(legend)};
     return {left + panel.width + gap + 46 + 7.3 * static_cast<double>(widest),
             title + std::max(panel.height, height_of(legend)) + below};
 }
 
 /// One panel whose upper edge is at \p top.
-std::string draw(const Panel& panel, double top, bool legend_below) {
+std::string draw(const Panel& panel, double top) {
     const Drawing d(panel);
     std::string out;
     if (!panel.title.empty()) out += text_at(left, top + 16, panel.title, "font-weight=\"600\"");
@@ -287,53 +287,32 @@ std::string draw(const Panel& panel, double top, bool legend_below) {
            data_range("y", d.y_scale.low(), d.y_scale.high(), 6) + " overflow=\"hidden\">\n" + background(d) + bands(d);
     for (const PlotLine& line : d.lines) out += line_and_marks(d, line);
     out += "</svg>\n" + rectangle("frame", left, plot_top, panel.width, panel.height) + axes(d, plot_top);
-    return out + (legend_below ? draw(d.legend(), left, plot_top + panel.height + below + 4)
-                               : draw(d.legend(), left + panel.width + gap, plot_top + 12));
+    return out + draw(d.legend(), left + panel.width + gap, plot_top + 12);
 }
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : scene::printable(text)) {
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '&')
-            result += "&amp;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
-
-double height_of(const Panel& panel) { return size_of(panel, false).height; }
-
 std::string svg(const Figure& given) {
     const Figure figure = in_units(given);
-    const std::string name = escaped(figure.title.empty() ? figure.panels.front().title : figure.title);
+    const std::string name = escaped(figure.title);
     double width = 300;
-    for (const Panel& panel : figure.panels) width = std::max(width, size_of(panel, figure.legend_below).width);
+    for (const Panel& panel : figure.panels) width = std::max(width, size_of(panel).width);
     const auto lines_of = [&](const std::string& text, double character) {
         return text.empty() ? std::vector<std::string>{}
                             : wrapped(text, static_cast<std::size_t>((width - left - 16) / character));
     };
-    const double large = figure.legend_below ? 9 : 7.3;  // a telephone shows the letters of a narrow picture larger
     const auto title = lines_of(figure.title, 8.4), note = lines_of(figure.note, 6.3);
     std::vector<std::string> explanation;
     for (const std::string& sentence : figure.explanation)
-        for (std::string& line : lines_of(sentence, large)) explanation.push_back(std::move(line));
+        for (std::string& line : lines_of(sentence, 7.3)) explanation.push_back(std::move(line));
     const auto height_of_lines = [](const auto& lines) { return line_height * static_cast<double>(lines.size()); };
-    const double below_title = title.empty() ? 8 : 24 + height_of_lines(title);
+    const double below_title = 24 + height_of_lines(title);
     const double first = explanation.empty() ? below_title : below_title + 8 + height_of_lines(explanation);
     std::string panels;
     double top = first;
     for (const Panel& panel : figure.panels) {
-        panels += draw(panel, top, figure.legend_below);
-        top += size_of(panel, figure.legend_below).height;
+        panels += draw(panel, top);
+        top += size_of(panel).height;
     }
     const double height = top + (note.empty() ? 0 : 6 + line_height * static_cast<double>(note.size()));
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fstiff\" viewBox=\"0 0 " + px(width) + " " + px(height) +
