@@ -29,9 +29,6 @@ inline Colour colour_of(int colour) {
     return colour < 0 ? grey : palette[static_cast<std::size_t>(colour) % palette.size()];
 }
 
-/// Points within this many pixels are at one place: a line through them cannot be seen.
-inline constexpr double one_place = 12;
-
 /// One sample and its text, whose lines are below one another.
 struct Entry {
     const PlotLine* line;      ///< with its band, or
@@ -42,7 +39,6 @@ struct Entry {
 struct Drawing {
     explicit Drawing(const Panel& drawn);
     double place_x(double x) const { return panel.width * x_scale(x); }
-    double place_x(const PlotLine& line, std::size_t i) const { return place_x(line.x[i]) + line.aside; }
     bool shows(const PlotLine& line, std::size_t i) const {
         return x_scale.shows(line.x[i]) && y_scale.shows(line.y[i]);
     }
@@ -52,11 +48,6 @@ struct Drawing {
     const Panel& panel;
     std::vector<PlotLine> lines;
     Scale x_scale, y_scale;
-
-private:
-    void set_aside();
-    void tell_apart();
-    bool covers(const PlotLine& upper, const PlotLine& lower) const;
 };
 
 }  // namespace fstiff::cli

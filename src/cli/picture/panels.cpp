@@ -23,55 +23,15 @@ constexpr std::size_t most_curves = 8;
 /// Boundary elements, whose error is that of their grid.
 bool is_truth(const Curve& curve) { return curve.law->name == "boundary_elements"; }
 
-/// A curve that is drawn, the place of its law and, of a law with a joint distribution, that of the distribution.
-struct Chosen {
-    const Curve* curve;
-    std::size_t law;
-    std::optional<std::size_t> peaks;
-};
-
-/// The answer, then the laws in the order of the scene, each with those of its curves that have points.
-std::vector<std::vector<const Curve*>> by_law(const Results& results) {
-    std::vector<std::vector<const Curve*>> laws;
-    for (const Curve* curve : shown_curves(results)) {
-        if (curve->states.empty()) continue;  // no pressure is within its reach
-        const auto same = [&](const auto& of) { return of.front()->law == curve->law && of.front()->by.empty(); };
-        const auto at = std::find_if(laws.begin(), laws.end(), same);
-        if (at == laws.end())
-            laws.push_back({curve});
-        else
-            at->push_back(curve);
+/// The answer, then the laws in the order of the scene; of many curves the first ones, and the truth of a map.
+std::vector<const Curve*> drawn(const Results& results) {
+    std::vector<const Curve*> curves = shown_curves(results);
+    std::erase_if(curves, [](const Curve* curve) { return curve->states.empty(); });  // no pressure is within its reach
+    while (curves.size() > most_curves) {
+        const auto last = std::find_if(curves.rbegin(), curves.rend(), [](const auto* of) { return !is_truth(*of); });
+        curves.erase(std::next(last).base());
     }
-    while (laws.size() > most_curves) {  // the last ones go, but for the truth of the map
-        const auto last =
-            std::find_if(laws.rbegin(), laws.rend(), [](const auto& of) { return !is_truth(*of.front()); });
-        laws.erase(std::next(last).base());
-    }
-    return laws;
-}
-
-/// Curves that are drawn: all, or of every law the same joint distributions, spread over the list, so that all can be
-/// distinguished.
-std::vector<Chosen> drawn(const Results& results) {
-    const auto laws = by_law(results);
-    std::size_t most = 1, longest = 1;
-    for (const auto& law : laws) longest = std::max(longest, law.size());
-    const auto curves_of = [&](std::size_t each) {
-        std::size_t sum = 0;
-        for (const auto& law : laws) sum += std::min(each, law.size());
-        return sum;
-    };
-    while (most < longest && curves_of(most + 1) <= most_curves) ++most;
-    std::vector<Chosen> chosen;
-    for (std::size_t law = 0; law < laws.size(); ++law) {
-        const std::size_t all = laws[law].size(), some = std::min(all, most);
-        for (std::size_t k = 0; k < some; ++k) {
-            const std::size_t at = some < 2 ? 0 : k * (all - 1) / (some - 1);
-            const Curve* const curve = laws[law][at];
-            chosen.push_back({curve, law, curve->theta ? std::optional(at) : std::nullopt});
-        }
-    }
-    return chosen;
+    return curves;
 }
 
 /// "π/4", or the angle in five digits.
@@ -139,23 +99,16 @@ Panel panel_of(const Results& results, const Results& smooth, CurveQuantity quan
                 .x = {.label = "nominal pressure p", .si = "Pa"},
                 .y = std::move(axis),
                 .height = 240};
-    std::vector<std::pair<std::size_t, std::optional<std::size_t>>> kinds;
-    for (const auto& [curve, law, peaks] : drawn(smooth)) {
-        panel.lines.push_back(line_of(*curve, quantity));
-        kinds.emplace_back(law, peaks);
-    }
-    choose_look(panel.lines, kinds);
-    const auto points = drawn(results);
-    const std::size_t lines = panel.lines.size();
-    if (points.size() != lines || points.front().curve->states.size() == drawn(smooth).front().curve->states.size())
-        return panel;
-    for (std::size_t k = 0; k < lines; ++k) {
-        PlotLine marks = line_of(*points[k].curve, quantity);
+    const auto lines = drawn(smooth), points = drawn(results);
+    for (const Curve* curve : lines) panel.lines.push_back(line_of(*curve, quantity));
+    constexpr std::size_t most_marks = 12;
+    const std::size_t count = points.front()->states.size();
+    if (points.size() != lines.size() || count > most_marks || count == lines.front()->states.size()) return panel;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        PlotLine marks = line_of(*points[k], quantity);
         marks.label = "", marks.low.clear(), marks.high.clear();
-        marks.bars = false;
-        marks.colour = panel.lines[k].colour;
-        marks.stroke = Stroke::none;
-        marks.marker = Marker::circle;
+        marks.colour = static_cast<int>(k);
+        marks.points = true;
         panel.lines.push_back(std::move(marks));
     }
     return panel;
@@ -190,7 +143,7 @@ Panel stiffness_panel(const Problem& problem, const Results& results, const Resu
     const double rms_height = problem.face.parameters.rms_height.value;
     for (const double p : reference.x) reference.y.push_back(parts::linear_stiffness(p, rms_height));
     reference.colour = neutral;
-    reference.stroke = Stroke::dashed;
+    reference.dashed = true;
     panel.lines.push_back(std::move(reference));
     return panel;
 }
@@ -222,8 +175,8 @@ Figure results_figure(const Scene& scene, const Results& results, const Results&
     const auto all = shown_curves(results);
     const auto with_points =
         std::count_if(all.begin(), all.end(), [](const Curve* curve) { return !curve->states.empty(); });
-    if (const auto some = drawn(results).size(); some != static_cast<std::size_t>(with_points))
-        figure.note += "; " + std::to_string(some) + " of " + std::to_string(with_points) +
+    if (with_points > static_cast<std::ptrdiff_t>(most_curves))
+        figure.note += "; " + std::to_string(most_curves) + " of " + std::to_string(with_points) +
                        " curves are drawn, fstiff run --format csv has the numbers of all";
     return figure;
 }

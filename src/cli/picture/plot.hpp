@@ -24,9 +24,6 @@ struct Axis {
     std::string si = {};  ///< unit of the values, such as "Pa": the picture chooses nm or mm and adds it to the label
 };
 
-enum class Stroke { solid, dashed, dotted, none };
-enum class Marker { none, circle, square, triangle, cross };
-
 /// Colours 0 to 7 distinguish curves; `neutral` is the grey of references.
 inline constexpr int neutral = -1, next_colour = -2;
 
@@ -39,10 +36,8 @@ struct PlotLine {
     std::string band = {};                    ///< what the band is, for the legend
     bool bars = false;                        ///< an error bar at every point in place of the band
     int colour = next_colour;
-    Stroke stroke = Stroke::solid;
-    Marker marker = Marker::none;
-    int covered = 0;   ///< how many lines lie on it, which is drawn the wider for it; svg() finds those
-    double aside = 0;  ///< pixels to the right, which svg() chooses where all points have one place
+    bool dashed = false;
+    bool points = false;  ///< marks alone
 };
 
 /// A shaded range of the vertical axis.
@@ -77,10 +72,6 @@ struct Figure {
 Figure in_units(Figure figure);
 
 [[nodiscard]] std::string svg(const Figure& given);
-/// Gives \p lines colours and strokes by their \p kinds, such as a law and a distribution of peaks, so that each colour
-/// and each stroke means one thing; what has no second kind is solid.
-void choose_look(std::vector<PlotLine>& lines,
-                 const std::vector<std::pair<std::size_t, std::optional<std::size_t>>>& kinds);
 /// Before anything is read: no input may be \p file or the table of its numbers, FILE.plot.csv. Does nothing without a
 /// \p file. \throws Usage unless it ends in .svg, file_error for a table that fstiff did not make.
 void keep_for_picture(const std::string& file);

@@ -72,38 +72,9 @@ std::string data_range(const char* name, double low, double high, int digits) {
 std::string colour_class(int colour) {
     return colour < 0 ? "cn" : "c" + std::to_string(colour % static_cast<int>(palette.size()));
 }
-std::string stroke_class(const PlotLine& line) {
-    return colour_class(line.colour) +
-           (line.stroke == Stroke::dashed   ? " dash"
-            : line.stroke == Stroke::dotted ? " dot"
-                                            : "") +
-           (line.covered > 1   ? " wider"
-            : line.covered > 0 ? " wide"
-                               : "");
-}
-std::string mark(Marker marker, double x, double y) {
-    using Points = std::vector<std::pair<double, double>>;
-    static const std::array<Points, 5> shapes{Points{}, Points{}, Points{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}},
-                                              Points{{0, -4}, {3.8, 3}, {-3.8, 3}},
-                                              Points{{-1, -4},
-                                                     {1, -4},
-                                                     {1, -1},
-                                                     {4, -1},
-                                                     {4, 1},
-                                                     {1, 1},
-                                                     {1, 4},
-                                                     {-1, 4},
-                                                     {-1, 1},
-                                                     {-4, 1},
-                                                     {-4, -1},
-                                                     {-1, -1}}};  // in the order of Marker
-    if (marker == Marker::none) return "";
-    if (marker == Marker::circle) return "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) + "\" r=\"3.2\"/>";
-    std::string text = "<polygon points=\"";
-    for (const auto& [dx, dy] : shapes[static_cast<std::size_t>(marker)]) text += px(x + dx) + "," + px(y + dy) + " ";
-    text.back() = '"';
-    return text + "/>";
-}
+std::string stroke_class(const PlotLine& line) { return colour_class(line.colour) + (line.dashed ? " dash" : ""); }
+
+std::string mark(double x, double y) { return "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) + "\" r=\"3.2\"/>"; }
 
 std::string style() {
     // every rule is under .fstiff: several pictures share a page and its own rules stay its own
@@ -112,8 +83,7 @@ std::string style() {
         ".fstiff .grid{stroke:#d9d9de}.fstiff .fine{stroke:#eeeef1}.fstiff .frame{fill:none;stroke:#6b6b70}"
         ".fstiff .title{font-size:15px;font-weight:600}.fstiff .small{font-size:11px}"
         ".fstiff .line{fill:none;stroke-width:2;stroke-linejoin:round}.fstiff .dash{stroke-dasharray:7 4}"
-        ".fstiff .dot{stroke-dasharray:2 4}.fstiff .wide{stroke-width:6;stroke-opacity:.45}.fstiff "
-        ".wider{stroke-width:10;stroke-opacity:.3}.fstiff .bar{fill:none;stroke-width:1.4}.fstiff "
+        ".fstiff .dot{stroke-dasharray:2 4}.fstiff .bar{fill:none;stroke-width:1.4}.fstiff "
         ".band{stroke:none;opacity:.18}"
         ".fstiff .window{fill-opacity:.14;stroke-opacity:.7;fill:";
     light += std::string(window_colour.light) + "}";
@@ -172,7 +142,7 @@ std::string bands(const Drawing& d) {
         std::string path;
         if (line.bars) {
             for (std::size_t i = 0; i < line.x.size(); ++i)
-                if (d.shows(line, i)) path += bar(d.place_x(line, i), d.place_y(line.high[i]), low(i));
+                if (d.shows(line, i)) path += bar(d.place_x(line.x[i]), d.place_y(line.high[i]), low(i));
             out += "<path class=\"bar " + colour_class(line.colour) + "\" d=\"" + path + "\"/>\n";
             continue;
         }
@@ -184,33 +154,23 @@ std::string bands(const Drawing& d) {
     return out;
 }
 
-/// One line. Where a stretch of it would be too short to be seen, its points are marked.
+/// One line, or its marks; one point, which no line shows, has a mark.
 std::string line_and_marks(const Drawing& d, const PlotLine& line) {
     std::string path, marks;
-    std::vector<std::pair<double, double>> stretch;
-    const auto end_stretch = [&] {
-        const auto far = [&](const auto& at) {
-            return std::hypot(at.first - stretch[0].first, at.second - stretch[0].second) > one_place;
-        };
-        if (line.marker == Marker::none && !line.label.empty() && std::none_of(stretch.begin(), stretch.end(), far))
-            for (const auto& [x, y] : stretch) marks += mark(Marker::circle, x, y);
-        stretch.clear();
-    };
+    bool joined = false;
     for (std::size_t i = 0; i < line.x.size(); ++i) {
         if (!d.shows(line, i)) {
-            end_stretch();
+            joined = false;
             continue;
         }
         // far outside the frame is as good as anywhere there; numbers stay short
-        const double x = std::clamp(d.place_x(line, i), -1e4, 1e4), y = std::clamp(d.place_y(line.y[i]), -1e4, 1e4);
-        path += (stretch.empty() ? "M" : "L") + px(x) + " " + px(y);
-        marks += mark(line.marker, x, y);
-        stretch.emplace_back(x, y);
+        const double x = std::clamp(d.place_x(line.x[i]), -1e4, 1e4), y = std::clamp(d.place_y(line.y[i]), -1e4, 1e4);
+        path += (joined ? "L" : "M") + px(x) + " " + px(y);
+        if (line.points || line.x.size() == 1) marks += mark(x, y);
+        joined = true;
     }
-    end_stretch();
     std::string out;
-    if (line.stroke != Stroke::none && !path.empty())
-        out += "<path class=\"line " + stroke_class(line) + "\" d=\"" + path + "\"/>\n";
+    if (!line.points && !path.empty()) out += "<path class=\"line " + stroke_class(line) + "\" d=\"" + path + "\"/>\n";
     if (!marks.empty()) out += "<g class=\"f" + colour_class(line.colour) + "\">" + marks + "</g>\n";
     return out;
 }
@@ -226,9 +186,7 @@ std::string axes(const Drawing& d, double plot_top) {
     for (const Tick& tick : d.y_scale.ticks())
         if (!tick.label.empty())
             out += text_at(left - 7, plot_top + d.place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
-    const bool aside = std::any_of(d.lines.begin(), d.lines.end(), [](const auto& line) { return line.aside != 0; });
-    out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label() + (aside ? ", marks side by side" : ""),
-                   "text-anchor=\"middle\"");
+    out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label(), "text-anchor=\"middle\"");
     return out + text_at(18, plot_top + height / 2, d.y_scale.label(),
                          "text-anchor=\"middle\" transform=\"rotate(-90 18 " + px(plot_top + height / 2) + ")\"");
 }
@@ -250,10 +208,7 @@ std::string draw(const std::vector<Entry>& legend, double x, double y) {
                 out += "<path class=\"bar " + colour + "\" d=\"" + bar(x + 15, y - 7, y + 7) + "\"/>\n";
             else if (!entry.line->band.empty())
                 out += rectangle("band f" + colour, x, y - 7, 30, 14);
-            if (entry.line->stroke != Stroke::none)
-                out += line_at("line " + stroke_class(*entry.line), x, y, x + 30, y);
-            if (entry.line->marker != Marker::none)
-                out += "<g class=\"f" + colour + "\">" + mark(entry.line->marker, x + 15, y) + "</g>\n";
+            out += line_at("line " + stroke_class(*entry.line), x, y, x + 30, y);
         }
         out += paragraph_at(x + 38, y + 4.5, entry.text);
         y += height_of({entry});
