@@ -19,8 +19,6 @@ const std::vector<std::string> commands{"",
                                         "ultrasound",
                                         "identify",
                                         "truth",
-                                        "reproduce",
-                                        "report",
                                         "formats",
                                         "export",
                                         "sweep",
@@ -70,7 +68,6 @@ TEST_CASE("A file whose name begins with - is refused with the way to give it") 
 
 TEST_CASE("A wrong word is answered with the nearest right one") {
     test::check_refused("masure", 2, {"masure", "did you mean measure?"});
-    test::check_refused("reprot", 2, {"did you mean report?"});
     test::check_refused("run --formt csv", 2, {"--formt", "did you mean --format?"});
     test::check_refused("measure --show fit x --widnow=1", 2, {"did you mean --window?"});
     test::check_refused("--vresion", 2, {"did you mean --version?"});
@@ -102,7 +99,7 @@ TEST_CASE("--help lists the commands under what they are for") {
     const std::string help = test::run_fstiff("--help").out;
     std::size_t last = 0;
     for (const char* part :
-         {"\nCompute:\n  run ", "\n  report ", "\n  ultrasound ", "\nSurfaces:\n  measure ", "\n  generate ",
+         {"\nCompute:\n  run ", "\n  ultrasound ", "\nSurfaces:\n  measure ", "\n  generate ",
           "\nMeasured K:\n  identify ", "\nChecks:\n  truth ", "\nHelp:\n  formats ", "\n  help "}) {
         INFO(part << "\n" << help);
         const auto at = help.find(part, last);

@@ -57,7 +57,7 @@ TEST_CASE("A fault of the call ends measure, truth and run with exit code 2, one
 }
 
 TEST_CASE(
-    "That R and D_p of islands represent nothing ends measure, islands, run, report and identify with exit code 4") {
+    "That R and D_p of islands represent nothing ends measure, islands, run and identify with exit code 4") {
     const test::Folder folder;
     const std::string map = folder.write("hills.txt", test::two_hills()), file = folder / "hills.json";
     const std::string options = " --units um,nm --dx '1 um' --dy '1 um'";
@@ -90,7 +90,6 @@ TEST_CASE(
                                       test::replaced(rest, "\"10 MPa\"", "\"3 MPa\", \"10 MPa\""));
     REQUIRE(test::run_fstiff("run '" + scene + "' --format csv -o '" + folder / "k.csv" + "'").status == 4);
     repeats("run '" + scene + "'");
-    repeats("report '" + scene + "' -o '" + folder / "report'");
     repeats("identify '" + scene + "' --measured '" + folder / "k.csv" + "' --fit sigma");
 }
 

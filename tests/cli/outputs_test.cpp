@@ -41,7 +41,7 @@ TEST_CASE("No command writes over a file that it reads") {
     folder.write("scene.toml", scene_from("d.csv"));
     folder.write("trace.plot.csv", profile());
     folder.write("from.toml", scene_from("trace.plot.csv"));
-    folder.write("page.html", read(FSTIFF_SCENES "/sand_blasted_fine.toml"));
+    folder.write("page.svg", read(FSTIFF_SCENES "/sand_blasted_fine.toml"));
     folder.write("k.csv", "pressure [MPa],stiffness [GPa/um]\n1,0.004\n10,0.03\n100,0.2\n");
     std::filesystem::create_symlink("d.csv", folder / "link.csv");
     std::filesystem::create_hard_link(folder / "d.csv", folder / "hard.csv");
@@ -56,7 +56,7 @@ TEST_CASE("No command writes over a file that it reads") {
     check_harmless(folder, "run scene.toml -o scene.toml", 3, {"scene.toml", input});
     check_harmless(folder, "run scene.toml -o d.csv", 3, {"d.csv", input});
     check_harmless(folder, "run --surface d.csv -o d.csv", 3, {"d.csv", input});
-    check_harmless(folder, "run page.html --plot page.html", 3, {"page.html", input});
+    check_harmless(folder, "run page.svg --plot page.svg", 3, {"page.svg", input});
     check_harmless(folder, "identify --measured k.csv --fit sigma --law hertz -o k.csv", 3, {"k.csv", input});
 }
 
@@ -72,36 +72,8 @@ TEST_CASE("A file next to a picture is replaced only if fstiff made it") {
     CHECK(shell(run).status == 0);  // its own files it replaces
 
     folder.write("trace.plot.csv", profile());  // of fstiff generate: no picture's numbers
-    check_harmless(folder, "run --plot trace.html", 3, {"trace.plot.csv", "not made by fstiff"});
-    check_harmless(folder, "identify --measured k.csv --fit sigma --plot trace.svg", 3, {"trace.plot.csv"});
+    check_harmless(folder, "run --plot trace.svg", 3, {"trace.plot.csv", "not made by fstiff"});
     check_harmless(folder, "run --plot new.svg -o new.plot.csv", 3, {"new.plot.csv", "written twice"});
-}
-
-TEST_CASE("report and reproduce replace their own pages only, and leave no half folder") {
-    const Folder folder;
-    std::filesystem::create_directory(folder / "site");
-    folder.write("site/index.html", "<!doctype html>\n<title>mine</title>\n");
-    folder.write("site/report.html", "<!doctype html>\n<title>mine</title>\n");
-    check_harmless(folder, "reproduce -o site", 3, {"index.html", "not made by fstiff"});
-    check_harmless(folder, "report -o site", 3, {"report.html", "not made by fstiff"});
-    check_harmless(folder, "report none.toml -o new/folder", 3, {"none.toml"});
-
-    const std::string report = "cd '" + (folder / "") + "' && fstiff report -o new/folder";
-    REQUIRE(shell(report).status == 0);
-    CHECK(shell(report).status == 0);
-    CHECK(read(folder / "new/folder/report.html").starts_with("<!-- fstiff "));
-    // a limit on the size of files that the page exceeds
-    const Outcome limited = shell("cd '" + (folder / "") + "' && ulimit -f 8 && fstiff report -o other/folder");
-    INFO(limited.err);
-    CHECK(limited.status == 3);
-    CHECK_FALSE(std::filesystem::exists(folder / "other"));
-}
-
-TEST_CASE("reproduce keeps files that it did not make") {
-    const Folder folder;
-    std::filesystem::create_directory(folder / "paper");
-    folder.write("paper/fig9.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n");
-    check_harmless(folder, "reproduce -o paper", 3, {"fig9.svg", "not made by fstiff"});
 }
 
 TEST_CASE("A file that may not grow further is reported with its reason, and the old one stays") {
@@ -160,7 +132,6 @@ TEST_CASE("A write-protected output stays, and is refused with its reason") {
     if (shell(as + "--version").status == 0) {
         refused("run -o old.txt", "old.txt: cannot be written: Permission denied");
         refused("run -o new.txt", "new.txt: cannot be written: Permission denied");
-        refused("report -o new/folder", "new/folder: is not a folder and cannot be made one: Permission denied");
     } else {
         leave_out("nobody but root can run the command here");
     }
@@ -173,8 +144,7 @@ TEST_CASE("An empty argument is refused, as of a script whose variable is not se
     const Folder folder;
     for (const char* arguments :
          {"run ''", "run -o ''", "run --plot ''", "run --plot=", "run --surface ''", "measure --show fit ''",
-          "measure --units '' d.csv", "report -o ''", "reproduce -o ''", "identify --measured '' --fit sigma",
-          "generate '' --spacing '1 um'", "''"})
+          "measure --units '' d.csv", "identify --measured '' --fit sigma", "generate '' --spacing '1 um'", "''"})
         check_harmless(folder, arguments, 2, {"is empty"});
 }
 
@@ -191,7 +161,7 @@ TEST_CASE("A seed is a whole number of 64 bits that is not negative") {
     CHECK(greatest.out != run_fstiff(make + "0").out);
 }
 
-TEST_CASE("The output - is standard output, and what must be a file or a folder refuses it") {
+TEST_CASE("The output - is standard output, and what must be a file refuses it") {
     const Folder folder;
     folder.write("d.csv", profile());
     folder.write("grid.toml", read(FSTIFF_SCENES "/../examples/sweeps/grid.toml"));
@@ -207,8 +177,6 @@ TEST_CASE("The output - is standard output, and what must be a file or a folder 
         CHECK(dash.out == plain.out);
     }
     CHECK(folder.files() == 2);
-    check_harmless(folder, "report -o -", 2, {"is standard output", "must be a folder"});
-    check_harmless(folder, "reproduce -o -", 2, {"is standard output", "must be a folder"});
     check_harmless(folder, "sweep grid.toml -o -", 2, {"is standard output", "must be a file"});
     check_harmless(folder, "sweep --merge x.jsonl -o -", 2, {"is standard output", "must be a file"});
     REQUIRE(shell(in + "run -o ./-").status == 0);  // a file of that name
@@ -253,14 +221,14 @@ TEST_CASE("Control characters of names are printed nowhere") {
         return text.find('\x1b') != std::string::npos || text.find('\x7f') != std::string::npos ||
                text.find("\xc2\x9b") != std::string::npos || text.find('\xff') != std::string::npos;
     };
-    const std::string picture = folder / "k.svg", page = folder / "site";
+    const std::string picture = folder / "k.svg";
     for (const std::string& command :
          {"measure --show fit '" + profile_file + "'", "measure --format table '" + profile_file + "'",
           "measure --show spectrum '" + profile_file + "'", "measure --show peaks --profile '" + profile_file + "'",
           "run --surface '" + profile_file + "'", "run '" + scene + "' --plot '" + picture + "'",
-          "run '" + scene + "' --full", "report '" + scene + "' -o '" + page + "'",
-          "export --to abaqus '" + scene + "'", "measure '" + profile_file + "'", "run '" + scene + "' --format json",
-          "truth '" + profile_file + "'", "run '" + folder / (name + "none") + "'"}) {
+          "run '" + scene + "' --full", "export --to abaqus '" + scene + "'", "measure '" + profile_file + "'",
+          "run '" + scene + "' --format json", "truth '" + profile_file + "'",
+          "run '" + folder / (name + "none") + "'"}) {
         const Outcome outcome = test::run_fstiff(command);
         INFO(command << "\n" << outcome.err);
         CHECK((outcome.status % 4 == 0 || outcome.status == 3));
@@ -275,7 +243,6 @@ TEST_CASE("Control characters of names are printed nowhere") {
     }
     CHECK_FALSE(has_controls(read(picture)));
     CHECK_FALSE(has_controls(read(folder / "k.plot.csv")));
-    CHECK_FALSE(has_controls(read(page + "/report.html")));
     const std::string json = test::run_fstiff("measure '" + profile_file + "'").out;  // the name stays what it is
     CHECK(contains(json, "\\u001b[31m\\u007f\\u009b2J\\n"));
 }

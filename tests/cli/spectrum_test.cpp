@@ -216,37 +216,6 @@ TEST_CASE("Missing points have an autocorrelation and no spectrum, with a note")
     check_refused("measure --show spectrum nowhere.csv", 3, {"nowhere.csv", "no such file"});
 }
 
-TEST_CASE("The picture of a spectrum has its curves and its numbers, and replaces no input") {
-    const Folder folder;
-    folder.write("map.csv", map_text());
-    for (const std::string of : {"psd", "acf"}) {
-        const auto made = test::run_fstiff("measure --show spectrum '" + (folder / "map.csv") + "' --of " + of + none +
-                                           " --plot '" + (folder / (of + ".svg")) + "'");
-        INFO(made.err);
-        CHECK(made.status == 0);
-        const std::string picture = read(folder / (of + ".svg"));
-        CHECK(picture.starts_with("<svg"));
-        CHECK(test::contains(picture, "Hann window") == (of == "psd"));
-        for (const char* part : of == "psd" ? std::vector<const char*>{"All directions", "sections along y", "rad/µm"}
-                                            : std::vector<const char*>{"along x", "lag [µm]", "Sal and Str"})
-            CHECK(contains(picture, part));
-        CHECK(contains(picture, " of map.csv</text>"));  // the file without its folders
-        CHECK_FALSE(contains(picture, "C_x"));
-        std::vector<std::string> ranges;  // of the panels, one for all
-        for (auto at = picture.find(" data-x="); at != std::string::npos; at = picture.find(" data-x=", at + 1))
-            ranges.push_back(picture.substr(at, picture.find(" data-y", at) - at));
-        REQUIRE(ranges.size() == (of == "psd" ? 2 : 1));
-        CHECK(ranges.front() == ranges.back());
-        CHECK(read(folder / (of + ".plot.csv")).starts_with("# fstiff "));
-    }
-    CHECK(folder.files() == 5);
-    const auto refused =
-        test::run_fstiff("measure --show spectrum '" + (folder / "map.csv") + "' -o '" + (folder / "map.csv") + "'");
-    CHECK(refused.status == 3);
-    CHECK(contains(refused.err, "is an input of this command"));
-    CHECK(test::run_fstiff("measure --show spectrum '" + (folder / "map.csv") + "' --plot picture.txt").status == 2);
-}
-
 TEST_CASE("Of several files the roughness is the mean of theirs, and each file has its own") {
     const Folder folder;
     std::string names;

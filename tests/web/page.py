@@ -76,7 +76,7 @@ def download(page, name):
     return page.download(f"[...document.querySelectorAll('#downloads a')].find(a => a.download == {name!r})")
 
 
-def compare(desk, page, what, report=False, tolerance=same_numbers.TOLERANCE):
+def compare(desk, page, what, tolerance=same_numbers.TOLERANCE):
     """The downloads of the page are what the command makes of its scene."""
     (desk.folder / "scene.toml").write_bytes(download(page, "scene.toml"))
     made = desk.command("run", "scene.toml", "--format", "json", "--plot", "own.svg")
@@ -85,13 +85,6 @@ def compare(desk, page, what, report=False, tolerance=same_numbers.TOLERANCE):
     check(not apart, f"{what}: the answer differs: {apart}")
     apart = difference((desk.folder / "own.svg").read_text(), download(page, "picture.svg").decode())
     check(not apart or "in words" not in apart, f"{what}: the picture differs: {apart}")
-    if report:
-        made = desk.command("report", "scene.toml", "-o", "report")
-        own = (desk.folder / "report/report.html").read_text()
-        click(page, "make-report")
-        page.wait(lambda: page.run("!!document.querySelector('#downloads a[download=\"report.html\"]')"), "no report")
-        apart = difference(own, download(page, "report.html").decode())
-        check("in words" not in apart, f"{what}: the report differs: {apart}")
 
 
 def first_curve(desk, source):
@@ -133,7 +126,7 @@ def surfaces(desk, figures):
         check("loading" in text(page, "table"), "a hardness changes nothing")
         compare(desk, page, "a map of copper on a rigid body")
         answer_to(page, lambda: page.choose(desk.folder / "trace.csv"))
-        compare(desk, page, "a profile", report=True)
+        compare(desk, page, "a profile")
 
 
 def boundary_elements(desk, figures):
@@ -211,7 +204,7 @@ def keyboard(desk):
         go_to("solve")
         answer_to(page, lambda: page.press("Enter"))
         check("boundary elements" in text(page, "table"), "no boundary elements by the keyboard")
-        for name in ("make-report", "scene", "run-scene"):
+        for name in ("print", "scene", "run-scene"):
             page.run("document.getElementById('scene-part').open = true")
             go_to(name)
         nameless = page.run("[...document.querySelectorAll('input, select, textarea')].filter(e => !e.labels.length).length")

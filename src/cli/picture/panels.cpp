@@ -87,7 +87,7 @@ PlotLine line_of(const Curve& curve, CurveQuantity quantity) {
         else if (const auto error = at(Statistic::error); error && line.bars)
             line.low.push_back(*error < 0.9 * *value ? *value - *error : 0), line.high.push_back(*value + *error);
     }
-    line.bars = line.bars && line.low.size() == line.x.size();
+    line.bars = line.bars || line.x.size() == 1;  // where a band has no width
     if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
     if (!line.low.empty()) line.band = line.bars ? "± error" : shown_band;
     return line;
