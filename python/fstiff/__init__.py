@@ -22,9 +22,10 @@ from ._core import version as __version__
 from ._errors import FileError
 from ._integrals import Estimate, peak_integral
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
+from ._report import report
 from ._scenes import Answer, Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
-from ._surfaces import Fit, Islands, Measurement, Parameter, Surface, Truth, fit, islands, measure, open_surface, truth
+from ._surfaces import Fit, Islands, Measurement, Parameter, Scales, Surface, Truth, fit, islands, measure, open_surface, truth
 
 __all__ = [
     "Answer",
@@ -41,6 +42,7 @@ __all__ = [
     "Parameter",
     "Peaks",
     "Points",
+    "Scales",
     "Scene",
     "Spectrum",
     "Stiffness",
@@ -61,6 +63,7 @@ __all__ = [
     "open_surface",
     "peak_integral",
     "peaks",
+    "report",
     "run",
     "spectrum",
     "truth",

@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING, Any, Literal, Union
 from . import _core
 from ._contacts import numbers
 from ._errors import named
-from ._results import frame, lines_of, shown, text_table
+from ._pictures import draw_fits
+from ._results import frame, lines_of, shown, text_table, with_unit
 from ._scenes import Scene, scene_of
 from ._surfaces import Document, Measurement, options_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
     import pandas as pd
+    from matplotlib.axes import Axes
     from typing_extensions import TypeAlias
 
     from ._scenes import Given
@@ -45,14 +47,19 @@ class Identification(Document):
         """A parameter of a fit a row."""
         return frame([{"law": fit["law"], "theta": fit.get("theta"), "r": fit.get("r"), **one} for fit, one in self._parameters()])
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws the measured points with their errors, and the curves that were fitted; returns the axes."""
+        return draw_fits(ax, self)
+
     def _parameters(self) -> list[tuple[dict[str, Any], dict[str, Any]]]:
         return [(fit, one) for fit in self["fits"] for one in fit["parameters"]]
 
     def __repr__(self) -> str:
-        rows = [["fit", "status", "parameter", "value", "+-", "unit"]]
+        rows = [["fit", "status", "parameter", "value"]]
         for fit, one in self._parameters():
-            value, error = (shown(one[key], 5) if one.get(key) is not None else "-" for key in ("value", "standard_error"))
-            rows.append([fit["law"], fit["status"], one["name"], value, error, one["unit"]])
+            value = one.get("value")
+            shown_value = "-" if value is None else with_unit(value, one["unit"], 5, one.get("standard_error") or 0.0)
+            rows.append([fit["law"], fit["status"], one["name"], shown_value])
         return f"<fstiff.Identification from {self['measured']['file']}>\n{text_table(rows)}" + lines_of(self.warnings)
 
 
@@ -68,7 +75,7 @@ class Ultrasound(Document):
     def __repr__(self) -> str:
         if "rows" in self:
             return f"<fstiff.Ultrasound of {self['file']['name']}: {len(self['rows'])} rows>" + lines_of(self.warnings)
-        return f"<fstiff.Ultrasound: K = {shown(self['stiffness_Pa_per_m'], 5)} Pa/m, |R| = {shown(self['reflection'], 5)}>"
+        return f"<fstiff.Ultrasound: K = {with_unit(self['stiffness_Pa_per_m'], 'Pa/m', 5)}, |R| = {shown(self['reflection'], 5)}>"
 
 
 def identify(
