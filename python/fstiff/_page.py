@@ -96,7 +96,7 @@ class Page:
         if text:
             self.add(f"<p>{escape(text)}</p>")
 
-    def list(self, items: Sequence[str]) -> None:
+    def bullets(self, items: Sequence[str]) -> None:
         if items:
             self.add("<ul>" + "".join(f"<li>{escape(sentence(one))}</li>" for one in items) + "</ul>")
 

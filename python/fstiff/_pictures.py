@@ -96,7 +96,8 @@ def draw_structure(ax: Axes | None, functions: Sequence[tuple[str, Mapping[str, 
     ax.set_xlabel("lag [µm]")
     ax.set_ylabel("structure function [µm²]")
     ax.grid(True)
-    ax.legend(fontsize="small")
+    if len(functions) > 1 or any("fitted_lag_m" in of for _, of in functions):
+        ax.legend(fontsize="small")
     return ax
 
 

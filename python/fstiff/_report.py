@@ -22,7 +22,7 @@ from ._scenes import Curves, Scene
 from ._surfaces import Scales
 
 #: What a page of ours begins with; another file is not replaced.
-MARK = "<!-- made by fstiff -->\n"
+MARK = "<!-- fstiff made this page and replaces it when it is asked for again -->\n"
 
 #: Quantities under the same pressures, and what their pictures are called.
 UNDER = {
@@ -63,8 +63,8 @@ def page_of(scene: Scene) -> tuple[str, Curves]:
     under_section(page, curves, smooth)
     page.heading("Inputs")
     inputs = document["inputs"].items()
-    shown_value = lambda one: with_unit(one["value"], one.get("unit", ""), 5) if "value" in one else ""
-    page.table([["key", "value", "as written"], *([key, shown_value(one), one["written"]] for key, one in inputs)])
+    rows = [[key, with_unit(one["value"], one.get("unit", ""), 5) if "value" in one else "", one["written"]] for key, one in inputs]
+    page.table([["key", "value", "as written"], *rows])
     for name, measured in scene._core.measured():
         surface_section(page, name, measured, float(scene._core.points[scene._core.points.size // 2]), curves.effective_modulus)
     page.heading("Validity")
@@ -103,7 +103,7 @@ def answer_section(page: Page, curves: Curves, smooth: Curves, lines: list[tuple
         if curves.warnings
         else "Result: no warnings; the band of K includes the known uncertainties."
     )
-    page.list([*curves.explanation, *curves.warnings])
+    page.bullets([*curves.explanation, *curves.warnings])
     page.add("</div>")
     page.paragraph(document["outside_band"] if document["answer"] else "")
     page.table([["input", ""], *([label, ", ".join(parts)] for label, parts in lines)])
@@ -156,7 +156,7 @@ def surface_section(page: Page, name: str, found: _core.Found, pressure: float, 
     source = document["source"]
     page.heading("Measured surface" + (f", {name}" if name != "surface" else ""))
     page.paragraph(f"{source['file']}, a {source['kind']}, SHA-256 {source['sha256']}.")
-    page.list(source["decisions"])
+    page.bullets(source["decisions"])
     rows = [["parameter", "value", "found by"]]
     for key, one in document["surface"].items():
         rows.append([key.replace("_", " "), with_unit(one["value"], one.get("unit", ""), 5, one["error"]), one["how"]])
@@ -168,7 +168,7 @@ def surface_section(page: Page, name: str, found: _core.Found, pressure: float, 
     scales = scales_of(found.measured, pressure, modulus)
     if scales:
         page.heading("Influence of the cut-offs")
-        page.list(scales["scales"]["settled"])
+        page.bullets(scales["scales"]["settled"])
         page.add('<div class="pair">')
         for of in ("lambda_s", "lambda_c"):
             picture(page, lambda ax: draw_scales(ax, scales, of), f"Filtered with other {of}")
@@ -238,8 +238,9 @@ def execute(arguments: argparse.Namespace) -> int:
             if not old.read(len(MARK)) == MARK.encode():
                 raise ValueError(f"{file}: was not made by fstiff; remove it, or name another file")
     text, curves = page_of(Scene(arguments.scene, surface=arguments.surface))
-    with open(file, "w", encoding="utf-8") as page:
+    with open(file + ".partial", "w", encoding="utf-8") as page:
         page.write(MARK + text)
+    os.replace(file + ".partial", file)
     print(f"report of {curves.name}: {file}")
     for warning in curves.warnings:
         print(f"fstiff: warning: {sentence(warning)}", file=sys.stderr)

@@ -57,7 +57,7 @@ FIELDS = {
 }  # fmt: skip
 
 
-class Columns(Table[Any]):
+class Columns(Table["npt.NDArray[Any]"]):
     """A mapping from the column names of `fstiff run --format csv` to arrays in SI units; those that are there are attributes too.
 
     What follows from K has the ends of its 90 % band: `stiffness.low`, `stiffness.high`; None where it has no band.
@@ -222,7 +222,7 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
     import numpy as np
 
     ax = axes(ax)
-    by_x, by_y = label_axes(ax, x, y, *(np.concatenate([np.ravel(line[i]) for line in lines] or [[]]) for i in (1, 2)))
+    by_x, by_y = label_axes(ax, x, y, *(np.concatenate([np.ravel(line[i]) for line in lines] or [np.empty(0)]) for i in (1, 2)))
     for label, at, values, low, high in lines:
         (line,) = ax.plot(at * by_x, values * by_y, label=label or None)
         if low is not None and not np.all(np.isnan(low)):

@@ -277,7 +277,7 @@ def test_a_plot_and_a_data_frame():
     assert isinstance(frame, pandas.DataFrame) and frame["stiffness_Pa_per_m"].tolist() == points.stiffness.tolist()
     ax = points.plot()
     np.testing.assert_allclose(ax.get_lines()[0].get_xdata(), [1, 10])
-    assert "hertz" in repr(points) and "stiffness_Pa_per_m" in repr(points)
+    assert "hertz" in repr(points) and "K/A0 [" in repr(points) and ax.get_xlabel() == "p [MPa]"
 
 
 @pytest.mark.parametrize(
@@ -347,14 +347,20 @@ def test_an_array_that_results_cannot_go_into_is_refused():
 
 def test_every_column_of_points_is_an_attribute():
     points = CONTACTS["hertz"].at_pressures([1e6, 1e7])
-    assert points.stiffness_error is points["stiffness_error_Pa_per_m"]
-    assert points.loading_stiffness is points["loading_stiffness_Pa_per_m"]
-    assert points.contact_density is points["contacts_per_m2"]
+    for name, key in (
+        ("stiffness_error", "stiffness_error_Pa_per_m"),
+        ("loading_stiffness", "loading_stiffness_Pa_per_m"),
+        ("contact_density", "contacts_per_m2"),
+    ):
+        assert np.array_equal(getattr(points, name), points[key]) and name in dir(points)
+    assert points.stiffness.low is None  # a contact has no band
+    with pytest.raises(AttributeError, match="loss_factor: is not a column here"):
+        points.loss_factor
 
 
 def test_a_notebook_shows_a_table():
     html = CONTACTS["hertz"].at_pressures([1e6, 1e7])._repr_html_()
-    assert html.startswith("<p>&lt;fstiff.Points of hertz: 2 points&gt;</p><table><tr><th>pressure_Pa</th>")
+    assert html.startswith("<p>&lt;fstiff.Points of hertz: 2 points&gt;</p><table><tr><th>p [MPa]</th>")
     assert html.count("<tr>") == 3 and html.endswith("</td></tr></table>")
 
 

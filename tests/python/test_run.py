@@ -146,9 +146,33 @@ def test_a_plot_draws_every_curve_with_its_band():
     scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
     curves = fstiff.run(scene)
     ax = curves.plot()
-    assert len(ax.get_lines()) == len(curves.parts())
-    assert ax.get_lines()[0].get_ydata()[0] == curves["stiffness_Pa_per_m"][0] * 1e-15
-    assert len(ax.collections) >= 1 and "GPa/µm" in ax.get_ylabel()
+    lines = ax.get_lines()
+    count = 1 + len(curves.parts())  # the answer is among them
+    assert len(lines) == 2 * count and lines[0].get_xdata().size > 40 and lines[count].get_xdata().size == 3
+    np.testing.assert_allclose(lines[count].get_ydata(), curves.answer.stiffness * 1e-12, rtol=1e-15)
+    at = np.searchsorted(lines[0].get_xdata(), lines[count].get_xdata() * (1 - 1e-12))  # the marks are on the smooth line
+    np.testing.assert_allclose(lines[0].get_ydata()[at], lines[count].get_ydata(), rtol=1e-12)
+    assert len(ax.collections) >= 1 and "MPa/µm" in ax.get_ylabel()
+
+
+def test_the_law_is_marked_where_it_changes(rough_map):
+    pytest.importorskip("matplotlib")
+    scene = {"material": {"upper": "steel"}, "contact": {"pressures": ["1 kPa", "1 MPa", "100 MPa"]}}
+    curves = fstiff.run(scene, surface=fstiff.measure(rough_map, spacing=1e-6))
+    texts = [text.get_text() for text in curves.plot().texts]
+    laws = list(dict.fromkeys(curves.smooth().answer["law"]))
+    assert len(laws) > 1 and texts == [law.replace("_", " ") for law in laws]
+
+
+def test_columns_are_attributes_that_know_their_band():
+    curves = fstiff.run(SCENE)
+    for found in (curves.answer, pickle.loads(pickle.dumps(curves)).answer):
+        k = found.stiffness
+        assert np.array_equal(k, found["stiffness_Pa_per_m"]) and np.all(k.low < k) and np.all(k < k.high)
+        assert k[1:].low[0] == k.low[1] and isinstance(k[0], float)
+        again = pickle.loads(pickle.dumps(k))
+        assert np.array_equal(again.high, k.high) and (2 * k).low is None
+    assert curves.answer.law[0] == curves.answer["law"][0]
 
 
 def test_a_measured_surface_stands_in_place_of_a_file(command, trace, tmp_path):
