@@ -129,7 +129,8 @@ def draw_scales(ax: Axes | None, scales: Table[Any], of: str) -> Axes:
     ax.set_xlabel(f"{of} [µm]")
     ax.set_ylabel(f"ratio to the value at the chosen {of}")
     ax.grid(True)
-    ax.legend(fontsize="small")
+    if ax.get_lines():
+        ax.legend(fontsize="small")
     return ax
 
 

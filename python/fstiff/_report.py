@@ -170,7 +170,7 @@ def surface_section(page: Page, name: str, found: _core.Found, pressure: float, 
         page.heading("Influence of the cut-offs")
         page.bullets(scales["scales"]["settled"])
         page.add('<div class="pair">')
-        for of in ("lambda_s", "lambda_c"):
+        for of in (one for one in ("lambda_s", "lambda_c") if sum(row.get(one + "_m") is not None for row in scales["scales"]["rows"]) > 1):
             picture(page, lambda ax: draw_scales(ax, scales, of), f"Filtered with other {of}")
         page.add("</div>")
         page.paragraph(f"K by {scales['scales']['law']} at {with_unit(pressure, 'Pa')}.")

@@ -222,7 +222,8 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
     import numpy as np
 
     ax = axes(ax)
-    by_x, by_y = label_axes(ax, x, y, *(np.concatenate([np.ravel(line[i]) for line in lines] or [np.empty(0)]) for i in (1, 2)))
+    every: list[Any] = [np.concatenate([np.ravel(line[i]) for line in lines]) if lines else [] for i in (1, 2)]
+    by_x, by_y = label_axes(ax, x, y, *every)
     for label, at, values, low, high in lines:
         (line,) = ax.plot(at * by_x, values * by_y, label=label or None)
         if low is not None and not np.all(np.isnan(low)):

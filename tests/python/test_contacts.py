@@ -355,7 +355,7 @@ def test_every_column_of_points_is_an_attribute():
         assert np.array_equal(getattr(points, name), points[key]) and name in dir(points)
     assert points.stiffness.low is None  # a contact has no band
     with pytest.raises(AttributeError, match="loss_factor: is not a column here"):
-        points.loss_factor
+        _ = points.loss_factor
 
 
 def test_a_notebook_shows_a_table():
