@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the pictures of the documents with the command itself.
+"""Draws the pictures of the documents with the command and the Python package.
 
     tools/make_pictures.py build/release/bin/fstiff            writes the pictures of docs that PICTURES names, and
                                                               docs/afm_map.svg where the map is there
     tools/make_pictures.py --check build/release/bin/fstiff    exit code 1 when the command draws one otherwise
 
+Those of PLOTS are drawn by the Python package, where it is installed; they are not checked, because each matplotlib draws otherwise.
 Numbers may differ by 0.02 points, the last digit, where another compiler rounds otherwise; everything else must be equal.
 """
+import io
+import os
 import pathlib
 import re
 import shlex
@@ -25,13 +28,40 @@ PICTURES = {
     "built_in": ("run data/built_in.toml",),
     "stiffness": ("run docs/stiffness.toml",),
     "first_curve": ("run first-curve.toml",),
-    "trace_scales": (TRACE, "measure trace.csv --scales"),
-    "spectrum": (TRACE, "measure trace.csv --show spectrum"),
     "map_answer": (MAP, "run two_laws.toml --surface map.csv"),
-    "identify": ("identify docs/stiffness.toml --measured data/example_stiffness.csv --law hertz --fit sigma,Dp",),
     "heat_sink": ("run examples/interface/heat_sink.toml",),
-    "sweep": ("sweep examples/sweeps/grid.toml",),
 }
+# The same of the Python package: what is drawn, once for each of several axes.
+PLOTS = {
+    "trace_scales": (TRACE, "fstiff.measure('trace.csv').scales().plot(ax, 'lambda_s')", "fstiff.measure('trace.csv').scales().plot(ax, 'lambda_c')"),
+    "spectrum": (TRACE, "fstiff.spectrum('trace.csv').plot(ax)"),
+    "identify": ("", "fstiff.identify('docs/stiffness.toml', 'data/example_stiffness.csv', ['sigma', 'Dp'], law='hertz').plot(ax)"),
+}
+
+
+def plots(folder, command):
+    """The pictures of PLOTS; none without the package."""
+    try:
+        import fstiff
+        from fstiff._page import INK, STYLE
+        from matplotlib import rc_context
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        print(f"{', '.join(PLOTS)} are not drawn: {error}", file=sys.stderr)
+        return {}
+    made = {}
+    os.chdir(folder)
+    for name, (line, *drawn) in PLOTS.items():
+        if line:
+            subprocess.run([command, *shlex.split(line)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with rc_context(STYLE):
+            figure = Figure(figsize=(6, 3.4 * len(drawn)), layout="constrained", facecolor="white")
+            for place, one in enumerate(drawn):
+                eval(one, {"fstiff": fstiff, "ax": figure.add_subplot(len(drawn), 1, place + 1)})
+            text = io.StringIO()
+            figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+        made[ROOT / "docs" / f"{name}.svg"] = text.getvalue().replace(INK, "#1d1d1f")
+    return made
 
 
 def scenes(folder):
@@ -44,18 +74,21 @@ def scenes(folder):
 
 
 wanted, (*check, command) = {}, sys.argv[1:]
+command = pathlib.Path(command).resolve()
 if (ROOT / "../shared/surfaces/matrix-3.txt").exists():
     PICTURES["afm_map"] = ("run docs/afm_map.toml",)
 with tempfile.TemporaryDirectory() as name:
     work = pathlib.Path(name) / "work"
-    for part in ("docs", "data", "examples/interface", "examples/sweeps"):
+    for part in ("docs", "data", "examples/interface"):
         shutil.copytree(ROOT / part, work / part)
     pathlib.Path(name, "shared").symlink_to(ROOT.parent / "shared")  # docs/afm_map.toml reads ../../shared
     scenes(work)
     for picture, commands in PICTURES.items():
         for line in commands:
             last = ["--plot", f"{picture}.svg", "-o", f"{picture}.out"] if line == commands[-1] else []
-            subprocess.run([pathlib.Path(command).resolve(), *shlex.split(line), *last], cwd=work, check=True,
+            subprocess.run([command, *shlex.split(line), *last], cwd=work, check=True,
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         wanted[ROOT / "docs" / f"{picture}.svg"] = (work / f"{picture}.svg").read_text(encoding="utf-8")
+    if not check:
+        wanted |= plots(work, command)
 sys.exit(write_or_check(wanted, "make_pictures.py", check == ["--check"], 0.021))

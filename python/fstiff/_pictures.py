@@ -115,6 +115,28 @@ def draw_islands(ax: Axes | None, curve: Mapping[str, Any], key: str) -> Axes:
     return ax
 
 
+def draw_spectrum(ax: Axes | None, columns: Mapping[str, Any], of: str) -> Axes:
+    """Draws the first curve of a spectrum, of a psd as means over 2 % of q."""
+    import numpy as np
+
+    ax = axes(ax)
+    (_, x), (key, y), *_ = columns.items()
+    y = np.asarray(y, dtype=float)
+    if of == "acf":
+        ax.plot(x * 1e6, y)
+        ax.set_xlabel("lag [µm]")
+        ax.set_ylabel("autocorrelation")
+    else:
+        bins = np.unique((np.log(x / x[0]) / np.log(1.02)).round(), return_inverse=True)[1]
+        few = [np.bincount(bins, values) / np.bincount(bins) for values in (x, y)]
+        power = int(key[-1])
+        ax.loglog(few[0] * 1e-6, few[1] * 10 ** (6 * power))
+        ax.set_xlabel("q [rad/µm]")
+        ax.set_ylabel(f"C [µm{'³' if power == 3 else '⁴'}]")
+    ax.grid(True)
+    return ax
+
+
 def draw_scales(ax: Axes | None, scales: Table[Any], of: str) -> Axes:
     """Draws K and the parameters over those with the chosen cut-offs, against one cut-off."""
     ax = axes(ax)

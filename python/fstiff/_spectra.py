@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal
 
 from . import _core
-from ._results import axes, frame, lines_of, shown
+from ._pictures import draw_spectrum
+from ._results import frame, lines_of, shown
 from ._surfaces import Document, Surface, one_source, options_of, surface_of
 
 if TYPE_CHECKING:
@@ -31,15 +32,7 @@ class Spectrum(Document):
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws the curve of all directions, of a profile the only one; returns the axes."""
-        ax = axes(ax)
-        (x_key, x), (y_key, y), *_ = self[self.of].items()
-        if self.of == "psd":
-            ax.loglog(x, y)
-        else:
-            ax.plot(x, [float("nan") if one is None else one for one in y])
-        ax.set_xlabel(x_key)
-        ax.set_ylabel(y_key)
-        return ax
+        return draw_spectrum(ax, self[self.of], self.of)
 
     def __repr__(self) -> str:
         columns = self[self.of]

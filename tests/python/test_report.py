@@ -47,7 +47,7 @@ def test_a_measured_surface_is_shown_with_its_scales(rough_map, trace, tmp_path)
     assert "Structure function of second differences" in text_of(fstiff.report(surface=fstiff.measure(trace, spacing=5e-7)))
     measured = fstiff.measure(rough_map, dx=1e-6, dy=1.5e-6)
     rows = measured.scales(pressure=30e6)["scales"]["rows"]
-    assert len(rows) > 3 and all(row["stiffness_Pa_per_m"] > 0 for row in rows if not row["refusal"])
+    assert len(rows) >= 3 and all(row["stiffness_Pa_per_m"] > 0 for row in rows if not row["refusal"])
     assert measured.scales().plot(of="lambda_c").get_xlabel() == "lambda_c [µm]"
 
 
