@@ -37,12 +37,12 @@ def draw_curves(given: Curves, smooth: Curves, y: str, x: str, ax: Axes | None) 
         ax.plot(at * by_x, values * by_y, "o", ms=4, color=line.get_color())
     if answers:
         laws, p = smooth.answer["law"], smooth.answer["pressure_Pa"]
-        for i in np.flatnonzero(laws[1:] != laws[:-1]):
+        for count, i in enumerate(np.flatnonzero(laws[1:] != laws[:-1])):
             at = np.sqrt(p[i] * p[i + 1]) * by_x
             ax.axvline(at, ls=":", lw=1, color="grey")
-            for law, side, by in ((laws[i], "right", -3), (laws[i + 1], "left", 3)):
-                place: Any = {"xy": (at, 0.02), "xycoords": ax.get_xaxis_transform(), "xytext": (by, 0), "textcoords": "offset points"}
-                ax.annotate(law.replace("_", " "), ha=side, size="small", **place)
+            for law, side, by in ((laws[i], "right", -3), (laws[i + 1], "left", 3))[count > 0 :]:
+                place: Any = {"xy": (at, 0.02 + 0.05 * count), "xycoords": ax.get_xaxis_transform()}
+                ax.annotate(law.replace("_", " "), ha=side, size="small", xytext=(by, 0), textcoords="offset points", **place)
     return ax
 
 
@@ -142,6 +142,7 @@ def draw_scales(ax: Axes | None, scales: Table[Any], of: str) -> Axes:
     ax = axes(ax)
     other = "lambda_c_m" if of == "lambda_s" else "lambda_s_m"
     rows = [row for row in scales["scales"]["rows"] if row.get(other) == scales[other] and row.get(of + "_m")]
+    rows.sort(key=lambda row: row[of + "_m"])
     chosen = next((row for row in rows if row[of + "_m"] == scales[of + "_m"]), rows[len(rows) // 2] if rows else {})
     for label, key in (("K", "stiffness_Pa_per_m"), ("σ", "rms_height_m"), ("gradient", "rms_gradient"),
                        ("R", "peak_radius_m"), ("D_p", "peak_density_per_m2")):  # fmt: skip

@@ -111,11 +111,14 @@ std::string background(const Drawing& d) {
                      low = std::clamp(d.place_y(window.low), 0.0, height);
         out += rectangle("window", 0, high, width, low - high, data_range("range", window.low, window.high, 15));
     }
-    for (const PlotChange& change : panel.changes) {
+    double y = height - 8;
+    for (const PlotChange& change : panel.changes) {  // close ones have their names above one another
         const double x = d.place_x(change.x);
-        out += line_at("line cn dot", x, 0, x, height) +
-               text_at(x - 6, height - 8, change.before, "class=\"small\" text-anchor=\"end\"") +
-               text_at(x + 6, height - 8, change.after, "class=\"small\"");
+        out += line_at("line cn dot", x, 0, x, height);
+        if (&change == &panel.changes.front())
+            out += text_at(x - 6, y, change.before, "class=\"small\" text-anchor=\"end\"");
+        out += text_at(x + 6, y, change.after, "class=\"small\"");
+        y -= line_height;
     }
     const auto kind = [](const Tick& tick) { return tick.label.empty() ? "fine" : "grid"; };
     for (const Tick& tick : d.x_scale.ticks())
