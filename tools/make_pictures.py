@@ -9,7 +9,6 @@
 Those of PLOTS are drawn by the Python package, where it is installed; they are not checked, because each matplotlib draws otherwise.
 Numbers may differ by 0.02 points, the last digit, where another compiler rounds otherwise; everything else must be equal.
 """
-import io
 import os
 import pathlib
 import re
@@ -31,36 +30,30 @@ PICTURES = {
     "map_answer": (MAP, "run two_laws.toml --surface map.csv"),
     "heat_sink": ("run examples/interface/heat_sink.toml",),
 }
-# The same of the Python package: what is drawn, once for each of several axes.
+# The same of the Python package.
 PLOTS = {
-    "trace_scales": (TRACE, "fstiff.measure('trace.csv').scales().plot(ax, 'lambda_s')", "fstiff.measure('trace.csv').scales().plot(ax, 'lambda_c')"),
-    "spectrum": (TRACE, "fstiff.spectrum('trace.csv').plot(ax)"),
-    "identify": ("", "fstiff.identify('docs/stiffness.toml', 'data/example_stiffness.csv', ['sigma', 'Dp'], law='hertz').plot(ax)"),
+    "trace_scales": "fstiff.measure('trace.csv').scales().plot(ax)",
+    "spectrum": "fstiff.spectrum('trace.csv').plot(ax)",
+    "identify": "fstiff.identify('docs/stiffness.toml', 'data/example_stiffness.csv', ['sigma', 'Dp'], law='hertz').plot(ax)",
 }
 
 
-def plots(folder, command):
+def plots(folder):
     """The pictures of PLOTS; none without the package."""
     try:
         import fstiff
-        from fstiff._page import INK, STYLE
-        from matplotlib import rc_context
-        from matplotlib.figure import Figure
+        from fstiff._page import figure, style, svg
     except ImportError as error:
         print(f"{', '.join(PLOTS)} are not drawn: {error}", file=sys.stderr)
         return {}
-    made = {}
     os.chdir(folder)
-    for name, (line, *drawn) in PLOTS.items():
-        if line:
-            subprocess.run([command, *shlex.split(line)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        with rc_context(STYLE):
-            figure = Figure(figsize=(6, 3.4 * len(drawn)), layout="constrained", facecolor="white")
-            for place, one in enumerate(drawn):
-                eval(one, {"fstiff": fstiff, "ax": figure.add_subplot(len(drawn), 1, place + 1)})
-            text = io.StringIO()
-            figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
-        made[ROOT / "docs" / f"{name}.svg"] = text.getvalue().replace(INK, "#1d1d1f")
+    subprocess.run([command, *shlex.split(TRACE)], check=True, capture_output=True)
+    made = {}
+    for name, plot in PLOTS.items():
+        with style():
+            of, ax = figure(6, 3.6)
+            eval(plot, {"fstiff": fstiff, "ax": ax})
+        made[ROOT / "docs" / f"{name}.svg"] = svg(of).replace("currentColor", "#1d1d1f").replace("<svg", '<svg style="background:white"', 1)
     return made
 
 
@@ -90,5 +83,5 @@ with tempfile.TemporaryDirectory() as name:
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         wanted[ROOT / "docs" / f"{picture}.svg"] = (work / f"{picture}.svg").read_text(encoding="utf-8")
     if not check:
-        wanted |= plots(work, command)
+        wanted |= plots(work)
 sys.exit(write_or_check(wanted, "make_pictures.py", check == ["--check"], 0.021))

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 
 class Values(np.ndarray):
-    """An array that knows the ends of its 90 % band, `low` and `high`; None where it has none. What is computed of it has none."""
+    """An array with the ends of its 90 % band, `low` and `high`; None where it has none. What is computed of it has none."""
 
     low: npt.NDArray[np.float64] | None
     high: npt.NDArray[np.float64] | None

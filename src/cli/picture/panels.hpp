@@ -7,8 +7,8 @@
 
 namespace fstiff::cli {
 
-/// Picture of `run --plot`: K(p) of \p smooth, which is \p scene with finer points, with marks at the points of \p scene;
-/// the reflections and what else follows from K and is asked for below it.
+/// Picture of `run --plot`: K(p) of \p smooth, which is of \p scene with finer points, with marks at the points of
+/// \p scene; below it what follows from K and is asked for.
 /// \throws domain_error when the scene asks for no stiffness.
 [[nodiscard]] Figure results_figure(const Scene& scene, const Results& results, const Results& smooth);
 
