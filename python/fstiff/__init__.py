@@ -17,7 +17,7 @@ an argument is a ValueError with one sentence; FileError, a ValueError and an OS
 from __future__ import annotations
 
 from ._answers import Stiffness, answer
-from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names
+from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names, spot_conductance, tangential_ratio
 from ._core import version as __version__
 from ._errors import FileError
 from ._integrals import Estimate, peak_integral
@@ -66,6 +66,8 @@ __all__ = [
     "report",
     "run",
     "spectrum",
+    "spot_conductance",
+    "tangential_ratio",
     "truth",
     "ultrasound",
 ]

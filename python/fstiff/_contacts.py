@@ -34,6 +34,19 @@ def effective_modulus(youngs_modulus: float, poisson_ratio: float, youngs_modulu
     return _core.effective_modulus(*(_number(value, name) for name, value in given.items()))
 
 
+def tangential_ratio(youngs_modulus: float, poisson_ratio: float, youngs_modulus2: float, poisson_ratio2: float) -> float:
+    """K_t/K_n of elastic contacts of two bodies, with Young's moduli in Pa (Mindlin, 1949): 0.82 of steel on steel."""
+    return _core.tangential_ratio(youngs_modulus, poisson_ratio, youngs_modulus2, poisson_ratio2)
+
+
+def spot_conductance(stiffness: npt.ArrayLike, conductivity: float, effective_modulus: float) -> Numbers:
+    """Conductance of heat [W/(m^2 K)] or current [S/m^2] of the spots of a contact of `stiffness` [Pa/m], by the analogy of Barber (2003).
+
+    `conductivity` is the harmonic mean of both bodies [W/(m K) or S/m], `effective_modulus` in Pa. Without films and gap.
+    """
+    return _core.spot_conductance(numbers(stiffness, "stiffness"), conductivity, effective_modulus)
+
+
 def numbers(values: npt.ArrayLike, name: str) -> Numbers:
     """`values` as an array of doubles; without a copy where they are one."""
     import numpy as np
@@ -302,6 +315,39 @@ class Law:
         """p [Pa] and -dp/dd [Pa/m] at the separation [m]: what Newton's method needs."""
         pressure, slope = _evaluated(self._core.tangent_at_separation, separation, "separation", out)
         return pressure, slope
+
+    def energy(self, separation: npt.ArrayLike) -> Numbers | float:
+        """Energy per nominal area that the contact stores at the separation [J/m^2], from [m]."""
+        return _evaluated(self._core.energy, separation, "separation", None)[0]
+
+    def first_slip(
+        self, separation: npt.ArrayLike, slip: npt.ArrayLike, *, friction: float, ratio: float
+    ) -> tuple[Numbers, Numbers]:
+        """Traction q [Pa] and dq/ds [Pa/m] at a first tangential displacement `slip` [m], at the separation [m].
+
+        `friction` is the coefficient of friction, `ratio` is K_t/K_n: tangential_ratio(). Arrays are broadcast. Of elastic laws.
+        """
+        return self._slipped(self._core.first_slip, separation, slip, friction, ratio)
+
+    def cycle(
+        self, separation: npt.ArrayLike, amplitude: npt.ArrayLike, *, friction: float, ratio: float
+    ) -> tuple[Numbers, Numbers]:
+        """Loss [J/m^2] and loss factor of a cycle of tangential displacements between -`amplitude` and `amplitude` [m]; as first_slip() else."""
+        return self._slipped(self._core.cycle, separation, amplitude, friction, ratio)
+
+    def _slipped(
+        self, call: Callable[..., Sequence[Numbers]], separation: npt.ArrayLike, slip: npt.ArrayLike, friction: float, ratio: float
+    ) -> tuple[Numbers, Numbers]:
+        import numpy as np
+
+        both = np.broadcast_arrays(numbers(separation, "separation"), numbers(slip, "slip"))
+        first, second = call(friction, ratio, *(np.ascontiguousarray(one) for one in both))
+        return first.reshape(both[0].shape), second.reshape(both[0].shape)
+
+    @property
+    def touch(self) -> float:
+        """The separation of first touch [m]: the approach under p is touch - separation(p)."""
+        return self._core.touch
 
     @property
     def pressures(self) -> tuple[float, float]:

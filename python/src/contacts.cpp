@@ -4,7 +4,10 @@
 
 #include "scene/one_contact.hpp"
 
+#include <fstiff/asperity/conductance.hpp>
+#include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/contact_law.hpp>
+#include <fstiff/contact/tangential_law.hpp>
 #include <fstiff/double/integrals.hpp>
 
 #include <nanobind/stl/map.h>
@@ -184,6 +187,24 @@ std::vector<Out> batch(const In& x, const Filled& filled, const Call& call) {
     return taken;
 }
 
+using Friction = TangentialLaw<double>;
+
+/// Two numbers of what \p call of the law with friction gives at every separation and slip, arrays of one shape.
+template <auto call, auto first, auto second>
+std::vector<Out> slipped(const TabulatedLaw& law, double friction, double ratio, const In& separations,
+                         const In& slips) {
+    NewArray one(separations), other(separations);
+    {
+        const nb::gil_scoped_release free;
+        const Friction with(law, friction, ratio);
+        for (std::size_t i = 0; i < separations.size(); ++i) {
+            const auto at = (with.*call)(separations.data()[i], slips.data()[i]);
+            one.data()[i] = at.*first, other.data()[i] = at.*second;
+        }
+    }
+    return {one.take(), other.take()};
+}
+
 void add_laws(nb::module_& m) {
     nb::class_<TabulatedLaw>(m, "Law", "A tabulated law; see fstiff.Law.")
         .def_static(
@@ -216,6 +237,16 @@ void add_laws(nb::module_& m) {
                      law.tangent_at_separation(in, to, with);
                  });
              })
+        .def("energy",
+             [](const TabulatedLaw& law, const In& d, const Filled& out) {
+                 return batch<1>(d, out, [&](const ArrayIn& in, ArrayOut energy) {
+                     for (Eigen::Index i = 0; i < in.size(); ++i) energy[i] = law.energy(in[i]);
+                 });
+             })
+        .def("first_slip",
+             &slipped<&Friction::first_slip, &Friction::FirstSlip::traction, &Friction::FirstSlip::stiffness>)
+        .def("cycle", &slipped<&Friction::cycle, &Friction::Cycle::lost, &Friction::Cycle::loss_factor>)
+        .def_prop_ro("touch", &TabulatedLaw::touch)
         .def_prop_ro("pressures",
                      [](const TabulatedLaw& law) { return std::pair(law.pressures()[0], law.pressures()[1]); })
         .def_prop_ro("separations",
@@ -270,6 +301,21 @@ void add_contacts(nb::module_& m) {
             return scene::sensitivity_of(law, joint_of(numbers, interaction), pressure);
         },
         nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"), nb::arg("pressure"));
+    m.def(
+        "tangential_ratio",
+        [](double modulus, double poisson, double modulus2, double poisson2) {
+            return tangential_ratio(Material<double>{modulus, poisson}, Material<double>{modulus2, poisson2});
+        },
+        nb::arg("youngs_modulus"), nb::arg("poisson_ratio"), nb::arg("youngs_modulus2"), nb::arg("poisson_ratio2"));
+    m.def(
+        "spot_conductance",
+        [](const In& stiffness, double conductivity, double modulus) {
+            NewArray all(stiffness);
+            for (std::size_t i = 0; i < stiffness.size(); ++i)
+                all.data()[i] = spot_conductance(stiffness.data()[i], conductivity, modulus);
+            return all.take();
+        },
+        nb::arg("stiffness"), nb::arg("conductivity"), nb::arg("effective_modulus"));
     m.def("law_names", [] {
         std::vector<std::string> names;
         for (const std::string_view name : scene::law_names()) names.emplace_back(name);
