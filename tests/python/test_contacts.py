@@ -427,11 +427,12 @@ def test_a_slip_of_the_unit_is_refused_or_warned_of():
 
 
 def test_energy_friction_and_heat_of_a_law():
+    integral = lambda y, x: float(np.sum((y[1:] + y[:-1]) / 2 * np.diff(x)))
     law = CONTACTS["hertz"].tabulate(1e5, 1e8)
     d = law.separation(np.array([1e6, 1e7]))
     assert law.touch > d[0] > d[1]
     fine = np.linspace(d[1], d[0], 20001)
-    work = np.trapezoid(law.at_separation(fine)[0], fine)
+    work = integral(law.at_separation(fine)[0], fine)
     assert law.energy(d[1]) - law.energy(d[0]) == pytest.approx(work, rel=1e-6)  # the work of p
     ratio = fstiff.tangential_ratio(205e9, 0.3, 205e9, 0.3)
     assert ratio == pytest.approx(2 * (1 - 0.3) / (2 - 0.3), rel=1e-14)
@@ -442,8 +443,8 @@ def test_energy_friction_and_heat_of_a_law():
     s = np.linspace(0, 2e-8, 2001)
     lost, factor = law.cycle(d[1], s[-1], friction=0.3, ratio=ratio)
     q = law.first_slip(d[1], s, friction=0.3, ratio=ratio)[0]
-    masing = 8 * np.trapezoid(q, s) - 4 * q[-1] * s[-1]  # twice the area of the first curve above its chord, four times
+    masing = 8 * integral(q, s) - 4 * q[-1] * s[-1]  # twice the area of the first curve above its chord, four times
     assert float(lost) == pytest.approx(masing, rel=1e-4) and 0 < factor < 4 / np.pi
-    assert fstiff.spot_conductance(k, 50.0, 112.6e9) == pytest.approx(2 * 50.0 * k / 112.6e9, rel=1e-14)
+    assert fstiff.spot_conductance(k, 50.0, 112.6e9) == pytest.approx(50.0 * k / 112.6e9, rel=1e-14)
     with pytest.raises(ValueError, match="friction = 0: must be"):
         law.first_slip(d, 0.0, friction=0, ratio=ratio)
