@@ -49,6 +49,7 @@ constexpr OldName old_names[] = {
     {"peaks", "is fstiff measure --show peaks, with the same options"},
     {"spectrum", "is fstiff measure --show spectrum, with the same options"},
     {"merge", "is fstiff sweep --merge, with the same options"},
+    {"reproduce", "is python -m fstiff reproduce FOLDER, of the Python package"},
     {"integral", "is a program of its own, example_integral, which a build from source makes"},
 };
 

@@ -77,12 +77,10 @@ TEST_CASE("A file next to a picture is replaced only if fstiff made it") {
     check_harmless(folder, "run --plot new.svg -o new.plot.csv", 3, {"new.plot.csv", "written twice"});
 }
 
-TEST_CASE("report and reproduce replace their own pages only, and leave no half folder") {
+TEST_CASE("report replaces its own page only, and leaves no half folder") {
     const Folder folder;
     std::filesystem::create_directory(folder / "site");
-    folder.write("site/index.html", "<!doctype html>\n<title>mine</title>\n");
     folder.write("site/report.html", "<!doctype html>\n<title>mine</title>\n");
-    check_harmless(folder, "reproduce -o site", 3, {"index.html", "not made by fstiff"});
     check_harmless(folder, "report -o site", 3, {"report.html", "not made by fstiff"});
     check_harmless(folder, "report none.toml -o new/folder", 3, {"none.toml"});
 
@@ -95,13 +93,6 @@ TEST_CASE("report and reproduce replace their own pages only, and leave no half 
     INFO(limited.err);
     CHECK(limited.status == 3);
     CHECK_FALSE(std::filesystem::exists(folder / "other"));
-}
-
-TEST_CASE("reproduce keeps files that it did not make") {
-    const Folder folder;
-    std::filesystem::create_directory(folder / "paper");
-    folder.write("paper/fig9.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n");
-    check_harmless(folder, "reproduce -o paper", 3, {"fig9.svg", "not made by fstiff"});
 }
 
 TEST_CASE("A file that may not grow further is reported with its reason, and the old one stays") {
@@ -171,10 +162,9 @@ TEST_CASE("A write-protected output stays, and is refused with its reason") {
 
 TEST_CASE("An empty argument is refused, as of a script whose variable is not set") {
     const Folder folder;
-    for (const char* arguments :
-         {"run ''", "run -o ''", "run --plot ''", "run --plot=", "run --surface ''", "measure --show fit ''",
-          "measure --units '' d.csv", "report -o ''", "reproduce -o ''", "identify --measured '' --fit sigma",
-          "generate '' --spacing '1 um'", "''"})
+    for (const char* arguments : {"run ''", "run -o ''", "run --plot ''", "run --plot=", "run --surface ''",
+                                  "measure --show fit ''", "measure --units '' d.csv", "report -o ''",
+                                  "identify --measured '' --fit sigma", "generate '' --spacing '1 um'", "''"})
         check_harmless(folder, arguments, 2, {"is empty"});
 }
 
@@ -208,7 +198,6 @@ TEST_CASE("The output - is standard output, and what must be a file or a folder 
     }
     CHECK(folder.files() == 2);
     check_harmless(folder, "report -o -", 2, {"is standard output", "must be a folder"});
-    check_harmless(folder, "reproduce -o -", 2, {"is standard output", "must be a folder"});
     check_harmless(folder, "sweep grid.toml -o -", 2, {"is standard output", "must be a file"});
     check_harmless(folder, "sweep --merge x.jsonl -o -", 2, {"is standard output", "must be a file"});
     REQUIRE(shell(in + "run -o ./-").status == 0);  // a file of that name

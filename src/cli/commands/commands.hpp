@@ -22,7 +22,6 @@ Command add_spectrum(Arguments& command);
 Command add_generate(Arguments& command);
 Command add_identify(Arguments& command);
 Command add_truth(Arguments& command);
-Command add_reproduce(Arguments& command);
 Command add_formats(Arguments& command);
 
 }  // namespace fstiff::cli
