@@ -9,20 +9,17 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from . import _core
-from ._page import Page, figure, sentence, style
+from ._page import Page, figure, sentence, style, write
 from ._pictures import draw_bearing, draw_curves, draw_heights, draw_islands, draw_scales, draw_structure
 from ._results import Table, heading, shown, with_unit
 from ._scenes import Curves, Scene
 from ._surfaces import Scales
-
-#: What a page of ours begins with; another file is not replaced.
-MARK = "<!-- fstiff made this page and replaces it when it is asked for again -->\n"
 
 #: Quantities under the same pressures, and what their pictures are called.
 UNDER = {
@@ -233,14 +230,8 @@ def execute(arguments: argparse.Namespace) -> int:
     file = arguments.output
     if not file.endswith(".html"):
         raise ValueError(f"--output = {file}: must end in .html")
-    if os.path.exists(file):
-        with open(file, "rb") as old:
-            if not old.read(len(MARK)) == MARK.encode():
-                raise ValueError(f"{file}: was not made by fstiff; remove it, or name another file")
     text, curves = page_of(Scene(arguments.scene, surface=arguments.surface))
-    with open(file + ".partial", "w", encoding="utf-8") as page:
-        page.write(MARK + text)
-    os.replace(file + ".partial", file)
+    write({Path(file): text})
     print(f"report of {curves.name}: {file}")
     for warning in curves.warnings:
         print(f"fstiff: warning: {sentence(warning)}", file=sys.stderr)

@@ -468,7 +468,10 @@ class Scales(Document):
 
 
 class Fit(Document):
-    """Fractal dimension D and roughness G of a profile or a map: the keys of the JSON of `fstiff measure --show fit`."""
+    """Fractal dimension D and roughness G of a profile or a map: the keys of the JSON of `fstiff measure --show fit`.
+
+    D and G are fitted to ["second_differences"], and ["fitted"] is the fitted curve; of a map those of ["x"] and ["y"].
+    """
 
     def to_dataframe(self) -> pd.DataFrame:
         """The structure function; of a map that along x, and that along y below it, with a column "direction"."""

@@ -87,6 +87,8 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["log_periodic_terms"] = fit.log_periodic;
     document["finite_band_terms"] = fit.finite_band;
     document["bootstrap_seed"] = fit.seed;
+    document["second_differences"] = scene::rows_of(fit, fit.second_differences).arrays();
+    document["fitted"] = scene::rows_of(fit, fit.fitted).arrays();
 }
 
 Document begun(const FractalOptions& options, const SurfaceInput& input, const std::string& of,

@@ -119,6 +119,7 @@ TEST_CASE("A name of former times ends with the call that took its place") {
                                                                        {"peaks", "fstiff measure --show peaks,"},
                                                                        {"spectrum", "fstiff measure --show spectrum,"},
                                                                        {"merge", "fstiff sweep --merge,"},
+                                                                       {"reproduce", "python -m fstiff reproduce"},
                                                                        {"integral", "example_integral"}})
         for (const std::string& words : {name, name + " x"}) test::check_refused(words, 2, {name + ": ", call});
 }

@@ -175,3 +175,16 @@ def test_a_fresh_venv_without_compiler_installs_and_runs_it(made_by, request, tm
         archive.writestr("bindata/data.bin", struct.pack("<6d", *range(6)))
     shown = subprocess.run([python, "-c", PROGRAM], env=bare, capture_output=True, text=True, cwd=tmp_path)
     assert shown.stdout.split() == ["(2,", "3)", "5.0", "3.995e+12", str(tmp_path / "fresh")], shown.stderr
+
+
+def test_the_extra_plot_draws_the_figures_of_the_paper(wheel, tmp_path):
+    venv.create(tmp_path / "fresh")
+    python = tmp_path / "fresh" / "bin" / "python"
+    bare = {"PATH": "", "HOME": os.environ.get("HOME", "")}
+    reproduce = [python, "-m", "fstiff", "reproduce", "paper"]
+    cpu_seconds_of_pip(python, [wheel], bare)
+    refused = subprocess.run(reproduce, env=bare, capture_output=True, text=True, cwd=tmp_path)
+    assert refused.returncode == 3 and "pip install 'fstiff[plot]'" in refused.stderr
+    cpu_seconds_of_pip(python, [f"{wheel}[plot]"], bare)
+    done = subprocess.run(reproduce, env=bare, capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0 and (tmp_path / "paper" / "fig9.svg").exists(), done.stderr

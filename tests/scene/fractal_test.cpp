@@ -72,6 +72,9 @@ TEST_CASE("The document of a fit holds what the headers fit, to the last digit")
     CHECK(document["structure_function"]["lag_m"].get<std::vector<double>>() == fit.structure_function.lag);
     CHECK(document["structure_function"]["value_m2"].get<std::vector<double>>() == fit.structure_function.value);
     CHECK(document["structure_function"]["pairs"].get<std::vector<std::size_t>>() == fit.structure_function.pairs);
+    CHECK(document["second_differences"]["value_m2"].get<std::vector<double>>() == fit.second_differences.value);
+    CHECK(document["fitted"]["lag_m"].get<std::vector<double>>() == fit.fitted.lag);
+    CHECK(document["fitted"]["value_m2"].get<std::vector<double>>() == fit.fitted.value);
 
     fstiff::scene::FractalOptions how;
     how.surface = test::surface_options(read_metres);

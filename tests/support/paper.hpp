@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The three surfaces of the paper, Tables 1 and 2, and their counterface: Buczkowski, Kleiber, Starzynski,
-// Arch. Mech. 66 (2014). The scenes of data/ hold the same numbers once more, as a second source
-// (tests/cli/reproduce_test.cpp).
+// Arch. Mech. 66 (2014). The scenes of data/ and python/fstiff/_paper.py hold the same numbers once more.
 #include <fstiff/surface/roughness.hpp>
 
 #include <array>
@@ -13,9 +12,8 @@
 namespace test {
 
 struct PaperSurface {
-    const char* key;     ///< in tests/data/table1_curves.csv
-    const char* name;    ///< in the figures
-    const char* figure;  ///< of its stiffness
+    const char* key;   ///< in tests/data/table1_curves.csv
+    const char* name;  ///< in the figures
     double rms_height, peak_radius, peak_density, max_peak_height;
     double fractal_dimension, fractal_roughness;
 
@@ -27,9 +25,9 @@ struct PaperSurface {
 };
 
 inline constexpr std::array<PaperSurface, 3> paper_surfaces{
-    {{"sand_blasted_fine", "sand blasted (fine)", "fig7", 0.832e-6, 40e-6, 500e6, 5.3e-6, 1.62, 1.2e-8},
-     {"sand_blasted_coarse", "sand blasted (coarse)", "fig8", 5.13e-6, 30e-6, 230e6, 15.3e-6, 1.58, 1.1e-7},
-     {"electrical_discharge", "electrical discharge machining", "fig9", 8.94e-6, 19e-6, 160e6, 48e-6, 1.70, 8.2e-7}}};
+    {{"sand_blasted_fine", "sand blasted (fine)", 0.832e-6, 40e-6, 500e6, 5.3e-6, 1.62, 1.2e-8},
+     {"sand_blasted_coarse", "sand blasted (coarse)", 5.13e-6, 30e-6, 230e6, 15.3e-6, 1.58, 1.1e-7},
+     {"electrical_discharge", "electrical discharge machining", 8.94e-6, 19e-6, 160e6, 48e-6, 1.70, 8.2e-7}}};
 inline constexpr const PaperSurface& sand_blasted_fine = paper_surfaces[0];
 
 inline const PaperSurface& paper_surface(std::string_view key) {
