@@ -6,9 +6,10 @@
                                                               docs/afm_map.svg where the map is there
     tools/make_pictures.py --check build/release/bin/fstiff    exit code 1 when the command draws one otherwise
 
-Those of PLOTS are drawn by the Python package, where it is installed; they are not checked, because each matplotlib draws otherwise.
+What begins with "fstiff." is drawn by the Python package, where it is installed, and is not checked: each matplotlib draws otherwise.
 Numbers may differ by 0.02 points, the last digit, where another compiler rounds otherwise; everything else must be equal.
 """
+import importlib.util
 import os
 import pathlib
 import re
@@ -27,34 +28,21 @@ PICTURES = {
     "built_in": ("run data/built_in.toml",),
     "stiffness": ("run docs/stiffness.toml",),
     "first_curve": ("run first-curve.toml",),
+    "trace_scales": (TRACE, "fstiff.measure('trace.csv').scales()"),
+    "spectrum": (TRACE, "fstiff.spectrum('trace.csv')"),
+    "identify": ("fstiff.identify('docs/stiffness.toml', 'data/example_stiffness.csv', ['sigma', 'Dp'], law='hertz')",),
     "map_answer": (MAP, "run two_laws.toml --surface map.csv"),
     "heat_sink": ("run examples/interface/heat_sink.toml",),
 }
-# The same of the Python package.
-PLOTS = {
-    "trace_scales": "fstiff.measure('trace.csv').scales().plot(ax)",
-    "spectrum": "fstiff.spectrum('trace.csv').plot(ax)",
-    "identify": "fstiff.identify('docs/stiffness.toml', 'data/example_stiffness.csv', ['sigma', 'Dp'], law='hertz').plot(ax)",
-}
+def plot(result):
+    """The picture of a result of the Python package."""
+    import fstiff
+    from fstiff._page import figure, style, svg
 
-
-def plots(folder):
-    """The pictures of PLOTS; none without the package."""
-    try:
-        import fstiff
-        from fstiff._page import figure, style, svg
-    except ImportError as error:
-        print(f"{', '.join(PLOTS)} are not drawn: {error}", file=sys.stderr)
-        return {}
-    os.chdir(folder)
-    subprocess.run([command, *shlex.split(TRACE)], check=True, capture_output=True)
-    made = {}
-    for name, plot in PLOTS.items():
-        with style():
-            of, ax = figure(6, 3.6)
-            eval(plot, {"fstiff": fstiff, "ax": ax})
-        made[ROOT / "docs" / f"{name}.svg"] = svg(of).replace("currentColor", "#1d1d1f").replace("<svg", '<svg style="background:white"', 1)
-    return made
+    with style():
+        of, ax = figure(6, 3.6)
+        eval(result, {"fstiff": fstiff}).plot(ax)
+    return svg(of).replace("currentColor", "#1d1d1f").replace("<svg", '<svg style="background:white"', 1)
 
 
 def scenes(folder):
@@ -76,12 +64,12 @@ with tempfile.TemporaryDirectory() as name:
         shutil.copytree(ROOT / part, work / part)
     pathlib.Path(name, "shared").symlink_to(ROOT.parent / "shared")  # docs/afm_map.toml reads ../../shared
     scenes(work)
-    for picture, commands in PICTURES.items():
-        for line in commands:
-            last = ["--plot", f"{picture}.svg", "-o", f"{picture}.out"] if line == commands[-1] else []
-            subprocess.run([command, *shlex.split(line), *last], cwd=work, check=True,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        wanted[ROOT / "docs" / f"{picture}.svg"] = (work / f"{picture}.svg").read_text(encoding="utf-8")
-    if not check:
-        wanted |= plots(work)
+    os.chdir(work)
+    for picture, (*before, last) in PICTURES.items():
+        if last.startswith("fstiff.") and (check or not importlib.util.find_spec("fstiff")):
+            continue
+        drawn = [] if last.startswith("fstiff.") else [f"{last} --plot {picture}.svg -o {picture}.out"]
+        for line in (*before, *drawn):
+            subprocess.run([command, *shlex.split(line)], check=True, capture_output=True)
+        wanted[ROOT / "docs" / f"{picture}.svg"] = pathlib.Path(f"{picture}.svg").read_text(encoding="utf-8") if drawn else plot(last)
 sys.exit(write_or_check(wanted, "make_pictures.py", check == ["--check"], 0.021))
