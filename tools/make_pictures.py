@@ -34,6 +34,8 @@ PICTURES = {
     "map_answer": (MAP, "run two_laws.toml --surface map.csv"),
     "heat_sink": ("run examples/interface/heat_sink.toml",),
 }
+
+
 def plot(result):
     """The picture of a result of the Python package."""
     import fstiff

@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
-from ._contacts import numbers
-from ._results import Columns, draw, frame, shown_rows, text_table
+from ._results import Columns, draw, frame, numbers, shown_rows, text_table
 from ._surfaces import Measurement, metres, warn_of_height
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _core
-from ._results import Columns, draw, frame, html_of, shown, shown_rows, text_table, with_unit
-from ._surfaces import Measurement, metres, warn_of_height
+from ._results import Columns, draw, frame, html_of, numbers, shown, shown_rows, text_table, with_unit
+from ._surfaces import Measurement, measure, metres, warn_of_height
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -45,18 +45,6 @@ def spot_conductance(stiffness: npt.ArrayLike, conductivity: float, effective_mo
     `conductivity` is the harmonic mean of both bodies [W/(m K) or S/m], `effective_modulus` in Pa. Without films and gap.
     """
     return _core.spot_conductance(numbers(stiffness, "stiffness"), conductivity, effective_modulus)
-
-
-def numbers(values: npt.ArrayLike, name: str) -> Numbers:
-    """`values` as an array of doubles; without a copy where they are one."""
-    import numpy as np
-
-    array = np.asarray(values)
-    if array.dtype.kind not in "fiub":
-        raise ValueError(f"{name}: must be real numbers, not {array.dtype}")
-    if np.ma.is_masked(values):
-        raise ValueError(f"{name}: must not be masked; compressed() of the array leaves these points out")
-    return np.asarray(array, dtype=np.float64, order="C")
 
 
 class Points(Columns):
@@ -421,7 +409,5 @@ def hybrid(surface: Source, pressures: npt.ArrayLike, *, effective_modulus: floa
 
     `surface` is a Measurement, or what measure() takes with `options`; `pressures` [Pa], `effective_modulus` [Pa].
     """
-    from ._surfaces import measure
-
     measured = surface if isinstance(surface, Measurement) and not options else measure(surface, **options)
     return Contact("hybrid", surface=measured, effective_modulus=effective_modulus).at_pressures(pressures)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from . import _core
-from ._contacts import numbers
+from ._results import numbers
 
 if TYPE_CHECKING:
     from ._results import Numbers

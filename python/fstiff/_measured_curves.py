@@ -8,10 +8,10 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, Union
 
 from . import _core
-from ._contacts import numbers
+
 from ._errors import named
 from ._pictures import draw_fits
-from ._results import frame, lines_of, shown, text_table, with_unit
+from ._results import frame, lines_of, numbers, shown, text_table, with_unit
 from ._scenes import Scene, scene_of
 from ._surfaces import Document, Measurement, options_of
 

@@ -115,6 +115,18 @@ def _same(one: Any, other: Any) -> bool:
     return bool(one == other)
 
 
+def numbers(values: npt.ArrayLike, name: str) -> Numbers:
+    """`values` as an array of doubles; without a copy where they are one."""
+    import numpy as np
+
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiub":
+        raise ValueError(f"{name}: must be real numbers, not {array.dtype}")
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name}: must not be masked; compressed() of the array leaves these points out")
+    return np.asarray(array, dtype=np.float64, order="C")
+
+
 def shown(value: float, digits: int = 4) -> str:
     """A number for people; "-" where there is none."""
     return "-" if value != value else f"{value:.{digits}g}"

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Union
 from . import _core
 from ._errors import FileError, named
 from ._pictures import draw_heights, draw_islands, draw_scales, draw_structure
-from ._results import Table, draw, frame, html_of, lines_of, shown, shown_rows, text_table, with_unit
+from ._results import Table, draw, frame, html_of, lines_of, numbers, shown, shown_rows, text_table, with_unit
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -654,8 +654,6 @@ def truth(
     `surface` and `options` are those of measure().
     """
     import numpy as np
-
-    from ._contacts import numbers
 
     made, heights = one_source(surface, dict(options), {"points": points, "edges": edges, "hardness": hardness})
     return Truth(_core.truth(made, heights, np.atleast_1d(numbers(pressures, "pressures")), effective_modulus))
