@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, Union
 
 from . import _core
-
 from ._errors import named
 from ._pictures import draw_fits
 from ._results import frame, lines_of, numbers, shown, text_table, with_unit
