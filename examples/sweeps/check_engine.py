@@ -38,7 +38,7 @@ def serial(fstiff, grid, file):
 
 def check_same(found, wanted, what):
     if found.read_bytes() != wanted:
-        sys.exit(f"{what}: the merged results are not those of one process")
+        sys.exit(f"{what}: the joined results are not those of one process")
     print(f"{what}: {wanted.count(10)} lines, the bytes of one process")
 
 

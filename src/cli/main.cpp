@@ -48,7 +48,7 @@ constexpr OldName old_names[] = {
     {"islands", "is fstiff measure --show islands, with the same options"},
     {"peaks", "is fstiff measure --show peaks, with the same options"},
     {"spectrum", "is fstiff measure --show spectrum, with the same options"},
-    {"merge", "is fstiff sweep --merge, with the same options"},
+    {"merge", "is cat part-*.jsonl > all.jsonl, because shards follow one another in the order of their numbers"},
     {"integral", "is a program of its own, example_integral, which a build from source makes"},
 };
 

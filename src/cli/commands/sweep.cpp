@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff sweep: a grid of scenes to one line a row of results; fstiff sweep --merge: its shards as one file.
+// fstiff sweep: a grid of scenes to one line a row of results.
 #include "commands/commands.hpp"
 #include "document/output.hpp"
 #include "input/progress.hpp"
-#include "input/scene_options.hpp"
-#include "picture/panels.hpp"
-#include "picture/sweep_figure.hpp"
 #include "sweep/engine.hpp"
 #include "sweep/results_file.hpp"
-#include "sweep/sensitivity.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -42,18 +37,17 @@ void warn_of_failed_scenes(Report& report, std::uint64_t failed) {
 struct Options {
     OutputOptions output;  // of the summary
     std::string grid, results, shard = "1/1";
-    int threads = 0;      ///< 0: as many as there are cores
-    std::string picture;  ///< file; empty: none
-    bool sensitivity = false, example = false;
-    bool merge = false;  ///< a command of its own, which Program::forward() chooses
+    int threads = 0;  ///< 0: as many as there are cores
+    bool example = false;
 };
 
-/// {shard} in the name of the results is the number of the shard.
-std::string results_file(const Options& options, const sweep::Shard& shard) {
-    std::string file = options.results;
-    const std::string place = "{shard}";
+/// {shard} in the name of the results is the number of the shard, with zeros before it, so that names are in the order
+/// of the shards.
+std::string results_file(std::string file, const sweep::Shard& shard) {
+    const std::string place = "{shard}", number = std::to_string(shard.number);
+    const std::string padded = std::string(std::to_string(shard.of).size() - number.size(), '0') + number;
     for (std::size_t at = file.find(place); at != std::string::npos; at = file.find(place))
-        file.replace(at, place.size(), std::to_string(shard.number));
+        file.replace(at, place.size(), padded);
     return file;
 }
 
@@ -88,80 +82,6 @@ std::string summary(const sweep::Grid& grid, const sweep::Description& of, const
     return text;
 }
 
-/// The sensitivities of K to each distributed input.
-std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) {
-    std::vector<std::string> header{"K of"};
-    for (const sweep::Axis& axis : grid.axes)
-        if (axis.drawn) header.insert(header.end(), {"S " + shown_key(axis.key), "rank"});
-    header.emplace_back("rest");
-    TextRows table{std::move(header)};
-    const auto rows = sweep::sensitivities(grid, file);
-    const bool several_points =
-        std::any_of(rows.begin(), rows.end(), [](const sweep::SensitivityRow& row) { return row.point > 0; });
-    for (const sweep::SensitivityRow& row : rows) {
-        std::vector<std::string> cells{legend_of(row.law, row.theta, row.r) +
-                                       (row.pressure     ? ", p " + rounded(*row.pressure / 1e6, 3) + " MPa"
-                                        : several_points ? ", point " + std::to_string(row.point + 1)
-                                                         : "")};
-        double rest = 1;
-        for (const sweep::Sensitivity& sensitivity : row.of_inputs) {
-            cells.push_back(parts::fixed_text(sensitivity.first_order, 3));
-            cells.push_back(parts::fixed_text(sensitivity.rank_correlation, 3));
-            rest -= sensitivity.first_order;
-        }
-        cells.push_back(parts::fixed_text(rest, 3));
-        table.push_back(std::move(cells));
-    }
-    return "\n" + table_text(table) +
-           "\nS is the share of the variance of K due to one input alone (Sobol', first order), rank its rank "
-           "correlation\nwith K, rest the share due to inputs together; from " +
-           std::to_string(rows.front().draws) + " draws, S within " +
-           rounded(1 / std::sqrt(static_cast<double>(rows.front().draws)), 1) +
-           (rows.front().places > 1
-                ? " at each, means of " + std::to_string(rows.front().places) + " points of the grid\n"
-                : "\n");
-}
-
-/// Views of the results of the whole grid. A view without content does not affect the other.
-void add_views(Report& report, const Options& options, const sweep::Grid& grid, const std::string& file) {
-    const auto add = [&](const auto& view) {
-        try {
-            view();
-        } catch (const domain_error& error) {
-            report.diagnostics.push_back("warning: " + std::string(error.what()));
-            report.status = doubtful_result;
-        }
-    };
-    if (!options.picture.empty())
-        add([&] { say_written(report, write_figure(sweep_figure(grid, file), options.picture)); });
-    if (options.sensitivity) add([&] { report.document += sensitivity_table(grid, file); });
-}
-
-/// Before anything is computed. \throws Usage for sensitivities of a grid that cannot have them.
-void require_draws(const sweep::Grid& grid) {
-    if (std::none_of(grid.axes.begin(), grid.axes.end(),
-                     [](const sweep::Axis& axis) { return axis.drawn.has_value(); }))
-        throw Usage("--sensitivity needs a distribution in the grid, such as { normal = [\"5 um\", \"0.2 um\"] }");
-    if (grid.samples < 3)
-        throw Usage("--sensitivity needs 3 draws at least at each point of the grid; sweep.samples = " +
-                    std::to_string(grid.samples) + " must be 3 or more");
-}
-
-/// Before anything is computed. \throws Usage for views of K in a grid that has none.
-void require_stiffness(const Options& options, const sweep::SceneMaker& maker) {
-    if (maker.has_stiffness() || (!options.sensitivity && options.picture.empty())) return;
-    throw Usage(std::string(options.sensitivity ? "--sensitivity" : "--plot") +
-                " needs K; output.quantities must hold \"stiffness\"");
-}
-
-/// \throws Usage for a view of a shard.
-void require_views(const Options& options, const sweep::Shard& shard) {
-    if (shard.of > 1 && (options.sensitivity || !options.picture.empty()))
-        throw Usage("--plot and --sensitivity need the whole grid; merge the shards first, then run fstiff sweep " +
-                    options.grid + " -o with the merged file and without --shard");
-    if (!options.picture.empty()) keep_for_picture(options.picture);
-}
-
 Report execute(const Options& options) {
     if (options.example) {
         if (!options.grid.empty() || !options.results.empty())
@@ -172,17 +92,14 @@ Report execute(const Options& options) {
         throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
     refuse_standard_output(options.results, "a file, so that an interrupted run can continue");
     const sweep::Shard shard = sweep::parse_shard(options.shard);
-    require_views(options, shard);
-    const std::string file = results_file(options, shard);
+    const std::string file = results_file(options.results, shard);
     sweep::require_lines(file);
     require_writable(file);
     keep_for_output(file);
     const sweep::Grid grid = sweep::read_grid(read_all(options.grid, longest_scene), display_name(options.grid));
     for (const std::string& named : grid.files) require_no_output(named);
-    if (options.sensitivity) require_draws(grid);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
-    const auto make = [&] { require_stiffness(options, maker.emplace(grid)); };
-    if (!std::filesystem::exists(path_of(sweep::description_file(file)))) make();
+    if (!std::filesystem::exists(path_of(sweep::description_file(file)))) maker.emplace(grid);
     sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
     Report report;
     if (results.dropped() > 0)
@@ -191,7 +108,7 @@ Report execute(const Options& options) {
     const std::uint64_t first = results.next(), end = shard.end(grid.size);
     const auto begun = std::chrono::steady_clock::now();
     if (!results.description().finished) {
-        if (!maker) make();
+        if (!maker) maker.emplace(grid);
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
         const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
         const unsigned started =
@@ -210,27 +127,7 @@ Report execute(const Options& options) {
                                      : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
                                            rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
     report.document = summary(grid, results.description(), file);
-    add_views(report, options, grid, file);
     warn_of_failed_scenes(report, results.description().failed);
-    return report;
-}
-
-struct MergeOptions {
-    OutputOptions output;
-    std::vector<std::string> files;
-    std::string merged;
-};
-
-Report execute_merge(const MergeOptions& options) {
-    refuse_standard_output(options.merged, "a file, because its description is written next to it");
-    sweep::require_lines(options.merged);
-    require_writable(options.merged);
-    const sweep::Merged merged = sweep::merge(options.files, options.merged);
-    if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
-    Report report;
-    report.document = "fstiff sweep --merge: " + counted(merged.scenes, "scene") + " of " +
-                      counted(merged.shards, "shard") + " in " + printable(options.merged) + "\n";
-    warn_of_failed_scenes(report, merged.failed);
     return report;
 }
 
@@ -243,32 +140,15 @@ Command add_sweep(Arguments& command) {
     command.option("grid", options->grid, {"scene file (TOML) with swept quantities; - is standard input"});
     command.option(
         "-o,--output", options->results,
-        {.help = "file of results, one JSON object a line; {shard} in its name is the number of the shard. An "
-                 "interrupted run continues with the same arguments",
+        {.help = "file of results, one JSON object a line; {shard} in its name is the number of the shard, and "
+                 "cat joins the files of all shards. An interrupted run continues with the same arguments",
          .type = "FILE"});
     command.option("--threads", options->threads,
                    {.help = "threads that compute; the default is one for each core", .low = 1, .high = 4096});
     command.option("--shard", options->shard,
                    {"part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun"});
-    add_picture_option(command, options->picture, "draw K against the swept quantities");
-    command.option("--sensitivity", options->sensitivity,
-                   {"print which share of the variance of K each distributed input has"});
-    command.option("--merge", options->merge,
-                   {"put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl"});
     command.option("--example", options->example, {"print a grid with comments, to begin one of your own"});
     return {&options->output, [options] { return execute(*options); }};
-}
-
-Command add_merge(Arguments& command) {
-    using namespace sweep_command;
-    auto options = std::make_shared<MergeOptions>();
-    command.option("files", options->files,
-                   {.help = "files of results of fstiff sweep; names in .sweep are left out",
-                    .required = true,
-                    .form = request::Form::file});
-    command.option("-o,--output", options->merged,
-                   {.help = "file of all results, lines of JSON", .required = true, .type = "FILE"});
-    return {&options->output, [options] { return execute_merge(*options); }};
 }
 
 }  // namespace fstiff::cli
