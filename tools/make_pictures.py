@@ -20,7 +20,7 @@ from generated import ROOT, write_or_check
 
 TRACE = "generate profile --points 16384 --spacing '0.5 um' --hurst 0.4 --rms '0.3 um' --longest '500 um' --seed 3 -o trace.csv"
 MAP = "generate map --points 256 --spacing '0.5 um' --hurst 0.8 --rms '0.5 um' --longest '32 um' --shortest '4 um' --seed 1 -o map.csv"
-# Name of each picture, and the commands that draw it, in a folder with copies of docs, data and two folders of examples.
+# Name of each picture, and the commands that draw it, in a folder with copies of docs, data and a folder of examples.
 PICTURES = {
     "built_in": ("run data/built_in.toml",),
     "stiffness": ("run docs/stiffness.toml",),
@@ -30,7 +30,6 @@ PICTURES = {
     "map_answer": (MAP, "run two_laws.toml --surface map.csv"),
     "identify": ("identify docs/stiffness.toml --measured data/example_stiffness.csv --law hertz --fit sigma,Dp",),
     "heat_sink": ("run examples/interface/heat_sink.toml",),
-    "sweep": ("sweep examples/sweeps/grid.toml",),
 }
 
 
@@ -48,7 +47,7 @@ if (ROOT / "../shared/surfaces/matrix-3.txt").exists():
     PICTURES["afm_map"] = ("run docs/afm_map.toml",)
 with tempfile.TemporaryDirectory() as name:
     work = pathlib.Path(name) / "work"
-    for part in ("docs", "data", "examples/interface", "examples/sweeps"):
+    for part in ("docs", "data", "examples/interface"):
         shutil.copytree(ROOT / part, work / part)
     pathlib.Path(name, "shared").symlink_to(ROOT.parent / "shared")  # docs/afm_map.toml reads ../../shared
     scenes(work)
