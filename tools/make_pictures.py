@@ -23,7 +23,7 @@ from generated import ROOT, write_or_check
 
 TRACE = "generate profile --points 16384 --spacing '0.5 um' --hurst 0.4 --rms '0.3 um' --longest '500 um' --seed 3 -o trace.csv"
 MAP = "generate map --points 256 --spacing '0.5 um' --hurst 0.8 --rms '0.5 um' --longest '32 um' --shortest '4 um' --seed 1 -o map.csv"
-# Name of each picture, and the commands that draw it, in a folder with copies of docs, data and two folders of examples.
+# Name of each picture, and the commands that draw it, in a folder with copies of docs, data and a folder of examples.
 PICTURES = {
     "built_in": ("run data/built_in.toml",),
     "stiffness": ("run docs/stiffness.toml",),

@@ -89,13 +89,6 @@ def main():
                 raise SystemExit(f"{title}: two threads have other results than one")
             rates = " | ".join(f"{n / seconds:.2g}" for seconds in (one[1], two[1], one[0], two[0]))
             print(f"| {title} | {rates} | {len(lines) / n:.0f} | {two[2]:.0f} |", flush=True)
-        for shards in (1, 4):
-            file.write_text(BASE.format(**PLAIN | first(n)))
-            parts = [folder / f"part-{shards}-{i}" for i in range(1, shards + 1)]
-            for i, part in enumerate(parts, 1):
-                run(options.fstiff, "sweep", file, "--shard", f"{i}/{shards}", "-o", part)
-            seconds = run(options.fstiff, "sweep", "--merge", *parts, "-o", folder / "all")[0]
-            print(f"\nmerging {shards} shards: {(folder / 'all').stat().st_size / 1e6 / seconds:.0f} MB/s of results")
         if options.memory:
             n = options.memory
             wall, processor, memory = sweep(first(n) | {"more": '[output]\nquantities = ["stiffness"]'}, "--threads", "2")

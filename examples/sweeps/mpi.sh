@@ -6,4 +6,4 @@ fstiff=${FSTIFF:-fstiff}
 grid=$1
 shift
 mpirun "$@" "$fstiff" sweep "$grid" --shard auto --threads 1 -o "part-{shard}.jsonl" &&
-    "$fstiff" sweep --merge part-*.jsonl -o all.jsonl
+    cat part-*.jsonl >all.jsonl

@@ -18,8 +18,7 @@ file(STRINGS ${INTO}/man/man1/fstiff.1 pages REGEX "^.fBfstiff.-[a-z]")
 foreach(page IN LISTS pages)
     string(REGEX REPLACE "^.fBfstiff.-(.*).fR.*$" "\\1" name "${page}")
     string(REPLACE "\\-" "-" name "${name}")
-    # fstiff-measure-fit is measure --show fit, fstiff-sweep-merge is sweep --merge
+    # fstiff-measure-fit is measure --show fit
     string(REGEX REPLACE "^measure-" "measure;--show;" command "${name}")
-    string(REGEX REPLACE "^sweep-" "sweep;--" command "${command}")
     keep(man/man1/fstiff-${name}.1 ${command} --man)
 endforeach()

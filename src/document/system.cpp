@@ -41,7 +41,6 @@ int open_file(const Path& path, Opening how) {
     return _wopen(path.c_str(), flags | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
 }
 void close_file(int file) { _close(file); }
-std::ptrdiff_t read_some(int file, char* bytes, std::size_t size) { return _read(file, bytes, at_once(size)); }
 std::ptrdiff_t write_some(int file, const char* bytes, std::size_t size) { return _write(file, bytes, at_once(size)); }
 std::int64_t position(int file) { return _lseeki64(file, 0, SEEK_CUR); }
 bool go_to(int file, std::uint64_t position) {
@@ -119,9 +118,6 @@ int open_file(const Path& path, Opening how) {
     return open(path.c_str(), flags | O_CLOEXEC, 0666);
 }
 void close_file(int file) { close(file); }
-std::ptrdiff_t read_some(int file, char* bytes, std::size_t size) {
-    return uninterrupted([&] { return read(file, bytes, size); });
-}
 std::ptrdiff_t write_some(int file, const char* bytes, std::size_t size) {
     return uninterrupted([&] { return write(file, bytes, size); });
 }

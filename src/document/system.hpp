@@ -23,8 +23,7 @@ enum class Opening {
 /// \returns a descriptor, or -1.
 [[nodiscard]] int open_file(const Path& path, Opening how);
 void close_file(int file);
-/// \returns how many bytes were read or written, at least one but at the end of \p file; or -1.
-[[nodiscard]] std::ptrdiff_t read_some(int file, char* bytes, std::size_t size);
+/// \returns how many bytes were written, at least one; or -1.
 [[nodiscard]] std::ptrdiff_t write_some(int file, const char* bytes, std::size_t size);
 /// Where the next byte is read or written, or -1.
 [[nodiscard]] std::int64_t position(int file);

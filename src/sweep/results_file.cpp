@@ -4,20 +4,18 @@
 #include "document/file.hpp"
 #include "document/json.hpp"
 #include "document/system.hpp"
-#include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace fstiff::sweep {
 namespace {
@@ -28,50 +26,72 @@ namespace os = scene::os;
     throw file_error(file, what + ": " + std::generic_category().message(errno));
 }
 
-/// Looks at the lines of a file one after the other.
-class Scanner {
-public:
-    Scanner(std::uint64_t first, bool finished) : finished_(finished), current_(first) { scan_.next = first; }
+/// More than is written between two syncs: only there can a loss of power have left something else than lines.
+constexpr std::uint64_t most_unsynced = std::uint64_t(1) << 26;
 
-    /// \returns whether the line follows those before.
-    bool take(std::string_view line) {
-        const std::optional<std::uint64_t> index = index_of_line(line);
-        if (!index) return false;
-        if (any_ && *index == current_ + 1) {
-            complete();
-            failing_ = false;
-        } else if (*index != current_) {
-            return false;
-        }
-        any_ = true;
-        failing_ = failing_ || line.find("\"error\":\"") != std::string_view::npos;
-        current_ = *index;
-        offset_ += line.size() + 1;
-        return true;
-    }
-    Scan end(std::uint64_t bytes) {
-        if (any_ && finished_) complete();
-        scan_.bytes = bytes;
-        return scan_;
-    }
+/// The index at the beginning of \p line, which ends as an object of JSON does; none of another line.
+std::optional<std::uint64_t> leading_index(std::string_view line) {
+    constexpr std::string_view begin = "{\"index\":";
+    if (!line.starts_with(begin) || !line.ends_with('}')) return {};
+    std::uint64_t index = 0;
+    const auto [end, error] = std::from_chars(line.data() + begin.size(), line.data() + line.size(), index);
+    if (error != std::errc() || (*end != ',' && *end != '}')) return {};
+    return index;
+}
 
-private:
-    void complete() {
-        scan_.next = current_ + 1;
-        scan_.kept = offset_;
-        scan_.failed += failing_ ? 1 : 0;
-    }
-
-    bool finished_, any_ = false, failing_ = false;
-    std::uint64_t current_, offset_ = 0;
-    Scan scan_{};
+/// Content of a file of results: whole lines of scenes that follow one another. The last scene is not whole, for lines
+/// of it may be missing.
+struct Scan {
+    std::uint64_t next;        ///< scene after the last whole one
+    std::uint64_t kept = 0;    ///< bytes of the whole scenes
+    std::uint64_t failed = 0;  ///< scenes without result among the whole ones
 };
+
+/// Reads \p file, whose first scene is \p first, up to the first line that does not follow those before.
+Scan scan_of(const std::string& file, std::uint64_t first) {
+    Scan scan{.next = first};
+    std::ifstream stream(scene::path_of(file), std::ios::binary);
+    const std::uint64_t size = std::filesystem::file_size(scene::path_of(file));
+    std::uint64_t current = first, bytes = 0;
+    bool failing = false;
+    for (std::string line; std::getline(stream, line) && !stream.eof(); bytes += line.size() + 1) {
+        const auto index = bytes + most_unsynced < size ? leading_index(line) : index_of_line(line);
+        if (bytes > 0 && index == current + 1) {
+            scan = {.next = *index, .kept = bytes, .failed = scan.failed + (failing ? 1 : 0)};
+            failing = false;
+        } else if (index != current) {
+            break;
+        }
+        current = *index;
+        failing = failing || line.find("\"error\":\"") != std::string::npos;
+    }
+    return scan;
+}
+
+/// \p text becomes the content of \p target once it is complete and synced. \throws file_error.
+void replace_file(const std::string& target, std::string_view text) {
+    const std::string partial = target + ".partial";
+    try {
+        {  // closed before it is renamed, as Windows requires
+            const OpenFile file(partial, os::Opening::replace);
+            file.write(text);
+            if (!os::sync_all(file.descriptor())) fail(target, "cannot be written");
+        }
+        std::error_code error;
+        std::filesystem::rename(scene::path_of(partial), scene::path_of(target), error);
+        if (error) throw file_error(target, "cannot be written: " + error.message());
+    } catch (...) {
+        os::remove_file(scene::path_of(partial).c_str());
+        throw;
+    }
+    os::sync_folder(scene::path_of(target).parent_path());
+}
 
 }  // namespace
 
-OpenFile::OpenFile(std::string name, os::Opening how, const char* what)
+OpenFile::OpenFile(std::string name, os::Opening how)
     : name_(std::move(name)), descriptor_(os::open_file(scene::path_of(name_), how)) {
-    if (descriptor_ < 0) fail(name_, what);
+    if (descriptor_ < 0) fail(name_, "cannot be written");
 }
 
 OpenFile::~OpenFile() { os::close_file(descriptor_); }
@@ -84,24 +104,9 @@ void OpenFile::write(std::string_view bytes) const {
     }
 }
 
-void replace_file(const std::string& target, const std::function<bool(const OpenFile&)>& write) {
-    const std::string partial = target + ".partial";
-    try {
-        bool is_wanted = false;
-        {  // closed before it is renamed or removed, as Windows requires
-            const OpenFile file(partial, os::Opening::replace);
-            is_wanted = write(file);
-            if (is_wanted && !os::sync_all(file.descriptor())) fail(target, "cannot be written");
-        }
-        if (!is_wanted) return os::remove_file(scene::path_of(partial).c_str());
-        std::error_code error;
-        std::filesystem::rename(scene::path_of(partial), scene::path_of(target), error);
-        if (error) throw file_error(target, "cannot be written: " + error.message());
-    } catch (...) {
-        os::remove_file(scene::path_of(partial).c_str());
-        throw;
-    }
-    os::sync_folder(scene::path_of(target).parent_path());
+std::optional<std::uint64_t> index_of_line(std::string_view line) {
+    const auto index = leading_index(line);
+    return index && nlohmann::json::accept(line) ? index : std::nullopt;
 }
 
 void require_lines(const std::string& results) {
@@ -150,42 +155,7 @@ void write_description(const std::string& results, const Description& descriptio
                            {"finished", description.finished},
                            {"failed", description.failed},
                            {"bytes", description.bytes}};
-    replace_file(description_file(results), [&](const OpenFile& file) {
-        file.write(json.str());
-        return true;
-    });
-}
-
-Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished,
-                  const std::function<void(std::string_view)>& piece) {
-    Scanner scanner(first, finished);
-    std::vector<char> buffer(std::size_t(1) << 20);
-    std::string rest;  // of a line that goes on in the next piece
-    bool whole = true;
-    std::uint64_t bytes = 0;
-    if (!os::go_to(file.descriptor(), 0)) fail(file.name(), "cannot be read");
-    while (true) {
-        const std::ptrdiff_t got = os::read_some(file.descriptor(), buffer.data(), buffer.size());
-        if (got < 0) fail(file.name(), "cannot be read");
-        if (got == 0) break;
-        bytes += static_cast<std::uint64_t>(got);
-        std::string_view bytes_read(buffer.data(), static_cast<std::size_t>(got));
-        if (piece) piece(bytes_read);
-        while (whole) {
-            const std::size_t end = bytes_read.find('\n');
-            if (end == std::string_view::npos) break;
-            if (rest.empty()) {
-                whole = scanner.take(bytes_read.substr(0, end));
-            } else {
-                rest += bytes_read.substr(0, end);
-                whole = scanner.take(rest);
-                rest.clear();
-            }
-            bytes_read.remove_prefix(end + 1);
-        }
-        if (whole) rest += bytes_read;
-    }
-    return scanner.end(bytes);
+    replace_file(description_file(results), json.str());
 }
 
 ResultsFile::ResultsFile(std::string file, Description description)
@@ -231,7 +201,7 @@ void ResultsFile::take_up() {
         next_ = there.shard.end(there.scenes);
         return;
     }
-    const Scan scan = scan_results(file_, first, false);
+    const Scan scan = scan_of(name, first);
     next_ = scan.next;
     size_ = scan.kept;
     description_.failed = scan.failed;

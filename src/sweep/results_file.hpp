@@ -8,16 +8,15 @@
 //     while (file.next() < end) file.append(lines of the scenes from file.next() on, ...);
 //     file.finish();
 //
-// merge() joins the shards of one grid, into the very bytes that a sweep without shards writes.
+// The files of all shards, one after the other, are the very bytes that a sweep without shards writes.
 
 #include "document/system.hpp"
 #include "sweep/shard.hpp"
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace fstiff::sweep {
 
@@ -44,8 +43,8 @@ void write_description(const std::string& results, const Description& descriptio
 /// A file, which is closed at the end.
 class OpenFile {
 public:
-    /// \throws file_error: \p what, and the reason that the system gives.
-    OpenFile(std::string name, scene::os::Opening how, const char* what = "cannot be written");
+    /// \throws file_error with the reason that the system gives.
+    OpenFile(std::string name, scene::os::Opening how);
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile();
@@ -59,21 +58,9 @@ private:
     int descriptor_;
 };
 
-/// The output of \p write becomes \p target when it is complete, and synced; no file is left where \p write returns
-/// false or throws. \throws file_error.
-void replace_file(const std::string& target, const std::function<bool(const OpenFile&)>& write);
-
-/// Content of a file of results: whole lines of scenes that follow one another.
-struct Scan {
-    std::uint64_t next = 0;    ///< scene after the last whole one
-    std::uint64_t kept = 0;    ///< bytes of the whole scenes
-    std::uint64_t bytes = 0;   ///< of the file
-    std::uint64_t failed = 0;  ///< scenes without result among the whole ones
-};
-/// Reads all of \p file from its beginning; the first scene must be \p first. Of a file that is not \p finished the
-/// last scene does not count as whole: lines of it may be missing. \p piece is called with all bytes that are read.
-[[nodiscard]] Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished,
-                                const std::function<void(std::string_view)>& piece = {});
+/// The index of the scene of \p line; none unless it is a whole line of results: one object of JSON that begins with
+/// its index.
+[[nodiscard]] std::optional<std::uint64_t> index_of_line(std::string_view line);
 
 /// The results of one shard, open and locked for this process alone.
 class ResultsFile {
@@ -103,16 +90,5 @@ private:
     Description description_;
     std::uint64_t next_ = 0, size_ = 0, dropped_ = 0;
 };
-
-/// Merged results, or the errors of the shards: one sentence each, with the command that computes a missing one.
-struct Merged {
-    std::vector<std::string> problems;  ///< empty: the file was written
-    std::uint64_t scenes = 0, failed = 0, shards = 0;
-};
-
-/// Checks that \p files are the shards of one grid, that each is whole and that none is missing or double, and writes
-/// all of their lines to \p output by replace_file(), with its description. Names that end in .sweep are left out.
-/// \throws file_error for what cannot be read or written.
-[[nodiscard]] Merged merge(std::vector<std::string> files, const std::string& output);
 
 }  // namespace fstiff::sweep

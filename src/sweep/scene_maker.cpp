@@ -153,9 +153,6 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
         put(i, false);
     }
 
-    has_stiffness_ = first->asks(scene::CurveQuantity::stiffness) ||
-                     std::any_of(grid.axes.begin(), grid.axes.end(),
-                                 [](const Axis& axis) { return axis.key.starts_with("output."); });
     const auto point =
         std::find_if(setters_.begin(), setters_.end(), [](const Setter& setter) { return setter.put == put_point; });
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());

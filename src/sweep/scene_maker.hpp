@@ -56,8 +56,6 @@ public:
     /// The axis of the only point of a scene, so that scenes that differ in it alone are one scene with many points;
     /// none where there are more points, or a law is not computed point by point.
     [[nodiscard]] const std::size_t* point_axis() const { return folds_ ? &point_axis_ : nullptr; }
-    /// Whether the results have K; also where that depends on the scene.
-    [[nodiscard]] bool has_stiffness() const { return has_stiffness_; }
     /// Whether two scenes with these values differ in nothing but their point.
     [[nodiscard]] bool alike(const std::vector<Value>& a, const std::vector<Value>& b) const;
 
@@ -83,7 +81,6 @@ private:
     bool folds_ = false;
     std::array<double, 2> table_range_{};  ///< of the points, where the grid asks for tables
     bool measured_ = false;                ///< the scenes have files of surfaces
-    bool has_stiffness_ = true;
     RecentScenes scenes_, surfaces_;
 };
 

@@ -22,7 +22,6 @@ const std::vector<std::string> commands{"",
                                         "formats",
                                         "export",
                                         "sweep",
-                                        "sweep --merge",
                                         "help"};
 
 TEST_CASE("The example at the end of every --help works as pasted") {
@@ -85,7 +84,7 @@ TEST_CASE("help prints what --help prints") {
     CHECK(bare.status == 0);
     CHECK(bare.out == test::run_fstiff("--help").out);
     CHECK(test::run_fstiff("help").out == bare.out);
-    for (const std::string command : {"run", "generate", "formats", "measure --show fit", "sweep --merge"}) {
+    for (const std::string command : {"run", "generate", "formats", "measure --show fit"}) {
         const auto help = test::run_fstiff("help " + command);
         CHECK(help.status == 0);
         CHECK(help.out == test::run_fstiff(command + " --help").out);
@@ -118,7 +117,7 @@ TEST_CASE("A name of former times ends with the call that took its place") {
                                                                        {"islands", "fstiff measure --show islands,"},
                                                                        {"peaks", "fstiff measure --show peaks,"},
                                                                        {"spectrum", "fstiff measure --show spectrum,"},
-                                                                       {"merge", "fstiff sweep --merge,"},
+                                                                       {"merge", "cat part-*.jsonl > all.jsonl,"},
                                                                        {"reproduce", "python -m fstiff reproduce"},
                                                                        {"integral", "example_integral"}})
         for (const std::string& words : {name, name + " x"}) test::check_refused(words, 2, {name + ": ", call});

@@ -178,7 +178,6 @@ TEST_CASE("The output - is standard output, and what must be a file refuses it")
     }
     CHECK(folder.files() == 2);
     check_harmless(folder, "sweep grid.toml -o -", 2, {"is standard output", "must be a file"});
-    check_harmless(folder, "sweep --merge x.jsonl -o -", 2, {"is standard output", "must be a file"});
     REQUIRE(shell(in + "run -o ./-").status == 0);  // a file of that name
     CHECK(read(folder / "-") == shell(in + "run").out);
 }

@@ -32,7 +32,6 @@ std::vector<std::string> commands() {
     std::vector<std::string> names = listed_commands();
     for (const char* shown : {"fit", "islands", "peaks", "spectrum"})
         names.push_back("measure --show " + std::string(shown));
-    names.emplace_back("sweep --merge");
     return names;
 }
 
@@ -156,7 +155,6 @@ TEST_CASE("bash completes every command, option and word") {
     ask("measure --show ''", 3, {"fit", "islands", "peaks", "spectrum"});
     ask("measure x.csv --show fit --conv", 5, {"--convention"});
     ask("measure --show = islands --neigh", 5, {"--neighbours"});
-    ask("sweep --merge --thr", 3, {});
     for (const std::string& command : commands()) {
         std::vector<std::string> all;
         const int place = 2 + static_cast<int>(std::count(command.begin(), command.end(), ' '));

@@ -105,17 +105,8 @@ TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on af
     CHECK(part.back() == '\n');
     CHECK(serial.starts_with(part));
     CHECK(contains(read(out + ".sweep"), "\"finished\": false"));
-    const Outcome merged = run_fstiff("sweep --merge '" + out + "' -o '" + folder / "all" + "'");
-    CHECK(merged.status == 4);
-    CHECK(contains(merged.err, "is not finished; run: fstiff sweep"));
     CHECK(shell(sweep).status == 0);
     CHECK(read(out) == serial);
-
-    const Outcome no_room = shell("ulimit -f 4000; fstiff sweep --merge '" + out + "' -o '" + folder / "all" + "'");
-    CHECK(no_room.status == 3);
-    CHECK(contains(no_room.err, "cannot be written: File too large"));
-    CHECK(!std::filesystem::exists(folder / "all"));
-    CHECK(!std::filesystem::exists(folder / "all.partial"));
 }
 
 TEST_CASE("A sweep without room for all threads goes on with fewer, and reports how many") {
@@ -158,13 +149,42 @@ TEST_CASE("Two sweeps cannot write one file at the same time") {
 
 TEST_CASE("A table or a binary form is refused as the form of a sweep's results") {
     const test::Folder folder;
-    for (const char* ending : {"parquet", "h5", "csv"})
-        for (const std::string command : {"sweep none.toml", "sweep --merge none.jsonl"}) {
-            const auto outcome = test::run_fstiff(command + " -o '" + folder / "out." + ending + "'");
-            INFO(command << " " << ending);
-            CHECK(outcome.status == 2);
-            CHECK(test::contains(outcome.err, "results are lines of JSON, file.jsonl"));
-        }
+    for (const char* ending : {"parquet", "h5", "csv"}) {
+        const auto outcome = test::run_fstiff("sweep none.toml -o '" + folder / "out." + ending + "'");
+        INFO(ending);
+        CHECK(outcome.status == 2);
+        CHECK(test::contains(outcome.err, "results are lines of JSON, file.jsonl"));
+    }
+}
+
+TEST_CASE("A sweep shows a bar with its rate and the time left on a terminal") {
+    if (shell("script -qec true /dev/null").status != 0)
+        SKIP_CASE("`script` makes no terminal here: the bar is not tested");
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid(10000));
+    const Outcome shown = shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' sweep '" + file + "' -o '" +
+                                folder / "out" + "'\" /dev/null");
+    INFO(shown.out);
+    CHECK(shown.status == 0);
+    CHECK(contains(shown.out, "scenes ["));
+    CHECK(contains(shown.out, "/s, "));
+    CHECK(contains(shown.out, " s left"));
+}
+
+TEST_CASE("Results whose lines were damaged go on where they are whole") {
+    const Folder folder;
+    const std::string sweep = "sweep '" + folder.write("grid.toml", grid(3)) + "' -o '" + folder / "out" + "'";
+    REQUIRE(run_fstiff(sweep).status == 0);
+    const std::string whole = read(folder / "out"), known = read(folder / "out.sweep");
+    std::string damaged = whole;
+    damaged.replace(whole.find('\n') + 60, 8, "????????");
+    folder.write("out", damaged);
+    folder.write("out.sweep", replaced(known, "\"finished\": true", "\"finished\": false"));
+    const Outcome again = run_fstiff(sweep);
+    CHECK(again.status == 0);
+    CHECK(contains(again.err, std::to_string(whole.size()) + " bytes at the end of"));
+    CHECK(contains(again.err, "are computed again"));
+    CHECK(read(folder / "out") == whole);
 }
 
 }  // namespace sweep_faults_test

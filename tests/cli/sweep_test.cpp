@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff sweep and fstiff sweep --merge as people run them.
+// fstiff sweep as people run it.
 #include "cli/command.hpp"
 
 #include <nlohmann/json.hpp>
@@ -275,8 +275,7 @@ TEST_CASE("K by the table of a law is within its stated error, for any number of
             REQUIRE(
                 run_fstiff("sweep '" + tables + "' --shard " + i + "/3 -o '" + folder / "part-{shard}" + "'").status ==
                 0);
-        REQUIRE(shell("fstiff sweep --merge '" + folder / "" + "'part-* -o '" + folder / "all" + "'").status == 0);
-        CHECK(read(folder / "all") == read(folder / "tables"));
+        CHECK(read(folder / "part-1") + read(folder / "part-2") + read(folder / "part-3") == read(folder / "tables"));
     }
     const Folder folder;
     const auto refused = [&](const std::string& text, const std::string& sentence) {
@@ -318,8 +317,7 @@ TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their p
     }
 }
 
-TEST_CASE("The merged shards are the sweep itself, byte for byte, for any number of shards and threads") {
-    const Folder folder;
+TEST_CASE("cat of the shards is the sweep itself, byte for byte, for any number of shards and threads") {
     for (const std::string& text : {grid, replaced(grid, "[\"20 um\", \"40 um\"]", "{ lognormal = [\"40 um\", 0.2] }") +
                                               "[sweep]\nsamples = 3\n"}) {
         const Folder work;
@@ -327,18 +325,20 @@ TEST_CASE("The merged shards are the sweep itself, byte for byte, for any number
         REQUIRE(run_fstiff("sweep '" + file + "' -o '" + work / "serial" + "' --threads 1").status == 0);
         const std::string serial = read(work / "serial");
         CHECK(lines(serial).size() == 2 * 7 * (contains(text, "samples") ? 3 : 2) * 11);
-        for (const int shards : {1, 2, 3, 8}) {
+        for (const int shards : {1, 2, 8, 12}) {  // of twelve the names are part-01 to part-12
             std::string script;
             for (int i = 1; i <= shards; ++i)
                 script += "fstiff sweep '" + file + "' --shard " + std::to_string(i) + "/" + std::to_string(shards) +
                           " --threads " + std::to_string(1 + i % 3) + " -o '" + work / "part-{shard}.jsonl" +
-                          "' || exit\n";
-            const Outcome outcome =
-                shell(script + "fstiff sweep --merge '" + work / "" + "'part-* -o '" + work / "all" + "'");
+                          "' >/dev/null || exit\n";
+            const Outcome outcome = shell(script + "cat '" + work / "" + "'part-*.jsonl");
             INFO(outcome.err);
             REQUIRE(outcome.status == 0);
-            CHECK(read(work / "all") == serial);
-            CHECK(read(work / "all.sweep") == read(work / "serial.sweep"));
+            CHECK(outcome.out == serial);
+            const Outcome again = shell(script);
+            CHECK(again.status == 0);
+            const auto said = lines(again.err);
+            CHECK(std::count(said.begin(), said.end(), "fstiff: nothing is left to compute") == shards);
             shell("rm '" + work / "" + "'part-*");
         }
     }
@@ -452,54 +452,6 @@ TEST_CASE("A scene that cannot be computed has its reason, and the others have t
     const Outcome again = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
     CHECK(again.status == 4);
     CHECK(contains(again.err, "14 scenes cannot be computed"));
-    const Outcome merged = run_fstiff("sweep --merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
-    CHECK(merged.status == 4);
-    CHECK(read(folder / "all") == read(folder / "out"));
-}
-
-TEST_CASE("Merging names a shard that is missing, duplicate, unfinished or of another grid, and writes nothing") {
-    const Folder folder;
-    const std::string file = folder.write("grid.toml", grid);
-    const auto sweep = [&](const std::string& shard, const std::string& name) {
-        REQUIRE(run_fstiff("sweep '" + file + "' --shard " + shard + " -o '" + folder / name + "'").status == 0);
-    };
-    for (const char* i : {"1", "2", "3", "4"}) sweep(std::string(i) + "/4", "part-" + std::string(i) + ".jsonl");
-    const auto check = [&](const std::string& names, const std::vector<std::string>& sentences) {
-        const Outcome outcome = shell("cd '" + folder / "" + "' && fstiff sweep --merge " + names + " -o all.jsonl");
-        INFO(outcome.err);
-        CHECK(outcome.status == 4);
-        CHECK(outcome.out.empty());
-        CHECK(lines(outcome.err).size() == sentences.size());
-        for (const std::string& sentence : sentences) CHECK(contains(outcome.err, sentence));
-        CHECK(!std::filesystem::exists(folder / "all.jsonl"));
-    };
-    check("part-1.jsonl part-4.jsonl",
-          {"shard 2/4 is missing; run: fstiff sweep " + file + " --shard 2/4 -o part-2.jsonl",
-           "shard 3/4 is missing; run: fstiff sweep " + file + " --shard 3/4 -o part-3.jsonl"});
-    sweep("3/4", "again.jsonl");
-    check("part-*.jsonl again.jsonl", {"shard 3/4 is given twice"});
-    sweep("1/2", "half.jsonl");
-    check("part-*.jsonl half.jsonl", {"half.jsonl is shard 1/2 and part-1.jsonl is shard 1/4"});
-    const Outcome itself = shell("cd '" + folder / "" + "' && fstiff sweep --merge half.jsonl -o half.jsonl");
-    CHECK(itself.status == 3);
-    CHECK(contains(itself.err, "half.jsonl: is the only file of results and the output too"));
-    const std::string description = read(folder / "part-2.jsonl.sweep"), results = read(folder / "part-2.jsonl");
-    folder.write("part-2.jsonl.sweep", replaced(description, "\"finished\": true", "\"finished\": false"));
-    check("part-*.jsonl", {"part-2.jsonl is not finished; run: fstiff sweep"});
-    folder.write("part-2.jsonl.sweep", description);
-    // as many bytes, but a line is another
-    folder.write("part-2.jsonl", std::regex_replace(results, std::regex("\"index\":40,"), "\"index\":41,"));
-    check("part-*.jsonl", {"part-2.jsonl was changed since it was finished"});
-    folder.write("part-2.jsonl", results);
-    folder.write("grid.toml", grid + "# changed\n");
-    std::filesystem::remove(folder / "part-2.jsonl");
-    std::filesystem::remove(folder / "part-2.jsonl.sweep");
-    sweep("2/4", "part-2.jsonl");
-    check("part-*.jsonl", {"are of different grids, or of one that was changed between them"});
-    std::filesystem::remove(folder / "part-2.jsonl.sweep");
-    const Outcome lost = shell("cd '" + folder / "" + "' && fstiff sweep --merge part-*.jsonl -o all.jsonl");
-    CHECK(lost.status == 3);
-    CHECK(contains(lost.err, "part-2.jsonl.sweep that names its grid and shard is missing"));
 }
 
 }  // namespace sweep_test

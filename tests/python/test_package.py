@@ -106,13 +106,9 @@ def blocks_of(document):
     return re.findall(r"^```(\w+)\n(.*?)^```$", document.read_text(), re.MULTILINE | re.DOTALL)
 
 
-def test_the_document_shows_what_comes_out(root, tmp_path, monkeypatch):
-    pytest.importorskip("matplotlib")
-    pytest.importorskip("pandas")
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("MPLBACKEND", "Agg")
-    (tmp_path / "scene.toml").write_text((root / "data" / "example_scene.toml").read_text())
-    blocks = blocks_of(root / "docs" / "python.md")
+def check_document(document):
+    """Runs the programs of a document in the present folder, and compares what they print with what it shows."""
+    blocks = blocks_of(document)
     assert sum(kind == "python" for kind, _ in blocks) >= 5
     names, printed = {}, None
     for kind, text in blocks:
@@ -120,12 +116,42 @@ def test_the_document_shows_what_comes_out(root, tmp_path, monkeypatch):
             assert not printed, f"the document does not show {printed}"
             out = io.StringIO()
             with contextlib.redirect_stdout(out):
-                exec(compile(text, "docs/python.md", "exec"), names)
+                exec(compile(text, document.name, "exec"), names)
             printed = out.getvalue()
         elif kind == "text" and printed is not None:
             assert printed == text
             printed = None
     assert not printed
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib")
+    pytest.importorskip("pandas")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    return tmp_path
+
+
+def test_the_document_shows_what_comes_out(root, folder):
+    (folder / "scene.toml").write_text((root / "data" / "example_scene.toml").read_text())
+    check_document(root / "docs" / "python.md")
+
+
+def test_the_programs_of_sweeps_give_what_their_document_shows(root, folder, command):
+    """docs/sweep.md: what is left of shards, a table of Parquet, the picture and the shares of the inputs."""
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("xarray")
+    for name, results in (("grid", "results"), ("scatter", "scatter")):
+        (folder / f"{name}.toml").write_text((root / "examples" / "sweeps" / f"{name}.toml").read_text())
+        command("sweep", f"{name}.toml", "-o", f"{results}.jsonl")
+    for shard in (1, 2, 4):
+        command("sweep", "grid.toml", "--shard", f"{shard}/4", "-o", "part-{shard}.jsonl")
+    check_document(root / "docs" / "sweep.md")
+    drawn, shown = ((place / "sweep.svg").read_text() for place in (folder, root / "docs"))
+    paths = [re.findall(r' d="M ([^"]*)"', picture) for picture in (drawn, shown)]
+    version = re.search("Matplotlib v[0-9.]+", shown)[0]
+    assert paths[0] == paths[1] or version not in drawn
 
 
 def test_the_example_draws_its_picture(root, tmp_path):

@@ -76,12 +76,6 @@ the most islands.)",
      R"(  fstiff generate map --points 256 --spacing "0.5 um" --hurst 0.8 --rms "1 um" --shortest "4 um" |
       fstiff measure --show spectrum -)",
      add_spectrum},
-    {"sweep --merge", "", "The shards of a sweep as one file",
-     R"(Exit code 4: a shard is missing, duplicate, unfinished or from another grid; nothing is written, and each
-such shard is listed with the command that computes it. Also 4 if some scenes cannot be computed.)",
-     "  fstiff sweep --example > grid.toml; for i in 1 2; do fstiff sweep grid.toml --shard $i/2 -o part-$i.jsonl; "
-     "done; fstiff sweep --merge part-*.jsonl -o all.jsonl",
-     add_merge},
 };
 
 }  // namespace

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff sweep: a grid of scenes to one line a row of results; fstiff sweep --merge: its shards as one file.
+// fstiff sweep: a grid of scenes to one line a row of results.
 #include "commands/commands.hpp"
 #include "document/output.hpp"
 #include "input/progress.hpp"
-#include "input/scene_options.hpp"
 #include "sweep/engine.hpp"
 #include "sweep/results_file.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -41,15 +39,15 @@ struct Options {
     std::string grid, results, shard = "1/1";
     int threads = 0;  ///< 0: as many as there are cores
     bool example = false;
-    bool merge = false;  ///< a command of its own, which Program::forward() chooses
 };
 
-/// {shard} in the name of the results is the number of the shard.
-std::string results_file(const Options& options, const sweep::Shard& shard) {
-    std::string file = options.results;
-    const std::string place = "{shard}";
+/// {shard} in the name of the results is the number of the shard, with zeros before it, so that names are in the order
+/// of the shards.
+std::string results_file(std::string file, const sweep::Shard& shard) {
+    const std::string place = "{shard}", number = std::to_string(shard.number);
+    const std::string padded = std::string(std::to_string(shard.of).size() - number.size(), '0') + number;
     for (std::size_t at = file.find(place); at != std::string::npos; at = file.find(place))
-        file.replace(at, place.size(), std::to_string(shard.number));
+        file.replace(at, place.size(), padded);
     return file;
 }
 
@@ -94,15 +92,14 @@ Report execute(const Options& options) {
         throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
     refuse_standard_output(options.results, "a file, so that an interrupted run can continue");
     const sweep::Shard shard = sweep::parse_shard(options.shard);
-    const std::string file = results_file(options, shard);
+    const std::string file = results_file(options.results, shard);
     sweep::require_lines(file);
     require_writable(file);
     keep_for_output(file);
     const sweep::Grid grid = sweep::read_grid(read_all(options.grid, longest_scene), display_name(options.grid));
     for (const std::string& named : grid.files) require_no_output(named);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
-    const auto make = [&] { maker.emplace(grid); };
-    if (!std::filesystem::exists(path_of(sweep::description_file(file)))) make();
+    if (!std::filesystem::exists(path_of(sweep::description_file(file)))) maker.emplace(grid);
     sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
     Report report;
     if (results.dropped() > 0)
@@ -111,7 +108,7 @@ Report execute(const Options& options) {
     const std::uint64_t first = results.next(), end = shard.end(grid.size);
     const auto begun = std::chrono::steady_clock::now();
     if (!results.description().finished) {
-        if (!maker) make();
+        if (!maker) maker.emplace(grid);
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
         const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
         const unsigned started =
@@ -134,25 +131,6 @@ Report execute(const Options& options) {
     return report;
 }
 
-struct MergeOptions {
-    OutputOptions output;
-    std::vector<std::string> files;
-    std::string merged;
-};
-
-Report execute_merge(const MergeOptions& options) {
-    refuse_standard_output(options.merged, "a file, because its description is written next to it");
-    sweep::require_lines(options.merged);
-    require_writable(options.merged);
-    const sweep::Merged merged = sweep::merge(options.files, options.merged);
-    if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
-    Report report;
-    report.document = "fstiff sweep --merge: " + counted(merged.scenes, "scene") + " of " +
-                      counted(merged.shards, "shard") + " in " + printable(options.merged) + "\n";
-    warn_of_failed_scenes(report, merged.failed);
-    return report;
-}
-
 }  // namespace
 }  // namespace sweep_command
 
@@ -162,29 +140,15 @@ Command add_sweep(Arguments& command) {
     command.option("grid", options->grid, {"scene file (TOML) with swept quantities; - is standard input"});
     command.option(
         "-o,--output", options->results,
-        {.help = "file of results, one JSON object a line; {shard} in its name is the number of the shard. An "
-                 "interrupted run continues with the same arguments",
+        {.help = "file of results, one JSON object a line; {shard} in its name is the number of the shard, and "
+                 "cat joins the files of all shards. An interrupted run continues with the same arguments",
          .type = "FILE"});
     command.option("--threads", options->threads,
                    {.help = "threads that compute; the default is one for each core", .low = 1, .high = 4096});
     command.option("--shard", options->shard,
                    {"part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun"});
-    command.option("--merge", options->merge,
-                   {"put the shards of a sweep together: --merge part-*.jsonl -o all.jsonl"});
     command.option("--example", options->example, {"print a grid with comments, to begin one of your own"});
     return {&options->output, [options] { return execute(*options); }};
-}
-
-Command add_merge(Arguments& command) {
-    using namespace sweep_command;
-    auto options = std::make_shared<MergeOptions>();
-    command.option("files", options->files,
-                   {.help = "files of results of fstiff sweep; names in .sweep are left out",
-                    .required = true,
-                    .form = request::Form::file});
-    command.option("-o,--output", options->merged,
-                   {.help = "file of all results, lines of JSON", .required = true, .type = "FILE"});
-    return {&options->output, [options] { return execute_merge(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -6,7 +6,6 @@ _fstiff() {
     # these are commands of their own
     [[ "${COMP_WORDS[*]:1:COMP_CWORD-1} " =~ ^measure\ .*--show\ (=\ )?(fit|islands|peaks|spectrum)\  ]] &&
         command="measure --show ${BASH_REMATCH[2]}"
-    [[ "${COMP_WORDS[*]:1:COMP_CWORD-1} " =~ ^sweep\ .*--merge\  ]] && command="sweep --merge"
     # bash splits --format=json into three words
     if [ "$current" = '=' ]; then
         current=
