@@ -100,7 +100,10 @@ Panel panel_of(const Results& results, const Results& smooth, CurveQuantity quan
                 .y = std::move(axis),
                 .height = 240};
     const auto lines = drawn(smooth), points = drawn(results);
-    for (const Curve* curve : lines) panel.lines.push_back(line_of(*curve, quantity));
+    for (const Curve* curve : lines) {
+        panel.lines.push_back(line_of(*curve, quantity));
+        panel.lines.back().colour = static_cast<int>(panel.lines.size()) - 1;
+    }
     constexpr std::size_t most_marks = 12;
     const std::size_t count = points.front()->states.size();
     if (points.size() != lines.size() || count > most_marks || count == lines.front()->states.size()) return panel;

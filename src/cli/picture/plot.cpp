@@ -12,8 +12,40 @@ namespace fstiff::cli {
 
 namespace {
 
-std::string figure_csv(const Figure& given) {
-    const Figure figure = in_units(given);
+/// One unit for all numbers of an axis, by the rule of the tables.
+void choose_unit(Panel& panel, bool of_y) {
+    Axis& axis = of_y ? panel.y : panel.x;
+    if (axis.si.empty()) return;
+    std::vector<double> values;
+    for (const PlotLine& line : panel.lines)
+        if (line.colour != neutral)
+            values.insert(values.end(), (of_y ? line.y : line.x).begin(), (of_y ? line.y : line.x).end());
+    const ShownUnit unit = shown_unit(values, axis.si);
+    const auto convert = [&](auto&... values) { ((values /= unit.size), ...); };
+    for (PlotLine& line : panel.lines) {
+        if (!of_y) std::for_each(line.x.begin(), line.x.end(), convert);
+        if (of_y)
+            for (auto* values : {&line.y, &line.low, &line.high})
+                std::for_each(values->begin(), values->end(), convert);
+    }
+    if (of_y)
+        for (PlotWindow& window : panel.windows) convert(window.low, window.high);
+    else
+        for (PlotChange& change : panel.changes) convert(change.x);
+    if (axis.low) convert(*axis.low);
+    if (axis.high) convert(*axis.high);
+    axis.label = unit.heading(axis.label);
+    axis.si.clear();
+}
+
+/// The values of every axis in the unit that fits their size, named in its label.
+Figure in_units(Figure figure) {
+    for (Panel& panel : figure.panels)
+        for (const bool of_y : {false, true}) choose_unit(panel, of_y);
+    return figure;
+}
+
+std::string figure_csv(const Figure& figure) {
     std::string text = "# fstiff " FSTIFF_VERSION_TEXT ": the numbers of a picture\n" +
                        csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
     std::size_t curve = 0;
@@ -52,7 +84,7 @@ void keep_for_picture(const std::string& file) {
 
 Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file) {
     if (file.empty()) return report;
-    const Figure drawn = figure();
+    const Figure drawn = in_units(figure());
     deliver({{file, svg(drawn)}, {table_of(file), figure_csv(drawn)}});
     say_written(report, {file, table_of(file)});
     return report;

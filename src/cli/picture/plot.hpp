@@ -3,7 +3,7 @@
 // The picture of `run --plot` as SVG that needs nothing else: no script, no font, no other file. Colours follow the
 // reader's light or dark setting. The same figure is written as CSV. The same figure gives the same bytes.
 //
-// panels.cpp makes the figure of results, svg.cpp draws it; scale.hpp chooses its ticks, drawing.hpp its legend.
+// panels.cpp makes the figure of results, svg.cpp draws it; scale.hpp chooses its ticks, plot.cpp its units.
 
 #include "document/output.hpp"
 #include "document/shown_unit.hpp"
@@ -25,7 +25,7 @@ struct Axis {
 };
 
 /// Colours 0 to 7 distinguish curves; `neutral` is the grey of references.
-inline constexpr int neutral = -1, next_colour = -2;
+inline constexpr int neutral = -1;
 
 /// Points, a line through them, and a band about it when low and high are given. On a logarithmic axis a point that is
 /// not positive breaks the line.
@@ -35,7 +35,7 @@ struct PlotLine {
     std::vector<double> low = {}, high = {};  ///< of the band, one for every x
     std::string band = {};                    ///< what the band is, for the legend
     bool bars = false;                        ///< an error bar at every point in place of the band
-    int colour = next_colour;
+    int colour = 0;
     bool dashed = false;
     bool points = false;  ///< marks alone
 };
@@ -68,10 +68,8 @@ struct Figure {
     std::string note = {};                      ///< below, small
 };
 
-/// The values of every axis in the unit that fits their size, named in its label.
-Figure in_units(Figure figure);
-
-[[nodiscard]] std::string svg(const Figure& given);
+/// \p figure as a file of its own.
+[[nodiscard]] std::string svg(const Figure& figure);
 /// Before anything is read: no input may be \p file or the table of its numbers, FILE.plot.csv. Does nothing without a
 /// \p file. \throws Usage unless it ends in .svg, file_error for a table that fstiff did not make.
 void keep_for_picture(const std::string& file);

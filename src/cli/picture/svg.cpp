@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figure as SVG: each part of a panel is drawn into coordinates of its own frame.
-#include "picture/drawing.hpp"
+#include "picture/scale.hpp"
 
 #include <fstiff/core/text.hpp>
 
@@ -9,6 +9,61 @@
 
 namespace fstiff::cli {
 namespace {
+
+struct Colour {
+    const char *light, *dark;
+};
+constexpr std::array<Colour, 8> palette{{{"#b3261e", "#ff8a80"},
+                                         {"#0b57a4", "#7db8ff"},
+                                         {"#1b7f54", "#5ccf97"},
+                                         {"#7a2f9e", "#dba4f5"},
+                                         {"#b06000", "#ffb961"},
+                                         {"#00737a", "#5fd4dc"},
+                                         {"#9c2470", "#f59acb"},
+                                         {"#6b6200", "#e0cf5a"}}};
+constexpr Colour grey{"#5f5f66", "#a9a9b2"}, window_colour{"#8a7200", "#ffe28a"};
+Range range_of(const Panel& panel, bool of_y) {
+    Range range;
+    const bool logarithmic = (of_y ? panel.y : panel.x).logarithmic;
+    for (const PlotLine& line : panel.lines) {
+        for (const auto* values : {of_y ? &line.y : &line.x, of_y ? &line.low : nullptr, of_y ? &line.high : nullptr})
+            if (values)
+                for (const double value : *values) range.add(value, logarithmic);
+    }
+    return range;
+}
+
+/// One sample and its text, whose lines are below one another.
+struct Entry {
+    const PlotLine* line;      ///< with its band, or
+    const PlotWindow* window;  ///< a shaded window
+    std::vector<std::string> text;
+};
+
+/// A panel with its scales.
+struct Drawing {
+    explicit Drawing(const Panel& drawn)
+        : panel(drawn), x_scale(drawn.x, range_of(drawn, false)), y_scale(drawn.y, range_of(drawn, true)) {}
+    double place_x(double x) const { return panel.width * x_scale(x); }
+    bool shows(const PlotLine& line, std::size_t i) const {
+        return x_scale.shows(line.x[i]) && y_scale.shows(line.y[i]);
+    }
+    double place_y(double y) const { return panel.height * (1 - y_scale(y)); }
+
+    const Panel& panel;
+    Scale x_scale, y_scale;
+};
+
+std::vector<Entry> legend_of(const Panel& panel) {
+    std::vector<Entry> result;
+    constexpr std::size_t most = 44;  // characters of a line
+    for (const PlotLine& line : panel.lines)
+        if (!line.label.empty())
+            result.push_back({&line, nullptr, wrapped(line.label + (line.band.empty() ? "" : ", " + line.band), most)});
+    for (const PlotWindow& window : panel.windows)
+        if (!window.label.empty()) result.push_back({nullptr, &window, wrapped(window.label, most)});
+    return result;
+}
 
 constexpr double left = 84, title_height = 26, below = 54, row_height = 24, line_height = 17, gap = 24;
 
@@ -137,7 +192,7 @@ std::string bar(double x, double high, double low) {
 /// The bands, and the error bars of what has those.
 std::string bands(const Drawing& d) {
     std::string out;
-    for (const PlotLine& line : d.lines) {
+    for (const PlotLine& line : d.panel.lines) {
         if (line.low.size() != line.x.size() || line.high.size() != line.x.size() || line.x.empty()) continue;
         const auto low = [&](std::size_t i) {
             return d.y_scale.shows(line.low[i]) ? d.place_y(line.low[i]) : d.panel.height + 10;
@@ -224,7 +279,7 @@ struct Size {
     double width, height;
 };
 Size size_of(const Panel& panel) {
-    const std::vector<Entry> legend = Drawing(panel).legend();
+    const std::vector<Entry> legend = legend_of(panel);
     std::size_t widest = 0;
     for (const Entry& entry : legend)
         for (const auto& text : entry.text) widest = std::max(widest, shown_width(text));
@@ -243,15 +298,14 @@ std::string draw(const Panel& panel, double top) {
     out += "<svg x=\"" + px(left) + "\" y=\"" + px(plot_top) + "\" width=\"" + px(panel.width) + "\" height=\"" +
            px(panel.height) + "\"" + data_range("x", d.x_scale.low(), d.x_scale.high(), 6) +
            data_range("y", d.y_scale.low(), d.y_scale.high(), 6) + " overflow=\"hidden\">\n" + background(d) + bands(d);
-    for (const PlotLine& line : d.lines) out += line_and_marks(d, line);
+    for (const PlotLine& line : d.panel.lines) out += line_and_marks(d, line);
     out += "</svg>\n" + rectangle("frame", left, plot_top, panel.width, panel.height) + axes(d, plot_top);
-    return out + draw(d.legend(), left + panel.width + gap, plot_top + 12);
+    return out + draw(legend_of(panel), left + panel.width + gap, plot_top + 12);
 }
 
 }  // namespace
 
-std::string svg(const Figure& given) {
-    const Figure figure = in_units(given);
+std::string svg(const Figure& figure) {
     const std::string name = escaped(figure.title);
     double width = 300;
     for (const Panel& panel : figure.panels) width = std::max(width, size_of(panel).width);
