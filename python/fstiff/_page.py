@@ -43,7 +43,8 @@ svg text{font-family:system-ui,'DejaVu Sans',sans-serif!important}
 h1{margin:.5rem 0;font-size:1.6rem}h2{margin-top:2rem;border-bottom:1px solid #c9c9d0}
 .result{border-left:4px solid #1b7f54;padding-left:.8rem}.warned{border-color:#b06000}summary{cursor:pointer;font-weight:600}
 @media screen and (min-width:60rem){.pair{display:grid;grid-template-columns:1fr 1fr;gap:0 1.5rem}}.pair>*{min-width:0}
-@media screen and (max-width:40rem){body{margin:.5rem auto;padding:0 .7rem}td,th{padding:.2rem .35rem}}
+@media screen and (max-width:40rem){body{margin:.5rem auto;padding:0 .7rem}td,th{padding:.2rem .35rem}
+td:last-child{min-width:9rem}}
 @media screen and (prefers-color-scheme:dark){body{color:#ececf1;background:#16161a}th{background:#26262c}
 th,td,h2{border-color:#3a3a42}}
 @page{size:A4;margin:11mm}@media print{body{font-size:9.5pt;line-height:1.3;margin:0;padding:0;max-width:none}
