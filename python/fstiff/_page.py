@@ -160,10 +160,14 @@ def write(files: Mapping[Path, str]) -> None:
         if file.exists() and MARK.encode() not in file.read_bytes()[:2000]:
             raise FileError(f"{file}: was not made by fstiff and is not replaced; move it away or choose another name")
     for file, text in files.items():
-        file.parent.mkdir(parents=True, exist_ok=True)
         partial = file.with_name(file.name + ".partial")
-        partial.write_text(text, "utf-8", newline="\n")
-        partial.replace(file)
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            partial.write_text(text, "utf-8", newline="\n")
+            partial.replace(file)
+        except OSError as error:
+            partial.unlink(missing_ok=True)
+            raise FileError(f"{file}: cannot be written: {error.strerror}") from error
 
 
 class Page:
