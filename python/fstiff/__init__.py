@@ -24,6 +24,7 @@ from ._integrals import Estimate, peak_integral
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
 from ._scenes import Answer, Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
+from ._sweeps import sweep
 from ._surfaces import Fit, Islands, Measurement, Parameter, Surface, Truth, fit, islands, measure, open_surface, truth
 
 __all__ = [
@@ -63,6 +64,7 @@ __all__ = [
     "peaks",
     "run",
     "spectrum",
+    "sweep",
     "truth",
     "ultrasound",
 ]
