@@ -20,6 +20,7 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+NUMBERS = ("surface.peak_radius", "surface.rms_height", "pressure_Pa")
 NEEDS = {"parallel": "parallel", "mpi": "mpirun", "snakemake": "snakemake", "dask": None, "parquet": None}
 
 
@@ -77,16 +78,13 @@ def check_dask(fstiff, work, python):
     if done.returncode != 0:
         sys.exit(done.stdout[-2000:] + done.stderr)
     found = {
-        (float(row["peak_radius_m"]), float(row["rms_height_m"]), float(row["pressure_Pa"]), row["law"]): float(
-            row["stiffness_Pa_per_m"]
-        )
+        (*(float(row[key]) for key in NUMBERS), row["law"]): float(row["stiffness_Pa_per_m"])
         for row in csv.DictReader(done.stdout.splitlines())
     }
     wanted = {}
     for line in serial(fstiff, HERE / "grid.toml", work / "serial.jsonl").splitlines():
         row = json.loads(line)
-        key = (row["surface.peak_radius"], row["surface.rms_height"], row["pressure_Pa"], row["law"])
-        wanted[key] = row["stiffness_Pa_per_m"]
+        wanted[(*(row[key] for key in NUMBERS), row["law"])] = row["stiffness_Pa_per_m"]
     if found != wanted:
         different = sum(found.get(key) != value for key, value in wanted.items())
         sys.exit(f"dask: {different} of {len(wanted)} values of K differ")

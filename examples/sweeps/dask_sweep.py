@@ -12,23 +12,6 @@ import itertools
 import math
 import sys
 
-SCENE = """
-[surface]
-peak_radius = "{radius!r} m"
-rms_height = "{height!r} m"
-peak_density = "500 /mm^2"
-
-[material.upper]
-youngs_modulus = "205 GPa"
-poisson_ratio = 0.3
-
-[contact]
-laws = ["hertz", "greenwood_williamson"]
-peaks = [ {{ theta = "pi/3", r = 0.5 }} ]
-pressures = [ {pressures} ]
-"""
-
-
 def spaced(first, last, count):
     """Values between the ends by equal factors, as a range of a grid has them."""
     inner = [
@@ -40,19 +23,25 @@ def spaced(first, last, count):
 HEIGHTS = spaced(0.2e-6, 3e-6, 40)
 RADII = [20e-6, 40e-6, 80e-6]
 PRESSURES = spaced(0.1e6, 100e6, 25)
+SCENE = {
+    "surface": {"peak_density": "500 /mm^2"},
+    "material": {"upper": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.3}},
+    "contact": {
+        "laws": ["hertz", "greenwood_williamson"],
+        "peaks": [{"theta": "pi/3", "r": 0.5}],
+        "pressures": [f"{pressure!r} Pa" for pressure in PRESSURES],
+    },
+}
+COLUMNS = ["surface.peak_radius", "surface.rms_height", "pressure_Pa", "law", "stiffness_Pa_per_m"]
 
 
 def compute(batch):
-    """Rows of the surfaces of `batch`: radius, height, pressure, law and K."""
+    """Rows of the surfaces of `batch`, a data frame of pandas."""
     import fstiff  # on the worker
 
-    points = ", ".join(f'"{p!r} Pa"' for p in PRESSURES)
-    rows = []
-    for radius, height in batch:
-        curves = fstiff.run(SCENE.format(radius=radius, height=height, pressures=points))
-        columns = zip(curves["pressure_Pa"], curves["law"], curves["stiffness_Pa_per_m"])
-        rows.extend((radius, height, float(p), str(law), float(k)) for p, law, k in columns)
-    return rows
+    radii, heights = zip(*batch)
+    axes = {"surface.peak_radius": radii, "surface.rms_height": heights}
+    return fstiff.sweep(SCENE, axes, mode="zip", threads=1)[COLUMNS]
 
 
 def main():
@@ -62,6 +51,7 @@ def main():
     arguments = parser.parse_args()
     try:
         import fstiff  # noqa: F401
+        import pandas
         from dask.distributed import Client, LocalCluster
     except ImportError as missing:
         print(f"SKIPPED: {missing}", file=sys.stderr)
@@ -73,10 +63,7 @@ def main():
         n_workers=arguments.workers, threads_per_worker=1, dashboard_address=None
     )
     with Client(cluster) as client:
-        print("peak_radius_m,rms_height_m,pressure_Pa,law,stiffness_Pa_per_m")
-        for rows in client.gather(client.map(compute, batches)):
-            for radius, height, pressure, law, stiffness in rows:
-                print(f"{radius!r},{height!r},{pressure!r},{law},{stiffness!r}")
+        pandas.concat(client.gather(client.map(compute, batches))).to_csv(sys.stdout, index=False)
     return 0
 
 

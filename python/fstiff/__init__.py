@@ -26,6 +26,7 @@ from ._report import report
 from ._scenes import Answer, Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
 from ._surfaces import Fit, Islands, Measurement, Parameter, Scales, Surface, Truth, fit, islands, measure, open_surface, truth
+from ._sweeps import sweep
 
 __all__ = [
     "Answer",
@@ -67,6 +68,7 @@ __all__ = [
     "run",
     "spectrum",
     "spot_conductance",
+    "sweep",
     "tangential_ratio",
     "truth",
     "ultrasound",

@@ -34,4 +34,5 @@ NB_MODULE(_core, m) {
     add_scenes(m);
     add_surfaces(m);
     add_answers(m);
+    add_sweeps(m);
 }

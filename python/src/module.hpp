@@ -60,5 +60,6 @@ void add_contacts(nb::module_& m);
 void add_integrals(nb::module_& m);
 void add_scenes(nb::module_& m);
 void add_surfaces(nb::module_& m);
+void add_sweeps(nb::module_& m);
 
 }  // namespace fstiff::python

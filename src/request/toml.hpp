@@ -25,6 +25,7 @@ constexpr void expect_toml(bool whole) {
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,6 +47,7 @@ using scene::list_of;
 struct Source {
     std::string file;
     std::vector<Input> inputs{};
+    const std::set<std::string>* in_si = nullptr;  ///< keys whose numbers a program gives
 
     std::string at(const toml::node& node) const {
         const auto line = node.source().begin.line;
@@ -75,7 +77,8 @@ struct Source {
     /// Puts \p node into \p to, and on record.
     template <class Member>
     void read(const toml::node& node, const std::string& key, Member& to, const Field& field = {}) {
-        const Value value = value_of(node);
+        Value value = value_of(node);
+        if (in_si && in_si->contains(key)) value.giver = Value::Giver::program;
         located(node, [&] { put(value, to, key, field); });
         record(key, value, to, field);
     }

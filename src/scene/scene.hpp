@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -134,6 +135,7 @@ struct SceneSource {
     const MeasuredSurface* measured = nullptr;  ///< in place of a file of the surface, where it was measured already
     const Scene* surface_of =
         nullptr;  ///< not null: a scene with the very [surface] of this one, which is not read again
+    const std::set<std::string>* in_si = nullptr;  ///< not null: keys whose numbers are in SI, without a unit
 };
 
 /// \throws domain_error "<name>:<line>: <key> = <value>: must be ...".

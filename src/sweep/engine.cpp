@@ -10,6 +10,7 @@
 #include <mutex>
 #include <new>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace fstiff::sweep {
@@ -19,9 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-constexpr double block_seconds = 0.05, sync_seconds = 1;
+constexpr double block_seconds = 0.05;
 constexpr std::uint64_t most_in_block = 4096;
-constexpr std::size_t sync_bytes = std::size_t(1) << 20;
 constexpr std::size_t bytes_kept_free = std::size_t(1)
                                         << 26;  // while threads are started; of address space, not of memory
 
@@ -31,26 +31,21 @@ public:
     Queue(std::uint64_t first, std::uint64_t end, unsigned threads)
         : next_(first), end_(end), most_ahead_(3 * std::size_t(threads)) {}
 
-    struct Part {
-        std::uint64_t first = 0, count = 0;
-        Block block{};
-    };
-
-    /// The next scenes to compute, at most \p wanted; a count of 0: there are no more.
-    Part take(std::uint64_t wanted) {
+    /// The next scenes to compute, at most \p wanted, as the first and how many; none where there are no more.
+    std::pair<std::uint64_t, std::uint64_t> take(std::uint64_t wanted) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return stopped_ || next_ == end_ || open_ < most_ahead_; });
         if (stopped_ || next_ == end_) return {};
-        Part part{next_, std::min(wanted, end_ - next_), {}};
-        next_ += part.count;
+        const std::uint64_t first = next_, count = std::min(wanted, end_ - next_);
+        next_ += count;
         ++open_;
-        return part;
+        return {first, count};
     }
-    void put(Part part) {
+    void put(Block block) {
         {
             const std::lock_guard lock(mutex_);
-            const std::uint64_t first = part.first;
-            ready_.emplace(first, std::move(part));
+            const std::uint64_t first = block.first;
+            ready_.emplace(first, std::move(block));
         }
         changed_.notify_all();
     }
@@ -63,21 +58,21 @@ public:
         changed_.notify_all();
     }
     /// The block that begins with the scene \p first. \throws what a thread has thrown.
-    Part wait_for(std::uint64_t first) {
+    Block wait_for(std::uint64_t first) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return error_ || ready_.contains(first); });
         if (error_) std::rethrow_exception(error_);
-        Part part = std::move(ready_.extract(first).mapped());
+        Block block = std::move(ready_.extract(first).mapped());
         --open_;
         lock.unlock();
         changed_.notify_all();
-        return part;
+        return block;
     }
 
 private:
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::map<std::uint64_t, Part> ready_;
+    std::map<std::uint64_t, Block> ready_;
     std::uint64_t next_, end_;
     std::size_t open_ = 0, most_ahead_;  ///< blocks that were taken and not yet handed over
     bool stopped_ = false;
@@ -87,18 +82,23 @@ private:
 /// Computes one block after the other.
 class Worker {
 public:
-    Worker(const Grid& grid, SceneMaker& maker, Queue& queue) : grid_(grid), maker_(maker), queue_(queue) {}
+    Worker(const Grid& grid, SceneMaker& maker, Queue& queue, bool lines)
+        : grid_(grid), maker_(maker), queue_(queue), lines_(lines) {}
 
     /// \returns false where there is no block left.
     bool step() {
-        Queue::Part part = queue_.take(wanted_);
-        if (part.count == 0) return false;
+        const auto [first, count] = queue_.take(wanted_);
+        if (count == 0) return false;
         const auto begun = Clock::now();
-        part.block = lines_of(grid_, maker_, work_, part.first, part.count);
-        const double one = seconds_since(begun) / static_cast<double>(part.count);
+        Block block = block_of(grid_, maker_, work_, first, count);
+        if (lines_) {
+            std::string lines = lines_of(grid_, block);
+            block = {.first = first, .end = block.end, .failed = block.failed, .lines = std::move(lines)};
+        }
+        const double one = seconds_since(begun) / static_cast<double>(count);
         const double fit = std::min(block_seconds / std::max(one, 1e-9), 4 * static_cast<double>(wanted_));
         wanted_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(fit), 1, most_in_block);
-        queue_.put(std::move(part));
+        queue_.put(std::move(block));
         return true;
     }
 
@@ -106,18 +106,10 @@ private:
     const Grid& grid_;
     SceneMaker& maker_;
     Queue& queue_;
+    bool lines_;
     SceneMaker::Work work_;
     std::uint64_t wanted_ = 1;  // the time of a scene is not known yet
 };
-
-void work(const Grid& grid, SceneMaker& maker, Queue& queue) {
-    try {
-        Worker worker(grid, maker, queue);
-        while (worker.step()) continue;
-    } catch (...) {
-        queue.stop(std::current_exception());
-    }
-}
 
 /// As many threads as the system starts. Ends them whatever happens.
 class Threads {
@@ -158,28 +150,25 @@ struct Course {
 /// Goes on from course.next with \p wanted threads, or as many as start, or of none with this one. \returns how many.
 unsigned go_on(Course& course, unsigned wanted) {
     Queue queue(course.next, course.end, std::max(1U, wanted));
-    const auto call = [&] { work(course.grid, course.maker, queue); };
+    const auto call = [&] {
+        try {
+            Worker worker(course.grid, course.maker, queue, course.options.lines);
+            while (worker.step()) continue;
+        } catch (...) {
+            queue.stop(std::current_exception());
+        }
+    };
     const Threads threads(queue, wanted, course.options.start, call);
-    Worker here(course.grid, course.maker, queue);
-    std::string lines;
-    std::uint64_t failed = 0;
-    auto synced = Clock::now();
-    for (std::uint64_t at = course.next; at < course.end;) {
+    Worker here(course.grid, course.maker, queue, course.options.lines);
+    while (course.next < course.end) {
         if (threads.count() == 0) here.step();
-        const Queue::Part part = queue.wait_for(at);
-        at += part.count;
-        lines += part.block.text;
-        failed += part.block.failed;
-        if (lines.size() < sync_bytes && seconds_since(synced) < sync_seconds && at < course.end) continue;
+        const Block block = queue.wait_for(course.next);
         course.in_sink = true;
-        course.sink(lines, at, failed);
+        course.sink(block);
         course.in_sink = false;
-        course.next = at;
-        lines.clear();
-        failed = 0;
-        synced = Clock::now();
-        if (course.options.progress && at < course.end)
-            course.options.progress("scenes", static_cast<std::size_t>(at - course.first),
+        course.next = block.end;
+        if (course.options.progress && course.next < course.end)
+            course.options.progress("scenes", static_cast<std::size_t>(course.next - course.first),
                                     static_cast<std::size_t>(course.end - course.first));
     }
     return threads.count();

@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string_view>
 #include <thread>
 
 namespace fstiff::sweep {
@@ -19,14 +18,15 @@ using ThreadStart = std::function<std::thread(const std::function<void()>&)>;
 
 struct EngineOptions {
     unsigned threads = 1;     ///< that are asked for
+    bool lines = true;        ///< blocks have their lines alone; else their rows
     ProgressHook progress{};  ///< "scenes", of the shard; from the thread that calls run()
     ThreadStart start{};      ///< empty: std::thread
 };
 
-/// Takes the lines of whole scenes, the scene after them, and how many of them have no result.
-using Sink = std::function<void(std::string_view lines, std::uint64_t next, std::uint64_t failed)>;
+/// Takes the next block.
+using Sink = std::function<void(const Block& block)>;
 
-/// The scenes from \p first up to \p end, in their order, a mebibyte or a second of work at a time. What \p sink
+/// The scenes from \p first up to \p end, in their order, a block of some 50 ms of work at a time. What \p sink
 /// throws, or any exception of a scene other than domain_error and file_error, ends it.
 /// \returns how many threads computed the last of them. Where the system starts fewer than asked for, or has not the
 /// memory for so many, fewer compute everything, and of none the thread that calls does.

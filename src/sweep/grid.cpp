@@ -242,6 +242,20 @@ void put(toml::table& root, const std::string& key, Node&& value) {
         parent.as_table()->insert_or_assign(key.substr(end + 1), std::forward<Node>(value));
 }
 
+/// Puts \p node at \p key of the scene \p root, in a section that may be new.
+void add(const Source& source, toml::table& root, const std::string& key, const toml::node& node) {
+    const std::size_t end = key.find_last_of(".[");
+    if (end == std::string::npos) return node.visit([&](const auto& value) { root.insert_or_assign(key, value); });
+    toml::table* table = &root;
+    std::size_t begin = 0;
+    for (std::size_t dot = 0; table && (dot = key.find('.', begin)) < key.find('['); begin = dot + 1)
+        table = table->emplace<toml::table>(key.substr(begin, dot - begin)).first->second.as_table();
+    const std::string place = key.back() == ']' ? key : key.substr(0, end);
+    if (const auto there = toml::at_path(root, place); !there || (key.back() != ']' && !there.is_table()))
+        throw domain_error(source.file + ": " + key + ": is no place of the scene");
+    node.visit([&](const auto& value) { put(root, key, value); });
+}
+
 /// [sweep]
 void read_sweep(Source& source, const toml::table* table, Grid& grid) {
     static const toml::table none;
@@ -355,17 +369,31 @@ toml::table table_of(const Grid& grid, const std::vector<Value>& values) {
     return root;
 }
 
-Grid read_grid(const std::string& text, const std::string& file) {
+Grid read_grid(const std::string& text, const std::string& file, const Given& given) {
     Source source{file, {}};
     toml::table root = request::parse_toml(text, file);
+    const toml::table added = request::parse_toml(given.text, file);
+    for (const auto& [key, node] : added) add(source, root, std::string(key.str()), node);
     Finder finder(source, root);
     const toml::node* sweep = root.get("sweep");
     if (sweep && !sweep->is_table()) source.refuse(*sweep, "sweep", "must be a section of keys");
     for (const auto& [key, node] : root)
         if (key.str() != "sweep") finder.walk(node, std::string(key.str()));
+    Grid grid;
+    for (Swept& entry : finder.axes) {
+        const std::string& key = entry.axis.key;
+        const toml::node* node = added.get(key);
+        if (!node) continue;
+        grid.in_si.insert(key);
+        entry.begin = node->source().begin;
+        entry.begin.line += static_cast<toml::source_index>(text.size());  // after what the scene itself sweeps
+        if (const auto numbers = given.numbers.find(key); numbers != given.numbers.end()) {
+            entry.axis.numbers.insert(entry.axis.numbers.end(), numbers->second.begin(), numbers->second.end());
+            entry.listed.clear();
+        }
+    }
     std::sort(finder.axes.begin(), finder.axes.end(), [](const Swept& a, const Swept& b) { return a.begin < b.begin; });
 
-    Grid grid;
     grid.file = file;
     auto form = std::make_shared<Template>();
     std::uint32_t input = 0;

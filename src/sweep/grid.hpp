@@ -15,8 +15,10 @@
 #include <fstiff/core/names.hpp>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,18 +62,26 @@ struct Grid {
     Mode mode = Mode::product;
     std::uint64_t samples = 1;  ///< draws at each point of the grid
     std::uint64_t seed = 2014;
-    bool tabulate = false;   ///< K of many points on one surface by a table
-    std::vector<Axis> axes;  ///< in the order of the file
-    std::uint64_t size = 0;  ///< scenes
+    bool tabulate = false;        ///< K of many points on one surface by a table
+    std::vector<Axis> axes;       ///< in the order of the file
+    std::uint64_t size = 0;       ///< scenes
+    std::set<std::string> in_si;  ///< keys of axes that a program has given, whose numbers are in SI
     std::shared_ptr<const Template> form;
 
     /// Replaces \p values by those of the scene \p index, which is less than size.
     void values(std::uint64_t index, std::vector<Value>& values) const;
 };
 
+/// What a program sweeps in a scene, by keys such as those of axes.
+struct Given {
+    std::string
+        text{};  ///< TOML: a range, a distribution or { values = [...] } for each "key"; "sweep" is that section
+    std::map<std::string, std::vector<double>> numbers{};  ///< further values of a key whose list has the first one
+};
+
 /// \throws domain_error "<file>:<line>: <key> = <value>: must be ...", file_error for a file that the scene names and
 /// that cannot be read.
-[[nodiscard]] Grid read_grid(const std::string& text, const std::string& file);
+[[nodiscard]] Grid read_grid(const std::string& text, const std::string& file, const Given& given = {});
 
 }  // namespace fstiff::sweep
 

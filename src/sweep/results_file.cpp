@@ -211,13 +211,21 @@ void ResultsFile::take_up() {
 }
 
 void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+    waiting_ += lines;
+    next_ = next;
+    description_.failed += failed;
+    const std::chrono::duration<double> unsynced = std::chrono::steady_clock::now() - synced_;
+    if (waiting_.size() >= std::size_t(1) << 20 || unsynced.count() >= 1) write();
+}
+
+void ResultsFile::write() {
     const auto keep = [&](std::size_t bytes) { static_cast<void>(os::cut(file_.descriptor(), size_ + bytes)); };
     try {
-        file_.write(lines);
+        file_.write(waiting_);
     } catch (...) {  // no room: the lines that found some stay
         const std::int64_t at = os::position(file_.descriptor());
         const std::size_t written = at > static_cast<std::int64_t>(size_) ? static_cast<std::size_t>(at) - size_ : 0;
-        keep(lines.substr(0, written).rfind('\n') + 1);  // of none, npos + 1 is 0
+        keep(std::string_view(waiting_).substr(0, written).rfind('\n') + 1);  // of none, npos + 1 is 0
         throw;
     }
     if (!os::sync_data(file_.descriptor())) {
@@ -226,12 +234,13 @@ void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64
         errno = reason;
         fail(file_.name(), "cannot be written");
     }
-    size_ += lines.size();
-    next_ = next;
-    description_.failed += failed;
+    size_ += waiting_.size();
+    waiting_.clear();
+    synced_ = std::chrono::steady_clock::now();
 }
 
 void ResultsFile::finish() {
+    write();
     description_.finished = true;
     description_.bytes = size_;
     write_description(file_.name(), description_);

@@ -13,6 +13,7 @@
 #include "document/system.hpp"
 #include "sweep/shard.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -76,8 +77,8 @@ public:
     [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
     [[nodiscard]] const Description& description() const { return description_; }
 
-    /// Writes whole lines of the scenes up to \p next, and syncs them. Where the disk is full, none of them stays.
-    /// \throws file_error with the reason that the system gives.
+    /// Takes whole lines of the scenes up to \p next, which are written and synced a mebibyte or a second of work at a
+    /// time. \throws file_error with the reason that the system gives.
     void append(std::string_view lines, std::uint64_t next, std::uint64_t failed);
     /// All scenes are there.
     void finish();
@@ -85,10 +86,14 @@ public:
 private:
     void lock();
     void take_up();
+    /// Writes the lines that wait. Where the disk is full, those that found room stay.
+    void write();
 
     OpenFile file_;
     Description description_;
     std::uint64_t next_ = 0, size_ = 0, dropped_ = 0;
+    std::string waiting_;
+    std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace fstiff::sweep

@@ -111,16 +111,17 @@ SceneMaker::Setter SceneMaker::setter_of(std::size_t axis) const {
     const Axis& of = grid_.axes[axis];
     const toml::table& root = grid_.form->root;
     if (of.is_text()) return {};
-    const auto is = [&](std::string_view key, std::string_view unit) { return of.key == key && of.unit == unit; };
-    const bool pressure = of.key.starts_with("contact.pressures[") && of.unit == "Pa";
-    if (pressure || (of.key.starts_with("contact.separations[") && of.unit == "m"))
+    const auto has_unit = [&](std::string_view unit) { return of.unit == unit || grid_.in_si.contains(of.key); };
+    const auto is = [&](std::string_view key, std::string_view unit) { return of.key == key && has_unit(unit); };
+    const bool pressure = of.key.starts_with("contact.pressures[") && has_unit("Pa");
+    if (pressure || (of.key.starts_with("contact.separations[") && has_unit("m")))
         return {put_point, std::stoul(of.key.substr(of.key.find('[') + 1)), pressure ? 0 : -infinity, infinity};
     if (is("material.upper.youngs_modulus", "Pa"))
         return {has(root, "material.lower") ? put_upper_modulus : put_both_moduli, 0, 0, infinity};
     if (is("material.lower.youngs_modulus", "Pa")) return {put_lower_modulus, 0, 0, infinity};
     if (is("ultrasound.frequency", "Hz")) return {put_frequency, 0, 1e-300, 1e300};
     // numbers of a face that is not measured, of which nothing else follows while it is read
-    if (is_measured(root) || has(root, "surface.rms_gradient") || has(root, "surface.alpha")) return {};
+    if (measured_ || has(root, "surface.rms_gradient") || has(root, "surface.alpha")) return {};
     if (is("surface.rms_height", "m")) return {put_parameter<Parameter::rms_height>, 0, 0, infinity};
     if (is("surface.peak_radius", "m")) return {put_parameter<Parameter::peak_radius>, 0, 0, infinity};
     if (is("surface.peak_density", "1/m^2")) return {put_parameter<Parameter::peak_density>, 0, 0, infinity};
@@ -129,9 +130,13 @@ SceneMaker::Setter SceneMaker::setter_of(std::size_t axis) const {
     return {};
 }
 
-SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
+SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
+    : grid_(grid),
+      from_(std::move(from)),
+      measured_(from_.measured || !from_.surface.empty() || is_measured(grid.form->root)) {
+    from_.name = grid.file;
+    from_.in_si = &grid.in_si;
     for (std::size_t i = 0; i < grid.axes.size(); ++i) setters_.push_back(setter_of(i));
-    measured_ = is_measured(grid.form->root);
 
     // errors of values are reported before anything is computed: the ends of every axis are read
     std::vector<Value> values(grid.axes.size());
@@ -217,7 +222,9 @@ RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>
 
 std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& values, const Scene* surface) const {
     const toml::table root = table_of(grid_, values);
-    auto made = std::make_shared<Scene>(scene::read_table(root, {.name = grid_.file, .surface_of = surface}));
+    scene::SceneSource from = from_;
+    from.surface_of = surface;
+    auto made = std::make_shared<Scene>(scene::read_table(root, from));
     made->solves_map = false;
     made->inputs.clear();
     made->warnings.clear();

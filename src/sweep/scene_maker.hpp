@@ -40,7 +40,8 @@ private:
 class SceneMaker {
 public:
     /// \throws domain_error where the scene cannot be read with the first or the last values of an axis.
-    explicit SceneMaker(const Grid& grid);
+    /// \p from may have a surface, in place of that of the scene.
+    explicit SceneMaker(const Grid& grid, scene::SceneSource from = {});
 
     /// A scene that one thread changes from one to the next, and its contacts.
     struct Work {
@@ -76,6 +77,7 @@ private:
     [[nodiscard]] Setter setter_of(std::size_t axis) const;
 
     const Grid& grid_;
+    scene::SceneSource from_;
     std::vector<Setter> setters_;
     std::size_t point_axis_ = 0;
     bool folds_ = false;

@@ -36,13 +36,13 @@ Collected collected(const Grid& grid, std::uint64_t first, std::uint64_t end, un
     SceneMaker maker(grid);
     Collected all;
     all.next = first;
-    all.threads = run(grid, maker, first, end, {.threads = threads, .start = start},
-                      [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
-                          CHECK(next > all.next);
-                          all.text += lines;
-                          all.next = next;
-                          all.failed += failed;
-                      });
+    all.threads = run(grid, maker, first, end, {.threads = threads, .start = start}, [&](const Block& block) {
+        CHECK(block.first == all.next);
+        CHECK(block.rows.empty());
+        all.text += block.lines;
+        all.next = block.end;
+        all.failed += block.failed;
+    });
     return all;
 }
 
@@ -90,9 +90,9 @@ TEST_CASE("Where a thread cannot start, those that did compute everything, and o
 TEST_CASE("What the receiver throws ends all threads and reaches the caller", "[threads]") {
     const Grid grid = read_grid(text, "grid.toml");
     SceneMaker maker(grid);
-    CHECK_THROWS_AS(run(grid, maker, 0, grid.size, {.threads = 3},
-                        [](std::string_view, std::uint64_t, std::uint64_t) { throw std::runtime_error("full"); }),
-                    std::runtime_error);
+    CHECK_THROWS_AS(
+        run(grid, maker, 0, grid.size, {.threads = 3}, [](const Block&) { throw std::runtime_error("full"); }),
+        std::runtime_error);
 }
 
 }  // namespace engine_test

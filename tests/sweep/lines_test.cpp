@@ -34,9 +34,9 @@ TEST_CASE("The lines of a grid are those of its scenes, each read and computed b
     REQUIRE(grid.size == 2 * 3 * 2 * 2 * 2 * 2);
     SceneMaker maker(grid);
     SceneMaker::Work work;
-    const Block block = lines_of(grid, maker, work, 0, grid.size);
+    const Block block = block_of(grid, maker, work, 0, grid.size);
     CHECK(block.failed == grid.size / 3);
-    std::istringstream lines(block.text);
+    std::istringstream lines(lines_of(grid, block));
     std::vector<Value> values;
     for (std::uint64_t index = 0; index < grid.size; ++index) {
         grid.values(index, values);

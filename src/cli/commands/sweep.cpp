@@ -113,9 +113,7 @@ Report execute(const Options& options) {
         const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
         const unsigned started =
             sweep::run(grid, *maker, first, end, {.threads = wanted, .progress = progress_bar(true)},
-                       [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
-                           results.append(lines, next, failed);
-                       });
+                       [&](const sweep::Block& block) { results.append(block.lines, block.end, block.failed); });
         results.finish();
         if (started < wanted)
             report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +
