@@ -62,8 +62,9 @@ def page_of(scene: Scene) -> tuple[str, Curves]:
     inputs = document["inputs"].items()
     rows = [[key, with_unit(one["value"], one.get("unit", ""), 5) if "value" in one else "", one["written"]] for key, one in inputs]
     page.table([["key", "value", "as written"], *rows])
+    points = scene._core.points
     for name, measured in scene._core.measured():
-        surface_section(page, name, measured, float(scene._core.points[scene._core.points.size // 2]), curves.effective_modulus)
+        surface_section(page, name, measured, float(points[points.size // 2]), curves.effective_modulus)
     page.heading("Validity")
     page.table([["check", "of", "value", "holds where", "result"], *map(check_row, found["checks"])])
     numbers_section(page, curves)

@@ -97,9 +97,8 @@ TEST_CASE("help prints what --help prints") {
 TEST_CASE("--help lists the commands under what they are for") {
     const std::string help = test::run_fstiff("--help").out;
     std::size_t last = 0;
-    for (const char* part :
-         {"\nCompute:\n  run ", "\n  ultrasound ", "\nSurfaces:\n  measure ", "\n  generate ",
-          "\nMeasured K:\n  identify ", "\nChecks:\n  truth ", "\nHelp:\n  formats ", "\n  help "}) {
+    for (const char* part : {"\nCompute:\n  run ", "\n  ultrasound ", "\nSurfaces:\n  measure ", "\n  generate ",
+                             "\nMeasured K:\n  identify ", "\nChecks:\n  truth ", "\nHelp:\n  formats ", "\n  help "}) {
         INFO(part << "\n" << help);
         const auto at = help.find(part, last);
         REQUIRE(at != std::string::npos);

@@ -56,8 +56,7 @@ TEST_CASE("A fault of the call ends measure, truth and run with exit code 2, one
     CHECK(test::read(mask) == "1 1\n0 1\n");
 }
 
-TEST_CASE(
-    "That R and D_p of islands represent nothing ends measure, islands, run and identify with exit code 4") {
+TEST_CASE("That R and D_p of islands represent nothing ends measure, islands, run and identify with exit code 4") {
     const test::Folder folder;
     const std::string map = folder.write("hills.txt", test::two_hills()), file = folder / "hills.json";
     const std::string options = " --units um,nm --dx '1 um' --dy '1 um'";
