@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the pictures of the documents with the command and the Python package.
 
-    tools/make_pictures.py build/release/bin/fstiff            writes the pictures of docs that PICTURES names, and
-                                                              docs/afm_map.svg where the map is there
+    tools/make_pictures.py build/release/bin/fstiff            writes the pictures of docs that PICTURES names
     tools/make_pictures.py --check build/release/bin/fstiff    exit code 1 when the command draws one otherwise
 
 What begins with "fstiff." is drawn by the Python package, where it is installed, and is not checked: each matplotlib draws otherwise.
-Numbers may differ by 0.02 points, the last digit, where another compiler rounds otherwise; everything else must be equal.
+Numbers may differ by 0.02 points, where another compiler rounds otherwise; everything else must be equal.
 """
 import importlib.util
 import os
@@ -23,6 +22,10 @@ from generated import ROOT, write_or_check
 
 TRACE = "generate profile --points 16384 --spacing '0.5 um' --hurst 0.4 --rms '0.3 um' --longest '500 um' --seed 3 -o trace.csv"
 MAP = "generate map --points 256 --spacing '0.5 um' --hurst 0.8 --rms '0.5 um' --longest '32 um' --shortest '4 um' --seed 1 -o map.csv"
+PLOT = """import fstiff; from fstiff._page import figure, file_of, style
+with style():
+    of, ax = figure(6, 3.6); {}.plot(ax)
+open("{}.svg", "w", encoding="utf-8").write(file_of(of))"""
 # Name of each picture, and the commands that draw it, in a folder with copies of docs, data and a folder of examples.
 PICTURES = {
     "built_in": ("run data/built_in.toml",),
@@ -34,17 +37,6 @@ PICTURES = {
     "map_answer": (MAP, "run two_laws.toml --surface map.csv"),
     "heat_sink": ("run examples/interface/heat_sink.toml",),
 }
-
-
-def plot(result):
-    """The picture of a result of the Python package."""
-    import fstiff
-    from fstiff._page import figure, style, svg
-
-    with style():
-        of, ax = figure(6, 3.6)
-        eval(result, {"fstiff": fstiff}).plot(ax)
-    return svg(of).replace("currentColor", "#1d1d1f").replace("<svg", '<svg style="background:white"', 1)
 
 
 def scenes(folder):
@@ -68,10 +60,11 @@ with tempfile.TemporaryDirectory() as name:
     scenes(work)
     os.chdir(work)
     for picture, (*before, last) in PICTURES.items():
-        if last.startswith("fstiff.") and (check or not importlib.util.find_spec("fstiff")):
+        of_python = last.startswith("fstiff.")
+        if of_python and (check or not importlib.util.find_spec("fstiff")):
             continue
-        drawn = [] if last.startswith("fstiff.") else [f"{last} --plot {picture}.svg -o {picture}.out"]
-        for line in (*before, *drawn):
-            subprocess.run([command, *shlex.split(line)], check=True, capture_output=True)
-        wanted[ROOT / "docs" / f"{picture}.svg"] = pathlib.Path(f"{picture}.svg").read_text(encoding="utf-8") if drawn else plot(last)
+        drawn = [sys.executable, "-c", PLOT.format(last, picture)] if of_python else [command, *shlex.split(f"{last} --plot {picture}.svg")]
+        for words in (*([command, *shlex.split(line)] for line in before), drawn):
+            subprocess.run(words, check=True, capture_output=True)
+        wanted[ROOT / "docs" / f"{picture}.svg"] = pathlib.Path(f"{picture}.svg").read_text(encoding="utf-8")
 sys.exit(write_or_check(wanted, "make_pictures.py", check == ["--check"], 0.021))
