@@ -137,52 +137,42 @@ private:
     std::vector<std::thread> all_;
 };
 
-/// The scenes of a shard, and how far they are handed over.
-struct Course {
-    const Grid& grid;
-    SceneMaker& maker;
-    std::uint64_t first, end, next;
-    const EngineOptions& options;
-    const Sink& sink;
-    bool in_sink = false;
-};
-
-/// Goes on from course.next with \p wanted threads, or as many as start, or of none with this one. \returns how many.
-unsigned go_on(Course& course, unsigned wanted) {
-    Queue queue(course.next, course.end, std::max(1U, wanted));
-    const auto call = [&] {
-        try {
-            Worker worker(course.grid, course.maker, queue, course.options.lines);
-            while (worker.step()) continue;
-        } catch (...) {
-            queue.stop(std::current_exception());
-        }
-    };
-    const Threads threads(queue, wanted, course.options.start, call);
-    Worker here(course.grid, course.maker, queue, course.options.lines);
-    while (course.next < course.end) {
-        if (threads.count() == 0) here.step();
-        const Block block = queue.wait_for(course.next);
-        course.in_sink = true;
-        course.sink(block);
-        course.in_sink = false;
-        course.next = block.end;
-        if (course.options.progress && course.next < course.end)
-            course.options.progress("scenes", static_cast<std::size_t>(course.next - course.first),
-                                    static_cast<std::size_t>(course.end - course.first));
-    }
-    return threads.count();
-}
-
 }  // namespace
 
 unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,
              const Sink& sink) {
-    Course course{grid, maker, first, end, first, options, sink};
+    std::uint64_t next = first;
+    bool in_sink = false;
+    /// Goes on with \p wanted threads, or as many as start, or of none with this one. \returns how many.
+    const auto go_on = [&](unsigned wanted) {
+        Queue queue(next, end, std::max(1U, wanted));
+        const auto call = [&] {
+            try {
+                Worker worker(grid, maker, queue, options.lines);
+                while (worker.step()) continue;
+            } catch (...) {
+                queue.stop(std::current_exception());
+            }
+        };
+        const Threads threads(queue, wanted, options.start, call);
+        Worker here(grid, maker, queue, options.lines);
+        while (next < end) {
+            if (threads.count() == 0) here.step();
+            const Block block = queue.wait_for(next);
+            in_sink = true;
+            sink(block);
+            in_sink = false;
+            next = block.end;
+            if (options.progress && next < end)
+                options.progress("scenes", static_cast<std::size_t>(next - first),
+                                 static_cast<std::size_t>(end - first));
+        }
+        return threads.count();
+    };
     for (unsigned threads = std::max(1U, options.threads);; threads /= 2) try {
-            return go_on(course, threads);
+            return go_on(threads);
         } catch (const std::bad_alloc&) {  // fewer threads leave more memory to each
-            if (threads == 0 || course.in_sink) throw;
+            if (threads == 0 || in_sink) throw;
         }
 }
 

@@ -20,26 +20,33 @@ using scene::Scene;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_scenes_read = 16;  // of the cache: measured maps are large
 
-/// A parameter of [surface], and where the contact takes it from.
 template <Parameter parameter>
 void put_parameter(Scene& scene, std::size_t, double value) {
     scene.face.parameters.find(parameter)->value = value;
 }
-
 void put_point(Scene& scene, std::size_t place, double value) { scene.points[place] = value; }
-void put_upper_modulus(Scene& scene, std::size_t, double value) {
+void put_upper_modulus(Scene& scene, std::size_t is_of_both, double value) {
     scene.upper.youngs_modulus = value;
+    if (is_of_both) scene.lower.youngs_modulus = value;
     scene.take_bodies();
 }
 void put_lower_modulus(Scene& scene, std::size_t, double value) {
     scene.lower.youngs_modulus = value;
     scene.take_bodies();
 }
-void put_both_moduli(Scene& scene, std::size_t, double value) {
-    scene.upper.youngs_modulus = scene.lower.youngs_modulus = value;
-    scene.take_bodies();
-}
 void put_frequency(Scene& scene, std::size_t, double value) { scene.ultrasound->frequency = value; }
+
+constexpr SceneMaker::Number numbers[]{
+    {"contact.pressures[", "Pa", put_point, 0, infinity},
+    {"contact.separations[", "m", put_point, -infinity, infinity},
+    {"material.upper.youngs_modulus", "Pa", put_upper_modulus, 0, infinity},
+    {"material.lower.youngs_modulus", "Pa", put_lower_modulus, 0, infinity},
+    {"ultrasound.frequency", "Hz", put_frequency, 1e-300, 1e300},
+    {"surface.rms_height", "m", put_parameter<Parameter::rms_height>, 0, infinity},
+    {"surface.peak_radius", "m", put_parameter<Parameter::peak_radius>, 0, infinity},
+    {"surface.peak_density", "1/m^2", put_parameter<Parameter::peak_density>, 0, infinity},
+    {"surface.fractal_dimension", "", put_parameter<Parameter::fractal_dimension>, 1, scene::greatest_dimension},
+};
 
 bool has(const toml::table& root, const char* key) { return static_cast<bool>(root.at_path(key)); }
 
@@ -107,27 +114,21 @@ void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& sce
 
 }  // namespace
 
-SceneMaker::Setter SceneMaker::setter_of(std::size_t axis) const {
-    const Axis& of = grid_.axes[axis];
+SceneMaker::Setter SceneMaker::setter_of(const Axis& axis) const {
     const toml::table& root = grid_.form->root;
-    if (of.is_text()) return {};
-    const auto has_unit = [&](std::string_view unit) { return of.unit == unit || grid_.in_si.contains(of.key); };
-    const auto is = [&](std::string_view key, std::string_view unit) { return of.key == key && has_unit(unit); };
-    const bool pressure = of.key.starts_with("contact.pressures[") && has_unit("Pa");
-    if (pressure || (of.key.starts_with("contact.separations[") && has_unit("m")))
-        return {put_point, std::stoul(of.key.substr(of.key.find('[') + 1)), pressure ? 0 : -infinity, infinity};
-    if (is("material.upper.youngs_modulus", "Pa"))
-        return {has(root, "material.lower") ? put_upper_modulus : put_both_moduli, 0, 0, infinity};
-    if (is("material.lower.youngs_modulus", "Pa")) return {put_lower_modulus, 0, 0, infinity};
-    if (is("ultrasound.frequency", "Hz")) return {put_frequency, 0, 1e-300, 1e300};
-    // numbers of a face that is not measured, of which nothing else follows while it is read
-    if (measured_ || has(root, "surface.rms_gradient") || has(root, "surface.alpha")) return {};
-    if (is("surface.rms_height", "m")) return {put_parameter<Parameter::rms_height>, 0, 0, infinity};
-    if (is("surface.peak_radius", "m")) return {put_parameter<Parameter::peak_radius>, 0, 0, infinity};
-    if (is("surface.peak_density", "1/m^2")) return {put_parameter<Parameter::peak_density>, 0, 0, infinity};
-    if (is("surface.fractal_dimension", ""))
-        return {put_parameter<Parameter::fractal_dimension>, 0, 1, scene::greatest_dimension};
-    return {};
+    const auto number = std::find_if(std::begin(numbers), std::end(numbers), [&](const Number& row) {
+        return (row.key.ends_with('[') ? axis.key.starts_with(row.key) : axis.key == row.key) &&
+               (axis.unit == row.unit || (axis.unit.empty() && grid_.in_si.contains(axis.key)));
+    });
+    if (axis.is_text() || number == std::end(numbers)) return {};
+    // of a face that is measured, or of which a gradient makes the peaks, other numbers follow while it is read
+    if (number->key.starts_with("surface.") &&
+        (measured_ || has(root, "surface.rms_gradient") || has(root, "surface.alpha")))
+        return {};
+    const std::size_t place = number->put == put_point           ? std::stoul(axis.key.substr(number->key.size()))
+                              : number->put == put_upper_modulus ? !has(root, "material.lower")
+                                                                 : 0;
+    return {number, place};
 }
 
 SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
@@ -136,7 +137,7 @@ SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
       measured_(from_.measured || !from_.surface.empty() || is_measured(grid.form->root)) {
     from_.name = grid.file;
     from_.in_si = &grid.in_si;
-    for (std::size_t i = 0; i < grid.axes.size(); ++i) setters_.push_back(setter_of(i));
+    for (const Axis& axis : grid.axes) setters_.push_back(setter_of(axis));
 
     // errors of values are reported before anything is computed: the ends of every axis are read
     std::vector<Value> values(grid.axes.size());
@@ -158,8 +159,9 @@ SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
         put(i, false);
     }
 
-    const auto point =
-        std::find_if(setters_.begin(), setters_.end(), [](const Setter& setter) { return setter.put == put_point; });
+    const auto point = std::find_if(setters_.begin(), setters_.end(), [](const Setter& setter) {
+        return setter.number && setter.number->put == put_point;
+    });
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
     // boundary elements take seconds a point, and another law may not be computed so
     folds_ = point != setters_.end() && first->points.size() == 1 &&
@@ -245,7 +247,7 @@ std::shared_ptr<const Scene> SceneMaker::cached(const std::vector<Value>& values
     RecentScenes::Key key;
     bool once = false;  // of a draw, which no other scene has
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!setters_[i].put) {
+        if (!setters_[i].number) {
             key.emplace_back(values[i].place, values[i].number);
             once = once || grid_.axes[i].drawn;
         }
@@ -268,8 +270,8 @@ void SceneMaker::make(const std::vector<Value>& values, Work& work) {
 
 void SceneMaker::put(const std::vector<Value>& values, Work& work) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const Setter& setter = setters_[i];
-        if (setter.put && !(values[i].number > setter.least && values[i].number < setter.most)) {
+        const Number* number = setters_[i].number;
+        if (number && !(values[i].number > number->least && values[i].number < number->most)) {
             work.read = nullptr;
             work.scene = *read(values);  // which refuses it in words
             return;
@@ -280,7 +282,7 @@ void SceneMaker::put(const std::vector<Value>& values, Work& work) {
         work.read = std::move(found);
     }
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (setters_[i].put) setters_[i].put(work.scene, setters_[i].place, values[i].number);
+        if (const auto [number, place] = setters_[i]; number) number->put(work.scene, place, values[i].number);
 }
 
 }  // namespace fstiff::sweep

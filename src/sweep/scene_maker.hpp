@@ -15,6 +15,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,13 @@ private:
 /// Shared by all threads. The grid must live as long.
 class SceneMaker {
 public:
+    /// A number that enters a scene as it is, between two ends that are excluded: outside, reading reports the error.
+    struct Number {
+        std::string_view key, unit;
+        void (*put)(scene::Scene& scene, std::size_t place, double value);
+        double least, most;
+    };
+
     /// \throws domain_error where the scene cannot be read with the first or the last values of an axis.
     /// \p from may have a surface, in place of that of the scene.
     explicit SceneMaker(const Grid& grid, scene::SceneSource from = {});
@@ -61,11 +69,9 @@ public:
     [[nodiscard]] bool alike(const std::vector<Value>& a, const std::vector<Value>& b) const;
 
 private:
-    using Put = void (*)(scene::Scene&, std::size_t place, double value);
     struct Setter {
-        Put put = nullptr;  ///< null: the table is read anew
+        const Number* number = nullptr;  ///< null: the table is read anew
         std::size_t place = 0;
-        double least = 0, most = 0;  ///< both excluded: outside, reading reports the error
     };
     /// \throws domain_error where the grid asks for tables that the scenes cannot have.
     void find_table_range(const scene::Scene& first);
@@ -74,7 +80,7 @@ private:
     [[nodiscard]] std::shared_ptr<const scene::Scene> read_with(const std::vector<Value>& values,
                                                                 const scene::Scene* surface) const;
     [[nodiscard]] std::shared_ptr<const scene::Scene> cached(const std::vector<Value>& values);
-    [[nodiscard]] Setter setter_of(std::size_t axis) const;
+    [[nodiscard]] Setter setter_of(const Axis& axis) const;
 
     const Grid& grid_;
     scene::SceneSource from_;

@@ -5,6 +5,7 @@
 #include "request/toml.hpp"
 #include "sweep/grid.hpp"
 
+#include <string>
 #include <vector>
 
 namespace fstiff::sweep {
@@ -16,5 +17,9 @@ struct Template {
 
 /// The scene's table with \p values in place of what is swept: what a person would write by hand, in SI.
 [[nodiscard]] toml::table table_of(const Grid& grid, const std::vector<Value>& values);
+
+/// Puts \p node at \p key of the scene \p root, such as "contact.pressures[0]"; its section may be new.
+/// \throws domain_error, after the name of the \p file, where the scene has no such place.
+void put_at(toml::table& root, const std::string& key, const toml::node& node, const std::string& file);
 
 }  // namespace fstiff::sweep

@@ -110,6 +110,30 @@ TEST_CASE("A lognormal of two quantities has this mean and this standard deviati
     CHECK(std::abs(std::sqrt(squares / n - mean * mean) - 1) < 6 / std::sqrt(n));
 }
 
+TEST_CASE("What a program sweeps comes after what the scene sweeps, with numbers in SI") {
+    const std::string scene = grid_text("rms_height = \"1 um\"\npeak_density = [\"1 /mm^2\", \"2 /mm^2\"]");
+    const Given given{.text =
+                          "\"surface.rms_height\" = { values = [1e-6] }\n"
+                          "\"contact.pressures[0]\" = { normal = [1e6, 1e4] }\n"
+                          "\"material.lower.youngs_modulus\" = [\"70 GPa\"]\n\"sweep.samples\" = 2\n",
+                      .numbers = {{"surface.rms_height", {2e-6, 3e-6}}}};
+    const Grid grid = read_grid(scene, "scene", given);
+    std::vector<std::string> keys;
+    for (const Axis& axis : grid.axes) keys.push_back(axis.key);
+    CHECK(keys == std::vector<std::string>{"surface.peak_density", "surface.rms_height", "contact.pressures[0]",
+                                           "material.lower.youngs_modulus"});
+    CHECK(grid.in_si ==
+          std::set<std::string>{"surface.rms_height", "contact.pressures[0]", "material.lower.youngs_modulus"});
+    REQUIRE(grid.size == 2 * 3 * 2);
+    CHECK(numbers(grid, 11)[1] == 3e-6);
+    CHECK(numbers(grid, 11)[3] == 7e10);
+    for (const char* key : {"contact.pressures[1]", "contact.laws[0]", "surface.rms_height.x", "name[0]"}) {
+        INFO(key);
+        CHECK_THROWS_WITH(read_grid(scene, "scene", {.text = "\"" + std::string(key) + "\" = [1.5]\n"}),
+                          "scene: " + std::string(key) + ": is no place of the scene");
+    }
+}
+
 TEST_CASE("Errors of a grid are reported with line, key and value") {
     const auto surface = [](const std::string& rms) { return grid_text("rms_height = " + rms); };
     check_refused(surface("{ from = \"2 um\", to = \"1 um\", count = 3 }"),
