@@ -64,7 +64,7 @@ class Points(Columns):
 
     def plot(self, y: str = "stiffness_Pa_per_m", x: str = "pressure_Pa", ax: Axes | None = None) -> Axes:
         """Draws column `y` over column `x` with matplotlib; returns the axes."""
-        return draw(ax, x, y, [(self.law, self[x].ravel(), self[y].ravel(), None, None)])
+        return draw(ax, x, y, [(self.law, self.column(x).ravel(), self.column(y).ravel(), None, None)])
 
     def __repr__(self) -> str:
         missing = f"\n{len(self.reasons)} points have no state: see reasons" if self.reasons else ""
@@ -201,6 +201,8 @@ class Contact:
         import numpy as np
 
         p = numbers(pressures, "pressures")
+        if not (p.size and p.min() > 0):
+            raise ValueError("pressures: must be greater than 0")
         return self.at_pressures(np.geomspace(p.min(), p.max(), 61), ["stiffness"]).plot(ax=ax)
 
     def __reduce__(self) -> tuple[Callable[..., Contact], tuple[Any, ...]]:

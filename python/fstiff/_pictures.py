@@ -19,6 +19,7 @@ def draw_curves(given: Curves, smooth: Curves, y: str, x: str, ax: Axes | None) 
     """Curves.plot(), with the smooth lines of `given`."""
     import numpy as np
 
+    given.column(x), given.column(y)
     answers = y == "stiffness_Pa_per_m" and x == "pressure_Pa" and bool(given.answer.rows)
     lines: list[Any] = []
     if answers:

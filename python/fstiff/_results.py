@@ -92,6 +92,12 @@ class Columns(Table["npt.NDArray[Any]"]):
         low, high = (values.get(band_key(key, end)) for end in ("p05", "p95"))
         return values[key] if name == "law" else Values(values[key], low, high)
 
+    def column(self, key: str) -> npt.NDArray[Any]:
+        """The column `key`. Raises ValueError where there is none."""
+        if key not in self:
+            raise ValueError(f"{key}: is not a column here, which are {', '.join(self)}")
+        return self[key]
+
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(name for name, key in FIELDS.items() if key in self)]
 

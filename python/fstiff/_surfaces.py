@@ -466,6 +466,11 @@ class Scales(Document):
         """Draws K and the parameters over those with the chosen cut-offs, against one cut-off; returns the axes."""
         return draw_scales(ax, self, of)
 
+    def __repr__(self) -> str:
+        of = self["scales"]
+        k = f"K by {of['law']} at {with_unit(of['pressure_Pa'], 'Pa')}"
+        return f"<fstiff.Scales of {self['source']['file']}: {k}>" + "".join(f"\n  {one}" for one in of["settled"])
+
 
 class Fit(Document):
     """Fractal dimension D and roughness G of a profile or a map: the keys of the JSON of `fstiff measure --show fit`.

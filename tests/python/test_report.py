@@ -88,3 +88,19 @@ def test_everything_draws_itself(rough_map, trace):
         ax = thing.plot()
         assert ax.get_xlabel() and ax.get_ylabel() and (ax.get_lines() or ax.images)
         assert thing._repr_html_().startswith("<p>")
+
+
+def test_what_cannot_be_drawn_is_refused(trace):
+    measured = fstiff.measure(trace, spacing="0.5 um")
+    pooled = fstiff.measure([trace, trace * 1.01], spacing="0.5 um")
+    contact = fstiff.Contact("hybrid", surface=measured, effective_modulus=112.6e9)
+    for call, sentence in (
+        (lambda: fstiff.run().plot("nonsense"), "nonsense: is not a column here, which are law"),
+        (lambda: contact.at_pressures([1e6]).plot("nonsense"), "nonsense: is not a column here"),
+        (lambda: contact.plot([0, 1e6]), "pressures: must be greater than 0"),
+        (lambda: measured.scales(pressure=-1), "pressure = -1: must be"),
+        (pooled.plot, "several surfaces were pooled"),
+        (pooled.scales, "must be measured from one file or array"),
+    ):
+        with pytest.raises(ValueError, match=sentence):
+            call()
