@@ -30,6 +30,8 @@ def draw_curves(given: Curves, smooth: Curves, y: str, x: str, ax: Axes | None) 
             low, high = (columns[key] for key in given._bands.get(y, ())) if y in given._bands else (None, None)
             label = f"answer ({title.partition(',')[0].replace('_', ' ')})" if given._best else title
             lines.append((label, columns[x], columns[y], low, high))
+    if not lines:
+        raise ValueError(f"{y}: no law of the scene gives it")
     ax = draw(ax, x, y, lines)
     by_x, by_y = (heading(key, np.concatenate([line[i] for line in lines]))[1] for key, i in ((x, 1), (y, 2)))
     marks: list[Any] = [(given.answer["pressure_Pa"], given.answer["stiffness_Pa_per_m"])] if answers else []
