@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <new>
 #include <string_view>
 #include <thread>
 
@@ -102,7 +103,15 @@ nb::dict swept(const std::string& text, const std::string& file, const std::stri
         {.threads = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()),
          .lines = false,
          .progress = until_interrupted()},
-        [&](const Block& block) { columns.add(block); });
+        [&](const Block& block) {
+            try {
+                columns.add(block);
+            } catch (const std::bad_alloc&) {  // what was taken cannot be taken again
+                const nb::gil_scoped_acquire held;
+                PyErr_NoMemory();
+                throw nb::python_error();
+            }
+        });
     const nb::gil_scoped_acquire held;
     return columns.take();
 }

@@ -142,7 +142,6 @@ private:
 unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,
              const Sink& sink) {
     std::uint64_t next = first;
-    bool in_sink = false;
     /// Goes on with \p wanted threads, or as many as start, or of none with this one. \returns how many.
     const auto go_on = [&](unsigned wanted) {
         Queue queue(next, end, std::max(1U, wanted));
@@ -159,9 +158,7 @@ unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint
         while (next < end) {
             if (threads.count() == 0) here.step();
             const Block block = queue.wait_for(next);
-            in_sink = true;
             sink(block);
-            in_sink = false;
             next = block.end;
             if (options.progress && next < end)
                 options.progress("scenes", static_cast<std::size_t>(next - first),
@@ -172,7 +169,7 @@ unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint
     for (unsigned threads = std::max(1U, options.threads);; threads /= 2) try {
             return go_on(threads);
         } catch (const std::bad_alloc&) {  // fewer threads leave more memory to each
-            if (threads == 0 || in_sink) throw;
+            if (threads == 0) throw;
         }
 }
 

@@ -23,7 +23,7 @@ struct EngineOptions {
     ThreadStart start{};      ///< empty: std::thread
 };
 
-/// Takes the next block.
+/// Takes the next block. Where it throws std::bad_alloc it must have taken nothing: the block comes again.
 using Sink = std::function<void(const Block& block)>;
 
 /// The scenes from \p first up to \p end, in their order, a block of some 50 ms of work at a time. What \p sink
