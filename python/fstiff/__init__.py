@@ -24,8 +24,8 @@ from ._integrals import Estimate, peak_integral
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
 from ._scenes import Answer, Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
-from ._sweeps import sweep
 from ._surfaces import Fit, Islands, Measurement, Parameter, Surface, Truth, fit, islands, measure, open_surface, truth
+from ._sweeps import sweep
 
 __all__ = [
     "Answer",
