@@ -3,7 +3,7 @@
 // Results of adjacent scenes: a row for each that `fstiff run --format csv` prints of a scene, and as a line of JSON.
 //
 //     {"index":17,"surface.rms_height":5e-07,"law":"hertz","theta":0.78...,"r":0,"pressure_Pa":1000000,...}
-//     {"index":18,"surface.rms_height":6e-07,"error":"grid.toml:12: ..."}        a scene that cannot be computed
+//     {"index":18,"surface.rms_height":6e-07,"error":"grid.toml: ..."}        a scene that cannot be computed
 
 #include "sweep/scene_maker.hpp"
 

@@ -87,6 +87,32 @@ void replace_file(const std::string& target, std::string_view text) {
     os::sync_folder(scene::path_of(target).parent_path());
 }
 
+/// The description of \p results. \throws file_error where it is missing or is none, in a sentence with the remedy.
+Description read_description(const std::string& results) {
+    const std::string file = description_file(results);
+    std::ifstream stream(scene::path_of(file), std::ios::binary);
+    if (!stream)
+        throw file_error(results, "the file " + file +
+                                      " that names its grid and shard is missing; put it back next to the results, or "
+                                      "move them away and run the sweep again");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    Description made;
+    try {
+        const auto json = nlohmann::json::parse(text);
+        if (json.at("schema_version") != 1) throw file_error(file, "is of another version of fstiff");
+        Description::each_field(made, [&](const char* key, auto& to) { json.at(key).get_to(to); });
+    } catch (const nlohmann::json::exception&) {
+        throw file_error(file, "is not a description of results; must be what fstiff sweep wrote next to " + results);
+    }
+    return made;
+}
+
+void write_description(const std::string& results, const Description& description) {
+    scene::Json json{{"schema_version", 1}, {"command", "sweep"}};
+    Description::each_field(description, [&](const char* key, const auto& value) { json[key] = value; });
+    replace_file(description_file(results), json.str());
+}
+
 }  // namespace
 
 OpenFile::OpenFile(std::string name, os::Opening how)
@@ -117,46 +143,6 @@ void require_lines(const std::string& results) {
 }
 
 std::string description_file(const std::string& results) { return results + ".sweep"; }
-
-Description read_description(const std::string& results) {
-    const std::string file = description_file(results);
-    std::ifstream stream(scene::path_of(file), std::ios::binary);
-    if (!stream)
-        throw file_error(results, "the file " + file +
-                                      " that names its grid and shard is missing; put it back next to the results, or "
-                                      "move them away and run the sweep again");
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    Description made;
-    try {
-        const auto json = nlohmann::json::parse(text);
-        if (json.at("schema_version") != 1) throw file_error(file, "is of another version of fstiff");
-        json.at("grid").get_to(made.grid);
-        json.at("hash").get_to(made.hash);
-        json.at("scenes").get_to(made.scenes);
-        json.at("shard").get_to(made.shard.number);
-        json.at("shards").get_to(made.shard.of);
-        json.at("finished").get_to(made.finished);
-        json.at("failed").get_to(made.failed);
-        json.at("bytes").get_to(made.bytes);
-    } catch (const nlohmann::json::exception&) {
-        throw file_error(file, "is not a description of results; must be what fstiff sweep wrote next to " + results);
-    }
-    return made;
-}
-
-void write_description(const std::string& results, const Description& description) {
-    const scene::Json json{{"schema_version", 1},
-                           {"command", "sweep"},
-                           {"grid", description.grid},
-                           {"hash", description.hash},
-                           {"scenes", description.scenes},
-                           {"shard", description.shard.number},
-                           {"shards", description.shard.of},
-                           {"finished", description.finished},
-                           {"failed", description.failed},
-                           {"bytes", description.bytes}};
-    replace_file(description_file(results), json.str());
-}
 
 ResultsFile::ResultsFile(std::string file, Description description)
     : file_(std::move(file), os::Opening::extend), description_(std::move(description)) {

@@ -29,6 +29,19 @@ struct Description {
     Shard shard{};
     bool finished = false;
     std::uint64_t failed = 0, bytes = 0;  ///< where it is finished: scenes without result, size of the results
+
+    /// Hands over the fields of \p of with their keys in the file.
+    template <class Of, class Take>
+    static void each_field(Of& of, const Take& take) {
+        take("grid", of.grid);
+        take("hash", of.hash);
+        take("scenes", of.scenes);
+        take("shard", of.shard.number);
+        take("shards", of.shard.of);
+        take("finished", of.finished);
+        take("failed", of.failed);
+        take("bytes", of.bytes);
+    }
 };
 
 /// \throws option_error for the ending of a table or of another binary form: results are lines of JSON.
@@ -36,10 +49,6 @@ void require_lines(const std::string& results);
 
 /// The name of the file next to \p results.
 [[nodiscard]] std::string description_file(const std::string& results);
-/// \throws file_error where it is missing or is none, in a sentence with the remedy.
-[[nodiscard]] Description read_description(const std::string& results);
-/// Written next to its target, synced, then renamed. \throws file_error.
-void write_description(const std::string& results, const Description& description);
 
 /// A file, which is closed at the end.
 class OpenFile {

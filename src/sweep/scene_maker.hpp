@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Scenes of a grid, quickly: numbers that enter a scene as they are, such as the rms height or a pressure, are put into
-// a scene that was read before; all other values change the TOML, which is read once for each of their combinations.
+// Scenes of a grid: numbers that enter a scene as they are, such as the rms height or a pressure, are put into a scene
+// that was read before; all other values change the TOML, which is read once for each of their combinations.
 //
-// Reference   the slow twin is table_of and read_table: both give the same lines, byte for byte
+// Reference   table_of and read_table of each scene alone give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
 
 #include "scene/results.hpp"

@@ -25,15 +25,6 @@ std::string counted(std::uint64_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Warns of the \p failed scenes in \p report, which is then doubtful; no warning without any.
-void warn_of_failed_scenes(Report& report, std::uint64_t failed) {
-    if (failed == 0) return;
-    report.diagnostics.push_back(
-        "warning: " + counted(failed, "scene") +
-        " cannot be computed, or only in part; a line with the key \"error\" replaces the missing results");
-    report.status = doubtful_result;
-}
-
 struct Options {
     OutputOptions output;  // of the summary
     std::string grid, results, shard = "1/1";
@@ -125,7 +116,12 @@ Report execute(const Options& options) {
                                      : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
                                            rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
     report.document = summary(grid, results.description(), file);
-    warn_of_failed_scenes(report, results.description().failed);
+    if (const std::uint64_t failed = results.description().failed; failed > 0) {
+        report.diagnostics.push_back(
+            "warning: " + counted(failed, "scene") +
+            " cannot be computed, or only in part; a line with the key \"error\" replaces the missing results");
+        report.status = doubtful_result;
+    }
     return report;
 }
 
