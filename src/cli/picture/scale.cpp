@@ -63,20 +63,13 @@ double Scale::step() const {
     return decade * (raw / decade <= 1 ? 1 : raw / decade <= 2 ? 2 : raw / decade <= 5 ? 5 : 10);
 }
 
-int Scale::power() const {
-    const double greatest = std::max(std::abs(low_), std::abs(high_));
-    return logarithmic_ || (greatest < 1e5 && greatest > 1e-3) ? 0 : static_cast<int>(std::floor(std::log10(greatest)));
-}
-
 std::vector<Tick> Scale::steps() const {
-    const double width = step(), unit = std::pow(10.0, power());
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(width / unit) + 1e-9)));
+    const double width = step();
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(width) + 1e-9)));
     std::vector<Tick> result;
     for (double k = std::ceil(low_ / width - 1e-9); k * width <= high_ + 1e-9 * width; ++k)
-        result.push_back({k * width, parts::fixed_text(k == 0 ? 0.0 : k * width / unit, decimals)});
+        result.push_back({k * width, parts::fixed_text(k == 0 ? 0.0 : k * width, decimals)});
     return result;
 }
-
-std::string Scale::label() const { return power() == 0 ? label_ : label_ + " × " + power_of_ten(power()); }
 
 }  // namespace fstiff::cli

@@ -37,14 +37,11 @@ public:
     double high() const { return logarithmic_ ? std::pow(10.0, high_) : high_; }
 
     std::vector<Tick> ticks() const { return logarithmic_ ? decades() : steps(); }
-    /// The label of the axis, with the power of ten that multiplies every number.
-    std::string label() const;
+    const std::string& label() const { return label_; }
 
 private:
     double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
     double step() const;
-    /// Power of ten that the numbers of a linear axis leave out, 0 where they need none.
-    int power() const;
     std::vector<Tick> decades() const;
     std::vector<Tick> steps() const;
 
