@@ -104,7 +104,7 @@ def main():
     code.add_argument("build", type=pathlib.Path, help="the build folder of ninja")
     code.add_argument("--units", type=int, nargs=2, default=CODE_UNITS, help="of the command, of everything")
     code.add_argument("--megabytes", type=float, nargs=2, default=CODE_MB, help="of the command, of everything")
-    seconds.add_argument("--command", type=float, default=160, help="greatest multiple of the command")
+    seconds.add_argument("--command", type=float, default=125, help="greatest multiple of the command")
     seconds.add_argument("--all", type=float, default=1350, help="greatest multiple of everything, tests run")
     options = parser.parse_args()
     if refusals := list({"program": of_program, "code": of_code, "seconds": of_seconds}[options.part](options)):
