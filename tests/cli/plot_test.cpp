@@ -237,6 +237,8 @@ TEST_CASE("At one pressure the curves are marks with bars") {
         CHECK(all_between(plot, "<path class=\"band", "/>").empty());
         CHECK(all_between(plot, "<circle", "/>").size() >= 3);
     }
+    CHECK(contains(picture, "5\u00A0to\u00A095\u00A0%"));
+    CHECK_FALSE(contains(picture, "± error"));
     const auto rows = curves(folder / "out.plot.csv");
     REQUIRE(rows.size() == 7);
     CHECK(rows[3].label == "p/(0.48 σ)");

@@ -75,7 +75,7 @@ void frame_reflection(Panel& panel) {
 /// \p quantity of \p curve, with the ends of its band or, of boundary elements, with the error of K as bars.
 PlotLine line_of(const Curve& curve, CurveQuantity quantity) {
     PlotLine line{.label = legend_of(curve), .x = {}, .y = {}};
-    line.bars = quantity == CurveQuantity::stiffness && is_truth(curve);
+    const bool of_grid = quantity == CurveQuantity::stiffness && is_truth(curve) && curve.band.empty();
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const auto at = [&](Statistic statistic) { return curve.value_at(curve.places[i], quantity, statistic); };
         const auto value = at(Statistic::value), low = at(Statistic::p05), high = at(Statistic::p95);
@@ -84,12 +84,12 @@ PlotLine line_of(const Curve& curve, CurveQuantity quantity) {
         line.y.push_back(*value);
         if (low && high)
             line.low.push_back(std::min(*low, *high)), line.high.push_back(std::max(*low, *high));
-        else if (const auto error = at(Statistic::error); error && line.bars)
+        else if (const auto error = at(Statistic::error); error && of_grid)
             line.low.push_back(*error < 0.9 * *value ? *value - *error : 0), line.high.push_back(*value + *error);
     }
-    line.bars = line.bars || line.x.size() == 1;  // where a band has no width
     if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
-    if (!line.low.empty()) line.band = line.bars ? "± error" : shown_band;
+    if (!line.low.empty()) line.band = of_grid ? "± error" : shown_band;
+    line.bars = of_grid || line.x.size() == 1;  // where a band has no width
     return line;
 }
 
@@ -105,8 +105,9 @@ Panel panel_of(const Results& results, const Results& smooth, CurveQuantity quan
         panel.lines.back().colour = static_cast<int>(panel.lines.size()) - 1;
     }
     constexpr std::size_t most_marks = 12;
+    if (points.empty() || points.size() != lines.size()) return panel;
     const std::size_t count = points.front()->states.size();
-    if (points.size() != lines.size() || count > most_marks || count == lines.front()->states.size()) return panel;
+    if (count > most_marks || count == lines.front()->states.size()) return panel;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         PlotLine marks = line_of(*points[k], quantity);
         marks.label = "", marks.low.clear(), marks.high.clear();
