@@ -29,14 +29,17 @@ def law_names() -> list[str]:
 
 def effective_modulus(youngs_modulus: float, poisson_ratio: float, youngs_modulus2: float, poisson_ratio2: float) -> float:
     """Effective modulus [Pa] of two bodies: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, with Young's moduli in Pa."""
-    given = {"youngs_modulus": youngs_modulus, "poisson_ratio": poisson_ratio}
-    given |= {"youngs_modulus2": youngs_modulus2, "poisson_ratio2": poisson_ratio2}
-    return _core.effective_modulus(*(_number(value, name) for name, value in given.items()))
+    return _core.effective_modulus(*_bodies(youngs_modulus, poisson_ratio, youngs_modulus2, poisson_ratio2))
 
 
 def tangential_ratio(youngs_modulus: float, poisson_ratio: float, youngs_modulus2: float, poisson_ratio2: float) -> float:
     """K_t/K_n of elastic contacts of two bodies, with Young's moduli in Pa (Mindlin, 1949): 0.82 of steel on steel."""
-    return _core.tangential_ratio(youngs_modulus, poisson_ratio, youngs_modulus2, poisson_ratio2)
+    return _core.tangential_ratio(*_bodies(youngs_modulus, poisson_ratio, youngs_modulus2, poisson_ratio2))
+
+
+def _bodies(*given: Any) -> list[float]:
+    """Young's modulus and Poisson's ratio of the first body, then of the second."""
+    return [_number(value, name) for value, name in zip(given, ("youngs_modulus", "poisson_ratio", "youngs_modulus2", "poisson_ratio2"))]
 
 
 def spot_conductance(stiffness: npt.ArrayLike, conductivity: float, effective_modulus: float) -> Numbers:
@@ -44,7 +47,8 @@ def spot_conductance(stiffness: npt.ArrayLike, conductivity: float, effective_mo
 
     `conductivity` is the harmonic mean of both bodies [W/(m K) or S/m], `effective_modulus` in Pa. Without films and gap.
     """
-    return _core.spot_conductance(numbers(stiffness, "stiffness"), conductivity, effective_modulus)
+    given = (_number(conductivity, "conductivity"), _number(effective_modulus, "effective_modulus"))
+    return _core.spot_conductance(numbers(stiffness, "stiffness"), *given)
 
 
 class Points(Columns):
@@ -331,7 +335,7 @@ class Law:
         import numpy as np
 
         both = np.broadcast_arrays(numbers(separation, "separation"), numbers(slip, "slip"))
-        first, second = call(friction, ratio, *(np.ascontiguousarray(one) for one in both))
+        first, second = call(_number(friction, "friction"), _number(ratio, "ratio"), *(np.ascontiguousarray(one) for one in both))
         return first.reshape(both[0].shape), second.reshape(both[0].shape)
 
     @property

@@ -77,12 +77,17 @@ def style() -> Any:
     return matplotlib.rc_context(STYLE)  # type: ignore[arg-type]
 
 
-def svg(figure: Figure) -> str:
-    """The figure as an element of a page, in its colours. The same figure gives the same text."""
+def saved(figure: Figure, **how: Any) -> str:
+    """The figure as SVG. The same figure gives the same text."""
     text = io.StringIO()
     with style():
-        figure.savefig(text, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
-    element = text.getvalue()
+        figure.savefig(text, format="svg", **how)
+    return text.getvalue()
+
+
+def svg(figure: Figure) -> str:
+    """The figure as an element of a page, in its colours."""
+    element = saved(figure, transparent=True, metadata={"Date": None, "Creator": None})
     return re.sub(r' id="(figure|axes|patch|line2d|text|legend|matplotlib\.axis|xtick|ytick)_\d+"', "",
                   element[element.index("<svg") :]).replace(INK, "currentColor")  # fmt: skip
 
@@ -133,10 +138,7 @@ def drawn(picture: Picture) -> Figure:
 
 def file_of(figure: Figure) -> str:
     """The figure as a file of its own, on white."""
-    text = io.StringIO()
-    with style():
-        figure.savefig(text, format="svg", facecolor="white", metadata={"Creator": MARK, "Date": None})
-    return text.getvalue()
+    return saved(figure, facecolor="white", metadata={"Creator": MARK, "Date": None})
 
 
 def numbers(picture: Picture) -> str:

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, Union
 
 from . import _core
@@ -163,6 +164,26 @@ def _toml(value: Any, key: str, depth: int = 0) -> str:
     return "{" + ", ".join(lines) + "}" if depth else "\n".join([*lines, ""]) or "\n"
 
 
+def text_or_file(scene: Given) -> tuple[str, str]:
+    """The text of what Scene() takes and "", or "" and its file."""
+    if scene is None:
+        return _core.builtin_scene, ""
+    if isinstance(scene, Mapping):
+        return _toml(scene, "scene"), ""
+    return (scene, "") if isinstance(scene, str) and "\n" in scene else ("", named(scene, "scene"))
+
+
+@contextlib.contextmanager
+def lines_of_text(scene: Given) -> Iterator[None]:
+    """Leaves the number of the line out of what is wrong with a dict, which has none."""
+    try:
+        yield
+    except ValueError as error:
+        if not isinstance(scene, Mapping):
+            raise
+        raise type(error)(re.sub(r"^scene:\d+: ", "scene: ", str(error))) from None
+
+
 class Scene:
     """A scene (docs/scene.md): what is in contact, and what is asked.
 
@@ -174,24 +195,15 @@ class Scene:
     """
 
     def __init__(self, scene: Given = None, *, surface: str | os.PathLike[str] | Measurement | None = None) -> None:
-        text = scene if isinstance(scene, str) and "\n" in scene else ""
-        is_dict = isinstance(scene, Mapping)
-        if isinstance(scene, Mapping):
-            scene = text = _toml(scene, "scene")
-        self._made_of = (scene, surface)
+        text, file = text_or_file(scene)
+        self._made_of = (text if isinstance(scene, Mapping) else scene, surface)
         measured = surface._measured if isinstance(surface, Measurement) else None
-        file = "" if surface is None or isinstance(surface, Measurement) else named(surface, "surface")
-        if scene is None:
-            self._core = _core.Scene.of_text(_core.builtin_scene, "built-in scene", file, measured)
-        elif text:
-            try:
-                self._core = _core.Scene.of_text(text, "scene", file, measured)
-            except ValueError as error:
-                if not is_dict:
-                    raise
-                raise type(error)(re.sub(r"^scene:\d+: ", "scene: ", str(error))) from None  # a dict has no lines
-        else:
-            self._core = _core.Scene.of_file(named(scene, "scene"), file, measured)
+        of_surface = "" if surface is None or isinstance(surface, Measurement) else named(surface, "surface")
+        if file:
+            self._core = _core.Scene.of_file(file, of_surface, measured)
+            return
+        with lines_of_text(scene):
+            self._core = _core.Scene.of_text(text, "built-in scene" if scene is None else "scene", of_surface, measured)
 
     @property
     def name(self) -> str:

@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
 from ._errors import named
 from ._results import frame
-from ._scenes import Scene, _toml
+from ._scenes import Scene, _toml, lines_of_text, text_or_file
 from ._surfaces import Measurement
 
 if TYPE_CHECKING:
@@ -70,23 +69,11 @@ def sweep(
             values = values[:1]  # which shows what kind of values they are
         given[key] = values if isinstance(values, Mapping) else {"values": values}
     given.update({"sweep.mode": mode, "sweep.samples": samples, "sweep.seed": seed})
-    text = file = ""
-    if scene is None:
-        text = _core.builtin_scene
-    elif isinstance(scene, Mapping):
-        text = _toml(scene, "scene")
-    elif isinstance(scene, str) and "\n" in scene:
-        text = scene
-    else:
-        file = named(scene, "scene")
+    text, file = text_or_file(scene)
     measured = surface._measured if isinstance(surface, Measurement) else None
     of_file = "" if surface is None or isinstance(surface, Measurement) else named(surface, "surface")
-    try:
+    with lines_of_text(scene):
         found = _core.sweep(text, file, _toml(given, "axes"), numbers, of_file, measured, threads or 0)
-    except ValueError as error:
-        if not isinstance(scene, Mapping):
-            raise
-        raise type(error)(re.sub(r"^scene:\d+: ", "scene: ", str(error))) from None  # a dict has no lines
     columns: dict[str, Any] = {"index": found["index"].astype(np.int64)}
     for key, texts, values in found["axes"]:
         columns[key] = np.array(texts, dtype=object)[values.astype(int)] if texts else values

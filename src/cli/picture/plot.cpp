@@ -2,10 +2,12 @@
 // The files of a figure: the picture, and its numbers as CSV.
 #include "picture/plot.hpp"
 
+#include "document/shown_unit.hpp"
+
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
-#include "document/output.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace fstiff::cli {

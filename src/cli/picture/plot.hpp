@@ -6,13 +6,10 @@
 // panels.cpp makes the figure of results, svg.cpp draws it; scale.hpp chooses its ticks, plot.cpp its units.
 
 #include "document/output.hpp"
-#include "document/shown_unit.hpp"
 
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace fstiff::cli {
