@@ -19,7 +19,7 @@ using namespace fstiff;
 
 SpectralMoments<double> moments_of_waves(const HeightMap<double>& map) {
     SpectralMoments<double> moments;
-    const double unit = 2 * numbers::pi_v<double>;
+    const double unit = 2 * std::numbers::pi_v<double>;
     detail::visit_waves<double>(map.heights, Edges::periodic, [&](double k, double l, double power) {
         const double square = unit * unit * (k * k + l * l);
         moments.m0 += power;

@@ -2,13 +2,14 @@
 // Measured surfaces: structure functions of long profiles, generated profiles, islands of a map.
 #include "row.hpp"
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/islands.hpp>
+
+#include <numbers>
 
 namespace {
 
@@ -37,7 +38,7 @@ Accuracy generation_accuracy(std::size_t points, double spacing) {
             const long double amplitude =
                 std::pow(static_cast<long double>(fractal.roughness), fractal.dimension - 1.0L) *
                 std::pow(wavelength, 2.0L - fractal.dimension);
-            truth += amplitude * std::cos(2 * fstiff::numbers::pi_v<long double> * std::fmod(x / wavelength, 1.0L));
+            truth += amplitude * std::cos(2 * std::numbers::pi_v<long double> * std::fmod(x / wavelength, 1.0L));
         }
         collector.add(1 + static_cast<double>((heights[i] - truth) / rms), 1);
     }

@@ -26,7 +26,7 @@ import sys
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
           "ultrasound", "measured", "fit", "answer", "double", "io")
 PRIVATE = ("io", "document", "request", "instances", "surface", "scene", "sweep c web", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
-OPT_IN = re.compile("math/gaussian_moment_table_extended|answer/(?!law_|causes|checks|joint|any_)")  # not in fstiff.hpp
+OPT_IN = re.compile("answer/(?!law_|causes|checks|joint|any_)")  # not in fstiff.hpp
 OF_THREADS = "barrier condition_variable future latch semaphore shared_mutex stop_token thread".split()
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes include/fstiff/math/gaussian_moment_table*.hpp: short polynomials, piece by piece, for F_a(x) and erf.
+"""Makes include/fstiff/math/gaussian_moment_table.hpp: short polynomials, piece by piece, for F_a(x) and erf.
 
     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x)
 
@@ -12,11 +12,11 @@
     erf, inner          y in [0, 5/2]: erf(y)/y        in powers of u, from -1 to 1 as y^2 goes through its range
     erf, middle, outer  y in [5/2, 9/2], [9/2, 13/2]: erf(y) in powers of u = y - middle of the range
 
-Each function is interpolated in Chebyshev points with 50 digits and cut to the terms of its scalar type (erf: to the error of
-the type, and once more to 3e-5). A coefficient is printed with as many digits as count at the end of its piece. `cut[n]` is
+Each function is interpolated in Chebyshev points with 50 digits and cut to the terms of double (erf: to its error, and once
+more to 3e-5). A coefficient is printed with as many digits as count at the end of its piece. `cut[n]` is
 the largest relative error, over all pieces and powers, of the first n terms alone.
 
-Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check compares with the files instead of writing them
+Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check compares with the file instead of writing it
 (without mpmath it prints SKIPPED).
 """
 import pathlib
@@ -30,17 +30,13 @@ except ImportError:
     sys.exit(0 if "--check" in sys.argv else 1)
 
 mp.dps = 50
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/math"
+TARGET = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/math/gaussian_moment_table.hpp"
 POWERS = ((0, "0"), (1, "1/2"), (2, "1"), (3, "3/2"), (-1, "-1/2"), (5, "5/2"))  # the first four are the contact integrals'
 PER_OCTAVE, OCTAVES = 8, 4
 END = 2 ** (OCTAVES + 1) - 2  # |x| from which on the last piece serves
 ERF_NEAR, ERF_MIDDLE, ERF_FAR = mpf(5) / 2, mpf(9) / 2, mpf(13) / 2
 ERF_ROUGH = mpf("3e-5")
-# scalar, file, suffix of a literal, digits, terms of F_a, error of erf
-SCALARS = (
-    ("double", "gaussian_moment_table.hpp", "", 18, 12, mpf("4e-17")),
-    ("long double", "gaussian_moment_table_extended.hpp", "L", 21, 16, mpf("1e-20")),
-)
+DIGITS, TERMS, ERF_ERROR = 18, 12, mpf("4e-17")  # of double
 
 
 def moment(a, x):
@@ -81,28 +77,27 @@ def powers(c):
     return out
 
 
-def piece(f, low, high, terms, start_at_low=False):
+def piece(f, low, high, start_at_low=False):
     """Coefficients in powers of the distance from the middle (from \\p low), and the relative errors of cutting them."""
     half = (high - low) / 2
     exact = chebyshev(f, low, high)
-    local = powers(exact[:terms])
+    local = powers(exact[:TERMS])
     size = abs(local[0])
     out, reach = [c / half**n for n, c in enumerate(local)], half
     if start_at_low:  # powers of u = (s - half)/half into powers of s
         reach = high - low
-        out = [sum(c * binomial(n, i) * (-1) ** (n - i) for n, c in enumerate(local)) / half**i for i in range(terms)]
+        out = [sum(c * binomial(n, i) * (-1) ** (n - i) for n, c in enumerate(local)) / half**i for i in range(TERMS)]
     sizes = [abs(c) * reach**n / size for n, c in enumerate(out)]
-    last = sum(abs(c) for c in exact[terms:]) / size
-    return out, [sum(sizes[n:]) + last for n in range(terms)] + [last], sizes
+    last = sum(abs(c) for c in exact[TERMS:]) / size
+    return out, [sum(sizes[n:]) + last for n in range(TERMS)] + [last], sizes
 
 
-def text(c, size, digits, suffix):
-    wanted = digits if size == 0 else max(2, min(digits, int(floor(digits + 1.5 + log10(size)))))
-    body = nstr(c, wanted, min_fixed=0, max_fixed=0) if c != 0 else "0.0"
-    return body + suffix
+def text(c, size):
+    wanted = DIGITS if size == 0 else max(2, min(DIGITS, int(floor(DIGITS + 1.5 + log10(size)))))
+    return nstr(c, wanted, min_fixed=0, max_fixed=0) if c != 0 else "0.0"
 
 
-def pieces_of(a, terms):
+def pieces_of(a):
     width = mpf(1) / PER_OCTAVE
     for side in (1, -1):
         for i in range(PER_OCTAVE * OCTAVES):
@@ -110,90 +105,68 @@ def pieces_of(a, terms):
             low = octave * (1 + i % PER_OCTAVE * width) - 2
             high = low + octave * width
             of = (lambda x: exp(x * x / 2) * moment(a, x)) if side > 0 else (lambda x: moment(a, -x))
-            yield piece(of, low, high, terms)
-        yield piece(lambda s: far(a, s, side), mpf(0), mpf(1) / END**2, terms, start_at_low=True)
+            yield piece(of, low, high)
+        yield piece(lambda s: far(a, s, side), mpf(0), mpf(1) / END**2, start_at_low=True)
 
 
-def rows(columns, terms, digits, suffix):
+def rows(columns):
     """A line a piece: its coefficients power by power, side by side for the functions of \\p columns."""
     lines = []
     for at_piece in zip(*columns):
-        numbers = [text(c[0][n], c[2][n], digits, suffix) for n in range(terms) for c in at_piece]
+        numbers = [text(c[0][n], c[2][n]) for n in range(TERMS) for c in at_piece]
         lines.append("        " + ", ".join(numbers) + ",\n")
     return "".join(lines)
 
 
-def erf_range(f, low, high, error, digits, suffix):
+def erf_range(f, low, high, error):
     """Powers of u in [-1, 1] of a Chebyshev series that leaves out less than \\p error of the largest value."""
     c = chebyshev(f, low, high, 44)
     n = len(c)
     while n > 1 and sum(abs(x) for x in c[n - 1 :]) < error:
         n -= 1
     kept = powers(c[:n])
-    return n, ", ".join(text(x, abs(x / kept[0]), digits, suffix) for x in kept)
+    return n, ", ".join(text(x, abs(x / kept[0])) for x in kept)
 
 
-def erf_arrays(scalar, suffix, digits, error, name):
+def erf_arrays(error, name):
     over_y = lambda square: 2 / sqrt(pi) if square == 0 else erf(sqrt(square)) / sqrt(square)
     out = ""
     for part, f, low, high, size in (("inner", over_y, mpf(0), ERF_NEAR**2, error * erf(ERF_NEAR) / ERF_NEAR),
                                      ("middle", erf, ERF_NEAR, ERF_MIDDLE, error), ("outer", erf, ERF_MIDDLE, ERF_FAR, error)):
-        n, body = erf_range(f, low, high, size, digits, suffix)
-        out += f"    static constexpr std::array<{scalar}, {n}> {name}{part}{{{body}}};\n"
+        n, body = erf_range(f, low, high, size)
+        out += f"    static constexpr std::array<double, {n}> {name}{part}{{{body}}};\n"
     return out
 
 
-def table(scalar, suffix, digits, terms, error):
-    columns = [list(pieces_of(mpf(twice) / 2, terms)) for twice, _ in POWERS]
+def table():
+    columns = [list(pieces_of(mpf(twice) / 2)) for twice, _ in POWERS]
     main, side = columns[:4], columns[4:]
     size = 2 * (PER_OCTAVE * OCTAVES + 1)
-    cut = ", ".join(nstr(max(p[1][n] for c in main for p in c) * mpf("1.01"), 3) for n in range(terms + 1))
+    cut = ", ".join(nstr(max(p[1][n] for c in main for p in c) * mpf("1.01"), 3) for n in range(TERMS + 1))
     return (
-        f"template <>\nstruct MomentTable<{scalar}> {{\n"
-        f"    static constexpr int terms = {terms};\n"
-        f"    static constexpr std::array<double, {terms + 1}> cut{{{cut}}};\n"
-        f"    alignas(64) static constexpr {scalar} main[{size} * {terms} * 4] = {{\n"
-        f"{rows(main, terms, digits, suffix)}    }};\n"
-        f"    static constexpr {scalar} side[{size} * {terms} * 2] = {{\n"
-        f"{rows(side, terms, digits, suffix)}    }};\n}};\n\n"
-        f"template <>\nstruct ErfTable<{scalar}> {{\n"
-        f"{erf_arrays(scalar, suffix, digits, error, '')}"
+        "/// main: a = 0, 1/2, 1, 3/2 side by side; side: a = -1/2, 5/2\nstruct MomentTable {\n"
+        f"    static constexpr int terms = {TERMS};\n"
+        f"    static constexpr std::array<double, {TERMS + 1}> cut{{{cut}}};\n"
+        f"    alignas(64) static constexpr double main[{size} * {TERMS} * 4] = {{\n"
+        f"{rows(main)}    }};\n"
+        f"    static constexpr double side[{size} * {TERMS} * 2] = {{\n"
+        f"{rows(side)}    }};\n}};\n\n"
+        f"struct ErfTable {{\n{erf_arrays(ERF_ERROR, '')}"
         f"    static constexpr double rough_error = {nstr(ERF_ROUGH, 2)};\n"
-        f"{erf_arrays(scalar, suffix, digits, ERF_ROUGH, 'rough_')}}};\n")
-
-
-PRIMARY = """/// The scalar in which a function of T that rests on these tables is computed.
-template <class T>
-using Tabulated = std::conditional_t<std::is_same_v<T, float>, double, T>;
-
-/// main: a = 0, 1/2, 1, 3/2 side by side; side: a = -1/2, 5/2
-template <class T>
-struct MomentTable {
-    static_assert(sizeof(T) == 0, "include <fstiff/math/gaussian_moment_table_extended.hpp> for contacts in long double");
-};
-template <class T>
-struct ErfTable {
-    static_assert(sizeof(T) == 0, "include <fstiff/math/gaussian_moment_table_extended.hpp> for contacts in long double");
-};
-
-"""
+        f"{erf_arrays(ERF_ROUGH, 'rough_')}}};\n")
 
 
 def main():
-    for scalar, name, suffix, digits, terms, error in SCALARS:
-        first = scalar == "double"
-        include = "#include <fstiff/core/config.hpp>\n\n#include <array>\n#include <type_traits>\n" if first else f"#include <fstiff/math/{SCALARS[0][1]}>\n"
-        out = (
-            "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n"
-            f"/// \\file\n/// Coefficients of gaussian_moment.hpp and of error_function.hpp in {scalar}, made by\n"
-            "/// tools/make_gaussian_moment_table.py, which names the pieces and the variables.\n\n"
-            f"{include}\nnamespace fstiff::inline v0_1::math {{\n\n// clang-format off\n{PRIMARY if first else ''}"
-            f"{table(scalar, suffix, digits, terms, error)}// clang-format on\n\n}}  // namespace fstiff::inline v0_1::math\n")
-        target = FOLDER / name
-        if "--check" not in sys.argv:
-            target.write_text(out)
-        elif target.read_text() != out:
-            sys.exit(f"{name} is not what this script makes")
+    out = (
+        "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n"
+        "/// \\file\n/// Coefficients of gaussian_moment.hpp and of error_function.hpp, made by tools/make_gaussian_moment_table.py, which\n"
+        "/// names the pieces and the variables.\n\n"
+        "#include <fstiff/core/config.hpp>\n\n#include <array>\n\nnamespace fstiff::inline v0_1::math {\n\n// clang-format off\n"
+        f"{table()}// clang-format on\n\n}}  // namespace fstiff::inline v0_1::math\n")
+    if "--check" not in sys.argv:
+        TARGET.write_text(out)
+    elif TARGET.read_text() != out:
+        sys.exit(f"{TARGET.name} is not what this script makes")
 
 
 if __name__ == "__main__":

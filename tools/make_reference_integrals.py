@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the values of tests/data/integrals_plain.csv, integrals_hard.csv and gw_gaussian.csv from the definition, by other means than
-fstiff:
+"""Makes the values of tests/data/integrals_plain.csv, integrals_hard.csv, integrals_scaled.csv (times exp(eta^2/2) where eta > 0) and
+gw_gaussian.csv from the definition, by other means than fstiff:
 
     J[a,b](eta; r, theta) = c^a/(2 theta) int_0^inf t^b erf(k t) exp(-t^2/2) F_a((eta - r t)/c) dt,  c^2 = 1 - r^2
     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x),                  k = tan(theta)/sqrt 2
@@ -31,7 +31,8 @@ except ImportError:
     sys.exit(0 if "--check" in sys.argv else 1)
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data"
-TABLES = ("integrals_plain.csv", "integrals_hard.csv")
+SCALED = "integrals_scaled.csv"
+TABLES = ("integrals_plain.csv", "integrals_hard.csv", SCALED)
 MOMENTS = "gw_gaussian.csv"
 POWERS = ((0, 0), (mpf(1) / 2, -mpf(1) / 2), (mpf(3) / 2, -mpf(1) / 2), (1, -1))  # (a, b), of all rows
 POINTS = 24
@@ -106,6 +107,10 @@ def power_of(row):
     return next(i for i, (a, b) in enumerate(POWERS) if mpf(row["a"]) == a and mpf(row["b"]) == b)
 
 
+def unit_of(name, row):
+    return exp(max(mpf(float(row["eta"])), 0) ** 2 / 2) if name == SCALED else 1
+
+
 def place(row):
     return tuple(float(row[key]) for key in ("r", "theta", "eta"))
 
@@ -122,7 +127,7 @@ def check(rows):
     places = sorted({place(row) for _, row in tables})
     places = random.Random(2014).sample(places, min(len(places), -(-rows // 4)))
     found = {at: integrals(*at, mpf("1e-21")) for at in places}
-    pairs = [(name, row, found[place(row)][power_of(row)]) for name, row in tables if place(row) in found]
+    pairs = [(name, row, found[place(row)][power_of(row)] * unit_of(name, row)) for name, row in tables if place(row) in found]
     done = len(pairs)
     pairs += [(MOMENTS, row, gaussian_mean(row)) for row in csv.DictReader((DATA / MOMENTS).open())]
     errors = [(abs(value / mpf(row["value"]) - 1), name, row, value) for name, row, value in pairs]
@@ -152,7 +157,7 @@ def write():
         for row in rows:
             if place(row) not in kept:
                 kept[place(row)] = integrals(*place(row), mpf("1e-31"))
-            value = kept[place(row)][power_of(row)]
+            value = kept[place(row)][power_of(row)] * unit_of(name, row)
             if row["value"] != text(value):
                 row |= {"value": text(value)} | ({"log10": nstr(log10(value), 20)} if "log10" in row else {})
         write_table(name, rows)

@@ -10,7 +10,6 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>

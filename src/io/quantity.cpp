@@ -4,7 +4,6 @@
 #include "io/unit_table.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 
 namespace fstiff::inline v0_1::io {
 

@@ -343,7 +343,7 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
         std::optional<parts::WavelengthWindow<double>> window;  // without the waves below lambda_s
         if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
-            window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
+            window = {*shortest, 2 * std::numbers::pi_v<double> / spectrum.step / 8};
         const parts::SpectralFit<double> fit = parts::fit_spectrum(spectrum, window);
         require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
                 "between 1 and 2: over these wavelengths the profile is not self-affine");

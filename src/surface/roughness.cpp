@@ -86,7 +86,7 @@ RoughnessTable roughness_table(const parts::PreparedMap<double>& levelled) {
         texture = parts::texture_parameters(parts::areal_autocorrelation(map));
         if (texture.shortest && !texture.aspect_ratio)
             no_ratio = "below " + rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
-                       rounded(texture.longest_direction * 180 / numbers::pi_v<double>, 3) + " degrees from x";
+                       rounded(texture.longest_direction * 180 / std::numbers::pi_v<double>, 3) + " degrees from x";
     } else {
         no_length = no_ratio = "the map has fewer than 4 x 4 points";
     }

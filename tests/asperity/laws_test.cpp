@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The three asperity laws: derivatives, the factor f of the reference paper, arrays against scalars, refusals.
 #include <fstiff/asperity/laws.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -10,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 namespace laws_test {
@@ -26,8 +26,8 @@ using Wide = long double;
 
 // Eighth-order central difference; with steps of 1/200 of x its truncation is below 1e-17 for x^(3/2).
 template <class F>
-Wide derivative(const F& f, Wide x) {
-    const Wide h = x / 200;
+double derivative(const F& f, double x) {
+    const double h = x / 200;
     return (4 * (f(x + h) - f(x - h)) / 5 - (f(x + 2 * h) - f(x - 2 * h)) / 5 +
             4 * (f(x + 3 * h) - f(x - 3 * h)) / 105 - (f(x + 4 * h) - f(x - 4 * h)) / 280) /
            h;
@@ -50,7 +50,7 @@ struct KinkedLaw {
 TEST_CASE("the concepts distinguish asperity laws from power laws", "[laws]") {
     CHECK((AsperityLaw<HertzLaw<double>, double>));
     CHECK((AsperityLaw<FractalLaw<float>, Eigen::ArrayXf>));
-    CHECK((PowerLaw<FractalConsistentLaw<long double>>));
+    CHECK((PowerLaw<FractalConsistentLaw<double>>));
     CHECK((AsperityLaw<KinkedLaw, double>));
     CHECK(!(PowerLaw<KinkedLaw>));
     CHECK(!(AsperityLaw<int, double>));
@@ -58,7 +58,7 @@ TEST_CASE("the concepts distinguish asperity laws from power laws", "[laws]") {
 
 TEMPLATE_TEST_CASE("load, stiffness and area keep their stated accuracy", "[laws]", float, double) {
     using T = TestType;
-    const Wide pi = fstiff::numbers::pi_v<Wide>;
+    const Wide pi = std::numbers::pi_v<Wide>;
     Wide worst = 0;
     for (const T d : {T(1.05), T(1.5), T(1.62), T(1.97)}) {
         const Wide f = 2 * (3 - Wide(d)) / (3 * (2 - Wide(d)));
@@ -84,27 +84,26 @@ TEMPLATE_TEST_CASE("load, stiffness and area keep their stated accuracy", "[laws
 
 TEST_CASE("stiffness is the derivative of the load for hertz and fractal_consistent, f times it for fractal",
           "[laws]") {
-    for (const Wide d : {1.05L, 1.58L, 1.62L, 1.7L, 1.95L}) {
-        const HertzLaw<Wide> hertz;
-        const FractalLaw<Wide> fractal(d);
-        const FractalConsistentLaw<Wide> consistent(d);
-        for (const Wide omega : {1e-9L, 3e-7L, 1e-5L}) {
-            const Wide radius = 4e-5L;
+    for (const double d : {1.05, 1.58, 1.62, 1.7, 1.95}) {
+        const HertzLaw<double> hertz;
+        const FractalLaw<double> fractal(d);
+        const FractalConsistentLaw<double> consistent(d);
+        for (const double omega : {1e-9, 3e-7, 1e-5}) {
+            const double radius = 4e-5;
             CAPTURE(d, omega);
             const auto slope = [&](const auto& law) {
-                return derivative([&](Wide w) { return law.load(w, radius); }, omega);
+                return derivative([&](double w) { return law.load(w, radius); }, omega);
             };
             // Rounding of the differences: some eps over the step of 1/200.
-            CHECK(test::relative_error(hertz.stiffness(omega, radius), slope(hertz)) < 1e-15L);
-            CHECK(test::relative_error(consistent.stiffness(omega, radius), slope(consistent)) < 1e-15L);
+            CHECK(test::relative_error(hertz.stiffness(omega, radius), slope(hertz)) < 1e-13);
+            CHECK(test::relative_error(consistent.stiffness(omega, radius), slope(consistent)) < 1e-13);
             CHECK(test::relative_error(fractal.stiffness(omega, radius) / slope(fractal),
-                                       fstiff::parts::fractal_stiffness_factor(d)) < 1e-15L);
+                                       fstiff::parts::fractal_stiffness_factor(d)) < 1e-13);
         }
     }
 }
 
-TEMPLATE_TEST_CASE("the factor f has its published values, its limits and its pole", "[laws]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("the factor f has its published values, its limits and its pole", "[laws]", float, double) {
     using T = TestType;
     const T eps = std::numeric_limits<T>::epsilon();
     struct Row {
@@ -121,7 +120,7 @@ TEMPLATE_TEST_CASE("the factor f has its published values, its limits and its po
     CHECK(at_compile_time == fstiff::parts::fractal_stiffness_factor(T(1.5)));
 }
 
-TEMPLATE_TEST_CASE("a law of an Eigen array is the law of its elements", "[laws]", float, double, long double) {
+TEMPLATE_TEST_CASE("a law of an Eigen array is the law of its elements", "[laws]", float, double) {
     using T = TestType;
     using Array = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>;
     Array omega(7, 5), radius(7, 5);
@@ -157,7 +156,7 @@ TEST_CASE("a result of a law does not depend on the unit of length", "[laws]") {
     }
 }
 
-TEMPLATE_TEST_CASE("a fractal dimension outside (1, 2) is refused by name", "[laws]", float, double, long double) {
+TEMPLATE_TEST_CASE("a fractal dimension outside (1, 2) is refused by name", "[laws]", float, double) {
     using T = TestType;
     const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
     for (const T bad : {T(1), T(2), T(0), T(-1.5), T(3), inf, -inf, nan}) {

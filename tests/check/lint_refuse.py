@@ -22,14 +22,14 @@ lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
 
 TABLES = "<!-- layers -->\n<!-- /layers -->\n<!-- folders of src -->\n<!-- /folders of src -->\n"
 ROWS = ("| core/config | attributes |\n| core/error | errors |\n| math/root | roots; and brackets |\n"
-        "| io/text | text |\n| math/gaussian_moment_table_extended | opt-in |\n")
+        "| io/text | text |\n| answer/laws | opt-in |\n")
 TREE = {
     "tools/lint.py": "# which fstiff.hpp names\n",
     "tools/of_python/a.pyc": 20 * "\n",
     "tests/check/lint_refuse.py": "# docs/none.md\n",
     "include/fstiff/core/config.hpp": "[[gnu::cold]] void refuse();\n",
     "include/fstiff/core/error.hpp": "#include <string>\n#include <fstiff/core/config.hpp>\n",
-    "include/fstiff/math/gaussian_moment_table_extended.hpp": "",
+    "include/fstiff/answer/laws.hpp": "",
     "include/fstiff/math/root.hpp": "#include <Eigen/Core>\n#include <fstiff/core/error.hpp>\n",
     "include/fstiff/io/text.hpp": "#include <fstiff/math/root.hpp>\n",
     "src/io/text.hpp": "#include <fstiff/io/text.hpp>\n#include <zlib.h>\n",
@@ -44,7 +44,8 @@ WRITTEN = {  # by --update, in its order
 | layer | headers | includes from |
 |---|---|---|
 | core | [config](../include/fstiff/core/config.hpp), [error](../include/fstiff/core/error.hpp) |  |
-| math | [gaussian_moment_table_extended](MATH/gaussian_moment_table_extended.hpp), [root](MATH/root.hpp) | core |
+| math | [root](../include/fstiff/math/root.hpp) | core |
+| answer | [laws](../include/fstiff/answer/laws.hpp) |  |
 | io | [text](../include/fstiff/io/text.hpp) | math |
 <!-- /layers -->
 <!-- folders of src -->
@@ -66,7 +67,7 @@ WRITTEN = {  # by --update, in its order
 | cli |  |
 <!-- /folders of src -->
 after; with a semicolon
-""".replace("MATH", "../include/fstiff/math") + ROWS,
+""" + ROWS,
     "include/fstiff/fstiff.hpp": "#include <fstiff/core/config.hpp>\n#include <fstiff/core/error.hpp>\n"
                                  "#include <fstiff/math/root.hpp>\n",
     "include/fstiff/io.hpp": "#include <fstiff/io/text.hpp>\n",

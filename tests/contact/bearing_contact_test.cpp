@@ -88,7 +88,7 @@ public:
             const double P = std::erf(std::sqrt(2.0) * y);
             sum += weight_[i] * (0.45 + 1.65 * P * P) * std::exp(-2 * y * y);
         }
-        return p / (std::sqrt(2 / numbers::pi_v<double>) * sum);
+        return p / (std::sqrt(2 / std::numbers::pi_v<double>) * sum);
     }
     [[nodiscard]] double separation(double p) const {
         const double place = (last_ - std::log(p)) / width;

@@ -19,7 +19,7 @@ TEST_CASE("q of the gradient of a band is that up to which the spectrum has this
         CHECK(test::relative_error(pieces[1].to, band.rms_gradient()) < 1e-13);
         const auto density = [&](double log_q) {  // 2 pi q^3 C dq = 2 pi q^4 C d ln q
             const double q = std::exp(log_q);
-            return 2 * numbers::pi_v<double> * std::pow(q, 4) * band.C0 *
+            return 2 * std::numbers::pi_v<double> * std::pow(q, 4) * band.C0 *
                    std::pow(std::max(q, band.q_rolloff), -2 - 2 * hurst);
         };
         const auto simpson = [&](double a, double b) {

@@ -10,7 +10,6 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/paper.hpp"
-#include "support/scalars.hpp"
 #include "support/table.hpp"
 
 #include <numbers>
@@ -99,17 +98,6 @@ TEST_CASE("pressure and separation are each other's inverse, within the errors r
         CHECK(std::abs(back.stiffness.value - at.stiffness.value) <=
               at.stiffness.error + back.stiffness.error + 1e-14 * at.stiffness.value);
         CHECK(at.separation.error < 1e-11 * fine.rms_height * (1 + std::abs(at.eta)));
-#ifdef FSTIFF_TEST_LONG_DOUBLE
-        // long double is the truth of double
-        const auto truth = RoughContact(test::sand_blasted_fine.roughness<long double>(),
-                                        PeakDistribution<long double>(third.r(), third.theta()),
-                                        HertzLaw<long double>{}, static_cast<long double>(modulus))
-                               .at_pressure(pressure);
-        CHECK(std::abs(at.stiffness.value - static_cast<double>(truth.stiffness.value)) <=
-              at.stiffness.error + 1e-15 * at.stiffness.value);
-        CHECK(std::abs(at.eta - static_cast<double>(truth.eta)) <=
-              at.separation.error / fine.rms_height + 1e-15 * std::abs(at.eta));
-#endif
     }
 }
 

@@ -8,8 +8,7 @@
 
 namespace estimate_test {
 
-TEMPLATE_TEST_CASE("an estimate starts from zero and takes designated initialisers", "[estimate]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("an estimate starts from zero and takes designated initialisers", "[estimate]", float, double) {
     using T = TestType;
     CHECK((std::is_aggregate_v<fstiff::Estimate<T>>));
     CHECK((std::is_trivially_copyable_v<fstiff::Estimate<T>>));

@@ -4,7 +4,6 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
-#include "support/scalars.hpp"
 
 #include <gsl/gsl_sf_hyperg.h>
 
@@ -18,9 +17,15 @@ using fstiff::math::gaussian_moment;
 
 namespace {
 
-/// F_a(x) by its definition: v = exp(u - exp(-u)) and the trapezoidal rule, in long double.
-long double by_quadrature(long double a, long double x) {
+/// F_a(x), for x > 0 times exp(x^2/2), by its definition: v = exp(u - exp(-u)) and the trapezoidal rule; in v itself
+/// where the whole Gaussian counts.
+long double scaled_by_quadrature(long double a, long double x) {
     const long double step = 1 / 128.0L;
+    if (x < -12) {
+        long double whole = 0;
+        for (long double w = -11; w < 11; w += 8 * step) whole += std::pow(w - x, a) * std::exp(-w * w / 2) * 8 * step;
+        return whole;
+    }
     const long double scale = x > 1 ? 1 / x : 1;  // for large x it falls as exp(-x v)
     long double sum = 0;
     for (long double u = -5; u < 6; u += step) {
@@ -29,7 +34,10 @@ long double by_quadrature(long double a, long double x) {
         const long double exponent = x > 0 ? v * (v / 2 + x) : (v + x) * (v + x) / 2;
         sum += std::pow(v, a) * std::exp(-exponent) * v * (1 + fall) * step;
     }
-    return sum * (x > 0 ? std::exp(-x * x / 2) : 1.0L);
+    return sum;
+}
+long double by_quadrature(long double a, long double x) {
+    return scaled_by_quadrature(a, x) * (x > 0 ? std::exp(-x * x / 2) : 1.0L);
 }
 
 /// The accuracy that the header states, in epsilon.
@@ -37,16 +45,14 @@ constexpr double stated = 6;
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("F_a agrees with its definition", "", FSTIFF_TEST_SCALARS) {
+TEMPLATE_TEST_CASE("F_a agrees with its definition", "", float, double) {
     using T = TestType;
     for (const double a : {-0.5, 0.0, 0.5, 1.0, 1.5, 2.5})
         for (const double x : {-40.0, -9.5, -5.01, -4.99, -2.0, -0.3, -0.01, 0.0, 0.01, 0.5, 1.5, 4.0, 8.0, 11.0}) {
             const T at = static_cast<T>(x);
             const long double truth = by_quadrature(a, at);
             INFO("a " << a << " x " << x);
-            // the reference itself is good to 1e-17: that is 150 epsilon of long double
-            const double bound = stated + (sizeof(T) > 8 ? 200 : 0);
-            CHECK(test::ulps(gaussian_moment(T(a), at), static_cast<T>(truth)) <= T(bound));
+            CHECK(test::ulps(gaussian_moment(T(a), at), static_cast<T>(truth)) <= T(stated));
         }
 }
 
@@ -85,43 +91,33 @@ TEST_CASE("the recurrence F_{a+1} = a F_{a-1} - x F_a holds where it does not ca
     }
 }
 
-#ifdef FSTIFF_TEST_LONG_DOUBLE
-TEST_CASE("double agrees with long double at random points and at the seams") {
+TEST_CASE("F_a agrees with its definition at random points and at the seams") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(0, 1);
     const auto check = [](double x) {
         INFO("x " << x);
-        const auto same = [x]<int A>() {
-            const auto truth = fstiff::math::scaled_moment<A>(static_cast<long double>(x));
-            return test::ulps(static_cast<long double>(fstiff::math::scaled_moment<A>(x)), truth) *
-                   (0x1p-63L / 0x1p-52L);
+        const auto error = [x]<int TwiceA>() {
+            const long double truth = scaled_by_quadrature(TwiceA / 2.0L, x);
+            return test::ulps(fstiff::math::scaled_moment<TwiceA>(x), static_cast<double>(truth));
         };
-        CHECK(same.operator()<-1>() <= stated);
-        CHECK(same.operator()<0>() <= stated);
-        CHECK(same.operator()<1>() <= stated);
-        CHECK(same.operator()<2>() <= stated);
-        CHECK(same.operator()<3>() <= stated);
-        CHECK(same.operator()<5>() <= stated);
+        CHECK(error.operator()<-1>() <= stated);
+        CHECK(error.operator()<0>() <= stated);
+        CHECK(error.operator()<1>() <= stated);
+        CHECK(error.operator()<2>() <= stated);
+        CHECK(error.operator()<3>() <= stated);
+        CHECK(error.operator()<5>() <= stated);
     };
     for (const double seam : {0.0, -5.0, 30.0, -30.0, 2.0, -2.0, 6.0, 14.0})
         for (const double step : {0.0, 1e-15, -1e-15, 1e-9, -1e-9}) check(seam + step);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 300; ++i) {
         check(40 * uniform(random));
         check(-6 * uniform(random));
         check(-5 / (uniform(random) + 1e-6));
     }
 }
 
-TEST_CASE("a long double that rounds to the end of the pieces is beyond it") {
-    for (const long double end : {30.0L, -30.0L}) {
-        const long double inside = std::nextafter(end, 0.0L);
-        CHECK(test::ulps(fstiff::math::scaled_moment<1>(inside), fstiff::math::scaled_moment<1>(end)) <= 200);
-        CHECK(test::ulps(fstiff::math::scaled_moment<5>(inside), fstiff::math::scaled_moment<5>(end)) <= 200);
-    }
-}
-#endif
-TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", FSTIFF_TEST_SCALARS_FROM_DOUBLE) {
-    using T = TestType;
+TEST_CASE("erf on lanes agrees with std::erf") {
+    using T = double;
     std::mt19937 random(3);
     std::uniform_real_distribution<double> start(0, 5), step(0, 1);
     std::array<T, 8> y, out;
@@ -129,7 +125,7 @@ TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", FSTIFF_TEST_SCALARS_
         const T first = T(start(random)), increment = T(step(random));
         for (std::size_t j = 0; j < 8; ++j) y[j] = first + increment * T(j);
         const auto erf = [&](double tolerance) {
-            const auto by = fstiff::math::ErfPolynomials<T>::for_tolerance(tolerance);
+            const auto by = fstiff::math::ErfPolynomials::for_tolerance(tolerance);
             fstiff::math::erf_ascending(fstiff::math::Lanes<T, 8>::load(y.data()), y.front(), y.back(), by)
                 .store(out.data());
         };
@@ -141,7 +137,7 @@ TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", FSTIFF_TEST_SCALARS_
         erf(1e-3);
         for (std::size_t j = 0; j < 8; ++j) {
             INFO("y " << y[j] << ", rough");
-            REQUIRE(test::relative_error(out[j], std::erf(y[j])) <= T(fstiff::math::ErfTable<T>::rough_error));
+            REQUIRE(test::relative_error(out[j], std::erf(y[j])) <= T(fstiff::math::ErfTable::rough_error));
         }
     }
 }

@@ -28,9 +28,7 @@ TEST_CASE("The inverse of the normal distribution is right to 1e-15 of the quant
     CHECK(math::normal_quantile(0.25) == -math::normal_quantile(0.75));
 }
 
-TEST_CASE("The inverse of the normal distribution in long double, and of the distribution itself") {
-    for (long double p = 1e-200L; p < 0.49L; p *= 1.7L)
-        CHECK(std::abs(math::normal_share(math::normal_quantile(p)) / p - 1) < 1e-15L);
+TEST_CASE("The inverse of the normal distribution is that of the distribution") {
     for (const double z : {-7.0, -1.0, -1e-3, 0.3, 2.0, 5.0})
         CHECK(std::abs(math::normal_quantile(math::normal_share(z)) - z) < 1e-15 * (1 + std::exp(z * z / 2)));
     CHECK(std::abs(math::normal_density(1.0) - 0.24197072451914337) < 1e-16);

@@ -130,8 +130,7 @@ std::vector<Problem<T>> hard_problems() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a bracketed root of a hard function is where it is known to be", "[root]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("a bracketed root of a hard function is where it is known to be", "[root]", float, double) {
     using T = TestType;
     const T eps = std::numeric_limits<T>::epsilon();
     for (const auto& p : hard_problems<T>()) {
@@ -144,12 +143,12 @@ TEMPLATE_TEST_CASE("a bracketed root of a hard function is where it is known to 
             CHECK(found.error <= std::max(tolerance, 8 * eps * std::abs(p.root)));
             // The known root is rounded, and so is f near it: the kink's offsets and 1/3 - 1/x leave a few eps of 1.
             CHECK(std::abs(found.root - p.root) <= found.error + 4 * eps);
-            CHECK(found.iterations <= fstiff::math::root_iterations<T>);
+            CHECK(found.iterations <= fstiff::math::root_iterations);
         }
     }
 }
 
-TEMPLATE_TEST_CASE("converged means that f changes sign within the error", "[root]", float, double, long double) {
+TEMPLATE_TEST_CASE("converged means that f changes sign within the error", "[root]", float, double) {
     using T = TestType;
     for (const auto& p : hard_problems<T>()) {
         const auto found = newton_bracketed<T>(p.f, p.lower, p.upper, p.guess, T(1e-4));
@@ -165,7 +164,7 @@ TEMPLATE_TEST_CASE("converged means that f changes sign within the error", "[roo
     }
 }
 
-TEMPLATE_TEST_CASE("a smooth function from a good guess costs few evaluations", "[root]", float, double, long double) {
+TEMPLATE_TEST_CASE("a smooth function from a good guess costs few evaluations", "[root]", float, double) {
     using T = TestType;
     // The shape that contact inversion has: the logarithm of a load that falls like a Gaussian tail; known root 2.
     const auto f = [](T x) { return std::pair{4 - x * std::abs(x), -2 * std::abs(x)}; };
@@ -180,8 +179,7 @@ TEMPLATE_TEST_CASE("a smooth function from a good guess costs few evaluations", 
     }
 }
 
-TEMPLATE_TEST_CASE("a bracket without a root is reported, not searched for ever", "[root]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("a bracket without a root is reported, not searched for ever", "[root]", float, double) {
     using T = TestType;
     const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
     const auto line = [](T x) { return std::pair{x, T(1)}; };

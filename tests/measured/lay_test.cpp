@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A lay is found in profiles and maps that have one, and in few that do not.
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/lay.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace lay_test {
 
@@ -54,7 +54,7 @@ TEST_CASE("A profile across grooves repeats itself with their period, whatever t
 
 TEST_CASE("A cosine repeats itself to 1 less the pairs missing in the last quarter") {
     Profile<double> wave{{}, 1e-6};
-    for (int i = 0; i < 4096; ++i) wave.heights.push_back(std::cos(2 * numbers::pi_v<double> * i / 64));
+    for (int i = 0; i < 4096; ++i) wave.heights.push_back(std::cos(2 * std::numbers::pi_v<double> * i / 64));
     const detail::Repetition<double> found = detail::repetition(wave);
     CHECK(std::abs(found.correlation - (1 - 64.0 / 4096)) < 1e-12);
     CHECK(std::abs(found.period - 64e-6) < 1e-18);

@@ -19,7 +19,7 @@ Parts wave(Eigen::Index rows, Eigen::Index columns, int kx, int ky) {
         const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(columns);
         const double y = (static_cast<double>(j) + 0.5) / static_cast<double>(rows);
         return (kx > 0 ? std::sqrt(2.0) : 1) * (ky > 0 ? std::sqrt(2.0) : 1) *
-               std::cos(numbers::pi_v<double> * kx * x) * std::cos(numbers::pi_v<double> * ky * y);
+               std::cos(std::numbers::pi_v<double> * kx * x) * std::cos(std::numbers::pi_v<double> * ky * y);
     });
 }
 

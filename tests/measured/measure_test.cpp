@@ -153,11 +153,11 @@ TEST_CASE("Concerns are reported each with its cause") {
     CHECK(has(measure(trace(30e-6), {.neighbours = false}), MeasuredConcern::implausible_gradient));
     auto ridges = trace();
     for (std::size_t i = 0; i < ridges.size(); ++i)
-        ridges.heights[i] += 2e-6 * std::sin(2 * numbers::pi_v<double> * static_cast<double>(i) / 100);
+        ridges.heights[i] += 2e-6 * std::sin(2 * std::numbers::pi_v<double> * static_cast<double>(i) / 100);
     CHECK(has(measure(ridges, {.neighbours = false}), MeasuredConcern::lay));
     auto waves = trace();
     for (std::size_t i = 0; i < waves.size(); ++i)
-        waves.heights[i] += 5e-6 * std::sin(2 * numbers::pi_v<double> * static_cast<double>(i) / 4096);
+        waves.heights[i] += 5e-6 * std::sin(2 * std::numbers::pi_v<double> * static_cast<double>(i) / 4096);
     CHECK(has(measure(waves, {.neighbours = false}), MeasuredConcern::long_waves));
     CHECK_FALSE(has(measure(waves, {.lambda_c = 0.25e-3, .neighbours = false}), MeasuredConcern::long_waves));
 }

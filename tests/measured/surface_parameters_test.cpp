@@ -643,7 +643,7 @@ TEST_CASE("A profile without a peak has every parameter but the density of peaks
     CHECK(found.why_no_density == "no peak");
     CHECK(found.find(Parameter::peak_density) == nullptr);
     // z'' = 2e-9/1e-12 1/m: R = 3 sqrt(pi)/(8 2000)
-    CHECK(test::relative_error(found.peak_radius.value, 3 * std::sqrt(numbers::pi_v<double>) / (8 * 2000)) < 1e-9);
+    CHECK(test::relative_error(found.peak_radius.value, 3 * std::sqrt(std::numbers::pi_v<double>) / (8 * 2000)) < 1e-9);
     CHECK(found.rms_height.value == rms_height(bowl));
     CHECK(found.rms_height.error > 0);
 }

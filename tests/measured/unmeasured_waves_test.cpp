@@ -95,7 +95,7 @@ TEST_CASE("sigma of the whole lies in the band of a piece, with and without a ro
                     const auto begin = whole.heights.begin() + from;
                     const Profile<double> part{{begin, begin + piece}, 1e-6};
                     of_profiles.add(parts::surface_parameters(parts::level(part, Form::line), quick()),
-                                    points * 1e-6 / numbers::sqrt2_v<double>, sigma);
+                                    points * 1e-6 / std::numbers::sqrt2_v<double>, sigma);
                 }
             }
             of_profiles.check(hurst, longest);

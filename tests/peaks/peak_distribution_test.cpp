@@ -122,7 +122,6 @@ TEST_CASE("exponential autocorrelation: 1 - r^2 = cot^2 theta") {
     const auto from_rho = PeakDistribution<double>::from_autocorrelation(rho, rho * rho);
     CHECK(test::ulps(PeakDistribution<double>::exponential(from_rho.theta()).r(), from_rho.r()) <= 20);
     CHECK_NOTHROW(PeakDistribution<float>::exponential(std::numbers::pi_v<float> / 3));
-    CHECK_NOTHROW(PeakDistribution<long double>::exponential(fstiff::numbers::pi_v<long double> / 4));
 }
 
 TEST_CASE("peaks of an isotropic surface: r = 1/sqrt(alpha), and the limit of a vanishing step") {

@@ -36,7 +36,7 @@ TEST_CASE("The autocorrelation by transform is that of direct sums over the pair
 }
 
 TEST_CASE("The autocorrelation of a cosine is a cosine, and falls to a fifth at acos(0.2)") {
-    const double pi = numbers::pi_v<double>;
+    const double pi = std::numbers::pi_v<double>;
     Profile<double> profile{std::vector<double>(100000), 1e-6};
     for (std::size_t i = 0; i < 100000; ++i) profile.heights[i] = 5 + std::cos(2 * pi * static_cast<double>(i) / 1000);
     const auto found = autocorrelation(profile);

@@ -213,11 +213,10 @@ TEST_CASE("Neither D nor G over the spacing depends on the unit of length") {
     }
 }
 
-TEMPLATE_TEST_CASE("Every scalar gives the same fit to its own precision", "", float, long double) {
-    using T = TestType;
+TEST_CASE("A profile in float gives the same fit to its precision") {
     const auto profile = random_walk(4000, 11);
     const auto fit = fit_fractal(profile);
-    Profile<T> other{{profile.heights.begin(), profile.heights.end()}, static_cast<T>(profile.spacing)};
+    Profile<float> other{{profile.heights.begin(), profile.heights.end()}, static_cast<float>(profile.spacing)};
     const auto same = fit_fractal(other);
     CHECK(test::relative_error(static_cast<double>(same.fractal.dimension), fit.fractal.dimension) < 1e-5);
     CHECK(test::relative_error(static_cast<double>(same.dimension_error), fit.dimension_error) < 1e-3);

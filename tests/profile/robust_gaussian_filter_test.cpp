@@ -33,7 +33,7 @@ Profile<double> damaged() {
 /// The definition, without transforms: weights to the farthest point, normal equations by a decomposition.
 std::vector<double> slow(const Profile<double>& profile, double cutoff, int order) {
     const std::size_t n = profile.size();
-    const double pi = numbers::pi_v<double>;
+    const double pi = std::numbers::pi_v<double>;
     double t = std::log(2.);  // exp(-t) = 1/2; of order 2 (1 + t) exp(-t) = 1/2, by Newton
     if (order == 2) {
         t = 1.7;

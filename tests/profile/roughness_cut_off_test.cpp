@@ -17,7 +17,7 @@ namespace {
 Profile<double> sine(double ra, double length, double step = 0.5e-6, double wave = 10e-6) {
     Profile<double> profile;
     profile.spacing = step;
-    const double pi = numbers::pi_v<double>;
+    const double pi = std::numbers::pi_v<double>;
     for (double x = 0; x < length * (1 - 1e-9); x += step)
         profile.heights.push_back(pi / 2 * ra * std::sin(2 * pi * x / wave));
     return profile;
@@ -41,7 +41,7 @@ TEST_CASE("A profile that is long enough has the lambda_c of its Ra") {
 TEST_CASE("Waviness does not lengthen lambda_c, roughness that Ra(lambda_c) shows does") {
     Profile<double> wavy = sine(0.05e-6, 8e-3);
     for (std::size_t i = 0; i < wavy.size(); ++i)
-        wavy.heights[i] += 20e-6 * std::sin(2 * numbers::pi_v<double> * static_cast<double>(i) / 16000);
+        wavy.heights[i] += 20e-6 * std::sin(2 * std::numbers::pi_v<double> * static_cast<double>(i) / 16000);
     CHECK(parts::roughness_cut_off(wavy, 2.5e-6).lambda_c == 0.25e-3);
 }
 

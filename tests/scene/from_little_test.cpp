@@ -63,7 +63,7 @@ TEST_CASE("Every name of height and gradient gives its number") {
     // Ra/Rq is 0.8, and RSm counts crossings
     const auto face = read("Ra = \"0.64 um\"\nRSm = \"40 um\"" + rest).face;
     CHECK(test::relative_error(face.parameters.rms_height.value, 0.8e-6) < 1e-15);
-    CHECK(test::relative_error(*face.rms_gradient, std::sqrt(2.0) * 2.3 * 2 * numbers::pi_v<double> * 0.8 / 40) <
+    CHECK(test::relative_error(*face.rms_gradient, std::sqrt(2.0) * 2.3 * 2 * std::numbers::pi_v<double> * 0.8 / 40) <
           1e-14);
     CHECK(read("Ra = \"0.64 um\"\nprocess = \"turned\"").face.parameters.rms_height.value == 0.64e-6 / 0.84);
     // across a lay a profile is between the gradient and its sqrt(2)th part

@@ -80,7 +80,7 @@ TEST_CASE("K of a smooth ball is that of Hertz, and R and D_p are not known: one
 TEST_CASE("A map of one bump has all parameters but R and D_p") {
     const json found = test::measured("", text_of(bump()));
     // 20 um exp(-r^2/(2 s^2)), s = 60 um, on L = 512 um: mean square less the square mean, less no plane
-    const double pi = numbers::pi_v<double>, L = 512e-6, s = 60e-6, mean = 2 * pi * s * s / L / L;
+    const double pi = std::numbers::pi_v<double>, L = 512e-6, s = 60e-6, mean = 2 * pi * s * s / L / L;
     const double sigma = 20e-6 * std::sqrt(pi * s * s / L / L - mean * mean);
     CHECK(std::abs(found["surface"]["rms_height"]["value"].get<double>() / sigma - 1) < 0.01);
     CHECK(found["no_peak_density"] == "one island");

@@ -5,6 +5,7 @@
 #include <fstiff/core/error.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -12,7 +13,7 @@
 namespace test {
 
 /// |computed - truth| / |truth|; |computed| where the truth is 0; infinity for NaN, so that no comparison lets it pass.
-template <fstiff::Real T>
+template <std::floating_point T>
 T relative_error(T computed, T truth) {
     const T difference = std::abs(computed - truth);
     const T error = truth == 0 ? difference : difference / std::abs(truth);
@@ -20,7 +21,7 @@ T relative_error(T computed, T truth) {
 }
 
 /// relative_error in units of epsilon.
-template <fstiff::Real T>
+template <std::floating_point T>
 T ulps(T computed, T truth) {
     return relative_error(computed, truth) / std::numeric_limits<T>::epsilon();
 }

@@ -4,7 +4,6 @@
 // particles, the sum of two faces, with waves as long as the map, and with a broad spectrum. They repeat themselves
 // over the unit square and have an rms gradient of 0.1. Of twice the size a map has twice the points and twice the
 // waves a side.
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -16,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -212,7 +212,7 @@ inline std::vector<MapKind> map_kinds(int size = 1) {
              },
              0.35)},
         {"milled", "machined",
-         of.machined([](double x) { return std::cos(20 * fstiff::numbers::pi_v<double> * x); }, 0.5)},
+         of.machined([](double x) { return std::cos(20 * std::numbers::pi_v<double> * x); }, 0.5)},
         {"two faces", "two faces",
          [of](Seed seed) { return Heights(of.map(8, 32, 0.8, seed) + 0.7 * of.map(8, 32, 0.5, seed + of.other)); }},
     };
@@ -256,7 +256,7 @@ inline std::vector<MapKind> more_map_kinds(int size = 1) {
         {"worn on rough", "two faces",
          [of](Seed seed) { return of.smooth(of.base(seed).min(0.1) + 0.5 * of.map(8, 32, 0.6, seed + of.other)); }},
         {"shaped", "machined",
-         of.machined([](double x) { return 2.2 * std::abs(std::sin(7 * fstiff::numbers::pi_v<double> * x)); }, 0.4)},
+         of.machined([](double x) { return 2.2 * std::abs(std::sin(7 * std::numbers::pi_v<double> * x)); }, 0.4)},
     };
 }
 

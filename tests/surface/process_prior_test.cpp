@@ -65,7 +65,7 @@ TEST_CASE("The gradient of a height alone is that of the process, less certain b
     for (const double height : {0.2, 1.0, 5.0})
         for (const double slope : {0.152 * std::pow(height, 0.4), 0.124 * std::pow(height, 0.743),
                                    0.076 * std::pow(height, 0.52), 0.125 * std::pow(height, 0.402)}) {
-            const double gradient = std::sqrt(numbers::pi_v<double>) * slope;
+            const double gradient = std::sqrt(std::numbers::pi_v<double>) * slope;
             CHECK(gradient > at(height * 1e-6).low);
             CHECK(gradient < at(height * 1e-6).high);
         }

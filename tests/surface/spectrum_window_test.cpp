@@ -13,7 +13,8 @@ TEST_CASE("Hann's window is half a cosine wave, symmetric, and of mean square 3/
     double square = 0;
     for (std::size_t i = 0; i < points; ++i) {
         const double weight = parts::window_weight<double>(SpectrumWindow::hann, i, points);
-        const double turn = 2 * numbers::pi_v<double> * (static_cast<double>(i) + 0.5) / static_cast<double>(points);
+        const double turn =
+            2 * std::numbers::pi_v<double> * (static_cast<double>(i) + 0.5) / static_cast<double>(points);
         CHECK(std::abs(weight - (1 - std::cos(turn)) / 2) < 1e-15);
         CHECK(std::abs(weight - parts::window_weight<double>(SpectrumWindow::hann, points - 1 - i, points)) < 1e-15);
         CHECK(parts::window_weight<double>(SpectrumWindow::none, i, points) == 1);

@@ -30,7 +30,7 @@ TEST_CASE("the peaks of two faces are those of the added spectra") {
     const BandSpectrum<double> a{1e3, 0.8, 1e4, 2e4, 4e6}, b{2e1, 0.5, 3e4, 3e4, 9e6};
     const auto sum = sum_of_faces(face_of(a, 0.9, 0.7), face_of(b, 0.8, 0.45));
     const double n1 = a.integral(1) + b.integral(1), n3 = a.integral(3) + b.integral(3),
-                 n5 = a.integral(5) + b.integral(5), pi = numbers::pi_v<double>;
+                 n5 = a.integral(5) + b.integral(5), pi = std::numbers::pi_v<double>;
     CHECK(test::relative_error(sum.roughness.rms_height, std::sqrt(2 * pi * n1)) < 1e-14);
     CHECK(test::relative_error(sum.roughness.peak_radius, 3 * std::sqrt(pi) / 8 / std::sqrt(0.75 * pi * n5)) < 1e-13);
     CHECK(test::relative_error(sum.roughness.peak_density, 0.75 * n5 / n3 / (6 * pi * std::sqrt(3.0))) < 1e-13);

@@ -179,14 +179,12 @@ TEST_CASE("A map turned, lifted or in another unit has the same statistics") {
                      parts::areal_statistics(HeightMap<double>{rounded.heights + 1.0, map.dx, map.dy})) <= 1e-13);
 }
 
-TEMPLATE_TEST_CASE("Every scalar has the same statistics", "", float, long double) {
-    using T = TestType;
+TEST_CASE("A map in float has the same statistics") {
     const auto map = gaussian(60, 50, 8e-6, 5);
-    const auto narrow = map.heights.template cast<T>().eval();
-    const auto s = parts::areal_statistics(HeightMap<T>{narrow, T(1e-6), T(1e-6)});
-    const auto truth =
-        parts::areal_statistics(HeightMap<double>{narrow.template cast<double>(), double(T(1e-6)), double(T(1e-6))});
-    const double allowed = std::max(1e-13, 10.0 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+    const auto narrow = map.heights.cast<float>().eval();
+    const auto s = parts::areal_statistics(HeightMap<float>{narrow, 1e-6f, 1e-6f});
+    const auto truth = parts::areal_statistics(HeightMap<double>{narrow.cast<double>(), double(1e-6f), double(1e-6f)});
+    const double allowed = 10.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
     CHECK(test::relative_error(static_cast<double>(s.m4), truth.m4) <= allowed);
     CHECK(test::relative_error(static_cast<double>(s.rms_height), truth.rms_height) <= allowed);
     CHECK(test::relative_error(static_cast<double>(s.nayak), truth.nayak) <= allowed);

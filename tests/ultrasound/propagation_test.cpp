@@ -4,6 +4,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/normal.hpp"
+#include "support/springs.hpp"
 
 #include <numbers>
 #include <random>
@@ -14,11 +15,11 @@ using namespace fstiff;
 
 namespace {
 
-using Real80 = long double;
+using test::Wide;
 
 /// f' by a six-point difference: truncation (1e-3)^6 of the scale of f, 1e-14 or so; rounding 1e-16.
 template <class F>
-Real80 difference(const F& f, Real80 at, Real80 h) {
+Wide difference(const F& f, Wide at, Wide h) {
     return (45 * (f(at + h) - f(at - h)) - 9 * (f(at + 2 * h) - f(at - 2 * h)) + (f(at + 3 * h) - f(at - 3 * h))) /
            (60 * h);
 }
@@ -31,9 +32,9 @@ TEST_CASE("dR/dK agrees with differences") {
     const double omega = 2 * std::numbers::pi * 7e6;
     for (const auto& media : pairs)
         for (double k = 1e12; k < 1e19; k *= 3.7) {
-            const Impedances<Real80> wide{media.incident, media.beyond};
-            const Real80 truth =
-                difference([&](Real80 x) { return reflection<Real80>(x, wide, Real80(omega)); }, k, Real80(1e-3) * k);
+            const Wide truth = difference(
+                [&](Wide x) { return std::abs(test::wide_reflection(x, media.incident, media.beyond, omega)); }, k,
+                1e-3L * k);
             INFO("K " << k << " z " << media.incident << " " << media.beyond);
             // the difference itself loses eps R/(K dR/dK): up to 1e-12 where R hardly changes
             CHECK(std::abs(parts::reflection_slope(k, media, omega) - static_cast<double>(truth)) * k <=
@@ -48,17 +49,17 @@ TEST_CASE("dK/dR agrees with differences and is the inverse of dR/dK") {
         const double welded = parts::welded_reflection(media);
         for (const double share : {0.01, 0.1, 0.5, 0.9, 0.99, 0.9999}) {
             const double r = welded + share * (1 - welded);
-            const Impedances<Real80> wide{media.incident, media.beyond};
-            const Real80 step = 1e-4L * std::min<Real80>(1 - Real80(r), Real80(r) - Real80(welded));
-            const Real80 truth = difference(
-                [&](Real80 x) { return stiffness_from_reflection<Real80>(x, wide, Real80(omega)); }, r, step);
+            const auto stiffness = [&](Wide x) { return test::wide_stiffness(x, media.incident, media.beyond, omega); };
+            const Wide step = 1e-4L * std::min(1 - Wide(r), Wide(r) - welded), truth = difference(stiffness, r, step);
             const auto k = parts::measured_stiffness(r, 0.01, media, omega);
             INFO("R " << r << " z " << media.incident << " " << media.beyond);
             // r + step is rounded to 1e-19, which the division by the step enlarges
             CHECK(test::relative_error(k.slope, static_cast<double>(truth)) <
                   1e-12 + 1e-18 / static_cast<double>(step));
-            const auto exact = parts::measured_stiffness<Real80>(r, 0.01L, wide, Real80(omega));
-            if (r > welded + 1e-3) CHECK(test::ulps(k.slope, static_cast<double>(exact.slope)) <= 16);
+            // ln K = ln(1 - R^2)/2 - ln(R^2 s^2 - d^2)/2 + ..., s the sum of the impedances, d their difference
+            const Wide s = Wide(media.incident) + media.beyond, d = Wide(media.incident) - media.beyond, x = r;
+            const Wide exact = -stiffness(x) * (x / ((1 - x) * (1 + x)) + x * s * s / ((x * s - d) * (x * s + d)));
+            if (r > welded + 1e-3) CHECK(test::ulps(k.slope, static_cast<double>(exact)) <= 16);
             // R in double moves by an ulp: its effect on the slopes is that over the distance to both ends
             const double loss = 1e-15 / std::min(1 - r, r - welded);
             CHECK(test::relative_error(k.slope * parts::reflection_slope(k.value, media, omega), 1.0) < 10 * loss);

@@ -22,9 +22,9 @@
 
 namespace fstiff::inline v0_1 {
 
-template <parts::ReadableReal T>
+template <Real T>
 class ContactLaw;
-template <parts::ReadableReal T>
+template <Real T>
 struct LawRange;
 
 /// A contact whose law is known by name only.

@@ -17,9 +17,9 @@
 /// Accuracy    16 ulp for k2/k1 >= 1e-4 (tests/asperity/elliptic_hertz_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
+#include <numbers>
 
 namespace fstiff::inline v0_1::parts {
 
@@ -51,7 +51,7 @@ template <Real T>
         geometric = std::sqrt(arithmetic * geometric);
         arithmetic = next;
     }
-    const T complete = numbers::pi_v<T> / (2 * arithmetic), d = complete * sum;
+    const T complete = std::numbers::pi_v<T> / (2 * arithmetic), d = complete * sum;
     return {complete - d, d};
 }
 
@@ -69,7 +69,7 @@ template <Real T>
         log_s = (std::min)(log_s - step, T(0));
         if (std::abs(step) < std::sqrt(std::numeric_limits<T>::epsilon()) * T(0.1)) break;
     }
-    const T s = std::exp(log_s), pi = numbers::pi_v<T>;
+    const T s = std::exp(log_s), pi = std::numbers::pi_v<T>;
     const auto [b, d] = associate_integrals(s);
     const T size = std::cbrt(4 / pi * std::sqrt(s * b * d));
     return {s, size, 2 / pi * std::sqrt(s) * (b + d) / size};
@@ -96,7 +96,7 @@ template <Real T>
     const HertzEllipse<T> ellipse = hertz_ellipse((std::min)(first, second) / (std::max)(first, second));
     const T radius = 1 / (std::sqrt(first) * std::sqrt(second)), f2 = ellipse.approach_factor;
     return {T(4) / 3 * std::sqrt(radius) / (f2 * std::sqrt(f2)),
-            numbers::pi_v<T> * radius * ellipse.size_factor * ellipse.size_factor / f2, ellipse.axis_ratio};
+            std::numbers::pi_v<T> * radius * ellipse.size_factor * ellipse.size_factor / f2, ellipse.axis_ratio};
 }
 
 }  // namespace fstiff::inline v0_1::parts

@@ -16,9 +16,9 @@
 ///             that (tests/asperity/fractal_asperity_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
+#include <numbers>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -29,7 +29,7 @@ template <Real T>
     require_positive("base_diameter", base_diameter);
     require(truncation_diameter >= 0 && truncation_diameter <= base_diameter, "truncation_diameter",
             truncation_diameter, "between 0 and the base diameter");
-    const T sine = std::sin(numbers::pi_v<T> / 2 * (truncation_diameter / base_diameter));
+    const T sine = std::sin(std::numbers::pi_v<T> / 2 * (truncation_diameter / base_diameter));
     return 2 * sine * sine;
 }
 
@@ -38,7 +38,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T fractal_stiffness_from_area(T area, T fractal_dimension) {
     require(area >= 0 && area <= (std::numeric_limits<T>::max)(), "area", area, "finite and not negative");
-    return 2 * parts::fractal_stiffness_factor(fractal_dimension) * numbers::inv_sqrtpi_v<T> * std::sqrt(area);
+    return 2 * parts::fractal_stiffness_factor(fractal_dimension) * std::numbers::inv_sqrtpi_v<T> * std::sqrt(area);
 }
 
 /// One asperity of base diameter l on a surface {D, G}.
@@ -50,7 +50,7 @@ public:
         parts::require_fractal_dimension(fractal.dimension);
         require_positive("fractal_roughness", fractal.roughness);
         require_positive("base_diameter", base_diameter);
-        constexpr T pi = numbers::pi_v<T>;
+        constexpr T pi = std::numbers::pi_v<T>;
         const T slenderness = std::pow(fractal.roughness / base_, fractal.dimension - 1);  // delta/l
         height_ = base_ * slenderness;
         radius_ = base_ / (4 * pi * pi * slenderness);
@@ -65,7 +65,7 @@ public:
     /// z at the distance \p x from the peak, eq. (3.1). \throws domain_error unless |x| <= l/2.
     [[nodiscard]] T profile(T x) const {
         require(std::abs(x) <= base_ / 2, "x", x, "at most half the base diameter away from the peak");
-        return height_ * std::cos(2 * numbers::pi_v<T> * (x / base_));
+        return height_ * std::cos(2 * std::numbers::pi_v<T> * (x / base_));
     }
 
     /// omega for the truncation diameter l_t, eq. (3.4). \throws domain_error unless 0 <= l_t <= l.
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] T truncation_diameter(T approach) const {
         // Rounding may put the sine just above 1 at omega = 2 delta.
         const T sine = (std::min)(T(1), std::sqrt(checked(approach) / height_ / 2));
-        return (std::min)(base_, base_ * (2 / numbers::pi_v<T> * std::asin(sine)));
+        return (std::min)(base_, base_ * (2 / std::numbers::pi_v<T> * std::asin(sine)));
     }
 
     /// Load/E [m^2] (3.7), stiffness/E [m] (3.14) and area [m^2] (3.11) by \p law at the approach omega.
@@ -126,25 +126,25 @@ public:
     }
     /// R, eq. (3.6)
     [[nodiscard]] T radius(T approach) const {
-        constexpr T pi = numbers::pi_v<T>;
+        constexpr T pi = std::numbers::pi_v<T>;
         const T base = base_diameter(approach);
         return held(base / (4 * pi * pi) * (base / (approach / share_)), approach);
     }
     /// W_e/E, eq. (3.8): Hertz's load (3.7) at the radius (3.6)
     [[nodiscard]] T load(T approach) const {
-        constexpr T pi = numbers::pi_v<T>;
+        constexpr T pi = std::numbers::pi_v<T>;
         return held(2 / (3 * pi) * std::sqrt(share_) * base_diameter(approach) * approach, approach);
     }
     /// k_n/E, eq. (3.10), the derivative of load
     [[nodiscard]] T stiffness(T approach) const {
-        constexpr T pi = numbers::pi_v<T>;
+        constexpr T pi = std::numbers::pi_v<T>;
         return held(
             parts::fractal_stiffness_factor(fractal_.dimension) / pi * std::sqrt(share_) * base_diameter(approach),
             approach);
     }
     /// a, eq. (3.12)
     [[nodiscard]] T area(T approach) const {
-        constexpr T pi = numbers::pi_v<T>;
+        constexpr T pi = std::numbers::pi_v<T>;
         const T base = base_diameter(approach);
         return held(share_ / (4 * pi) * base * base, approach);
     }

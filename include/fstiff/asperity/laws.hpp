@@ -16,8 +16,9 @@
 /// Valid       omega >= 0, R > 0, 1 < D < 2 (f diverges as D -> 2)
 /// Accuracy    4 ulp (tests/asperity/laws_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -65,7 +66,7 @@ public:
 
     [[nodiscard]] constexpr T load_factor() const { return load_factor_; }
     [[nodiscard]] constexpr T stiffness_factor() const { return stiffness_factor_; }
-    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
+    [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
     /// d ln load/dD and d ln stiffness/dD.
     [[nodiscard]] constexpr T log_load_slope() const { return load_slope_; }
     [[nodiscard]] constexpr T log_stiffness_slope() const { return stiffness_slope_; }

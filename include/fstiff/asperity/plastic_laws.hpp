@@ -18,7 +18,8 @@
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -50,14 +51,14 @@ public:
 
     /// Takes the hardness H and the effective modulus E [Pa]. \throws domain_error unless both are finite and positive.
     constexpr PlasticLaw(T hardness, T effective_modulus)
-        : hardness_(hardness), load_factor_(2 * numbers::pi_v<T> * (hardness / effective_modulus)) {
+        : hardness_(hardness), load_factor_(2 * std::numbers::pi_v<T> * (hardness / effective_modulus)) {
         require_positive("hardness", hardness);
         require_positive("effective_modulus", effective_modulus);
     }
 
     [[nodiscard]] constexpr T load_factor() const { return load_factor_; }
-    [[nodiscard]] static constexpr T stiffness_factor() { return 2 * numbers::sqrt2_v<T>; }
-    [[nodiscard]] static constexpr T area_factor() { return 2 * numbers::pi_v<T>; }
+    [[nodiscard]] static constexpr T stiffness_factor() { return 2 * std::numbers::sqrt2_v<T>; }
+    [[nodiscard]] static constexpr T area_factor() { return 2 * std::numbers::pi_v<T>; }
     /// d ln load/dD and d ln stiffness/dD: there is no D here.
     [[nodiscard]] static constexpr T log_load_slope() { return T(0); }
     [[nodiscard]] static constexpr T log_stiffness_slope() { return T(0); }
@@ -104,7 +105,8 @@ struct UnloadsElastically {
         return each(omega, [&](auto w) {
             using T = decltype(w);
             using std::sqrt;
-            return 2 * sqrt(static_cast<const Derived&>(*this).area_of(w, static_cast<T>(radius)) / numbers::pi_v<T>);
+            return 2 *
+                   sqrt(static_cast<const Derived&>(*this).area_of(w, static_cast<T>(radius)) / std::numbers::pi_v<T>);
         });
     }
     template <class Omega, class Radius>
@@ -148,7 +150,7 @@ public:
         material.validate();
         const T C = T(1.295) * std::exp(T(0.736) * material.poisson_ratio);
         const T yield = material.yield_strength / material.effective_modulus;
-        critical_strain_ = numbers::pi_v<T> * C * yield / 2;
+        critical_strain_ = std::numbers::pi_v<T> * C * yield / 2;
         hardness_factor_ = 4 / C;
         exponent_ = T(0.14) * std::exp(23 * yield);
     }
@@ -161,7 +163,7 @@ public:
     [[nodiscard]] static constexpr std::array<T, 1> kinks() { return {begin}; }
 
     [[nodiscard]] T area_of(T omega, T radius) const {
-        const T s = omega / critical(radius), sphere = numbers::pi_v<T> * radius * omega;
+        const T s = omega / critical(radius), sphere = std::numbers::pi_v<T> * radius * omega;
         return s < begin ? sphere : sphere * std::pow(s / begin, exponent_);
     }
     /// Load over E.
@@ -169,9 +171,9 @@ public:
         const T s = omega / critical(radius);
         if (s < begin) return T(4) / 3 * omega * std::sqrt(radius * omega);
         const T critical_load = T(4) / 3 * radius * radius * critical_strain_ * critical_strain_ * critical_strain_;
-        const T a_over_R = std::sqrt(area_of(omega, radius) / numbers::pi_v<T>) / radius;
+        const T a_over_R = std::sqrt(area_of(omega, radius) / std::numbers::pi_v<T>) / radius;
         const T hardness = hardness_law_ == parts::HardnessLaw::cosine
-                               ? T(2.84) - T(0.92) * (1 - std::cos(numbers::pi_v<T> * a_over_R))
+                               ? T(2.84) - T(0.92) * (1 - std::cos(std::numbers::pi_v<T> * a_over_R))
                                : T(2.84) * -std::expm1(T(-0.82) * std::pow(a_over_R, T(-0.7)));
         return critical_load * (std::exp(-std::pow(s, T(5) / 12) / 4) * s * std::sqrt(s) -
                                 hardness_factor_ * hardness * std::expm1(-std::pow(s, T(5) / 9) / 25) * s);
@@ -197,7 +199,7 @@ public:
         material.validate();
         k_ = T(0.454) + T(0.41) * material.poisson_ratio;
         hard_ = material.hardness_or_default() / material.effective_modulus;
-        critical_strain_ = numbers::pi_v<T> * k_ * hard_ / 2;
+        critical_strain_ = std::numbers::pi_v<T> * k_ * hard_ / 2;
     }
 
     /// omega_c [m] of the radius \p radius [m]; the law jumps at kinks() times it.
@@ -208,7 +210,7 @@ public:
     [[nodiscard]] static constexpr std::array<T, 3> kinks() { return {T(1), T(6), T(110)}; }
 
     [[nodiscard]] T area_of(T omega, T radius) const {
-        const T s = omega / critical(radius), unit = numbers::pi_v<T> * radius * critical(radius);
+        const T s = omega / critical(radius), unit = std::numbers::pi_v<T> * radius * critical(radius);
         if (s < 1) return unit * s;
         if (s < 6) return unit * T(0.93) * std::pow(s, T(1.136));
         if (s < 110) return unit * T(0.94) * std::pow(s, T(1.146));
@@ -217,7 +219,7 @@ public:
     /// Load over E.
     [[nodiscard]] T load_of(T omega, T radius) const {
         const T omega_c = critical(radius), s = omega / omega_c;
-        const T unit = T(2) / 3 * k_ * hard_ * numbers::pi_v<T> * radius * omega_c;
+        const T unit = T(2) / 3 * k_ * hard_ * std::numbers::pi_v<T> * radius * omega_c;
         if (s < 1) return unit * s * std::sqrt(s);
         if (s < 6) return unit * T(1.03) * std::pow(s, T(1.425));
         if (s < 110) return unit * T(1.40) * std::pow(s, T(1.263));

@@ -56,23 +56,21 @@ template <Real T>
 template <Real T>
 class PeakIntegrator {
 public:
-    using S = math::Tabulated<T>;
-
     /// \throws domain_error for a tolerance out of its range.
     PeakIntegrator(const detail::PowerSet& minus_two_b, const PeakDistribution<T>& peaks, T tolerance)
         : minus_two_b_(minus_two_b),
           tolerance_(checked(tolerance)),
           // few nodes: the fitted steps scatter more
-          log_accuracy_(static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0))),
-          problem_(peaks, S(0), log_accuracy_ + 5),
-          sums_(problem_, minus_two_b, static_cast<S>(tolerance)) {}
+          log_accuracy_(static_cast<double>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0))),
+          problem_(peaks, 0.0, log_accuracy_ + 5),
+          sums_(problem_, minus_two_b, static_cast<double>(tolerance)) {}
 
     /// Integral for a = i/2, without exp(log_scale_at(eta)). \throws domain_error unless |eta| <= 1e6.
     std::array<Estimate<T>, 4> operator()(T eta) {
         require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
-        problem_.move_to(static_cast<S>(eta));
+        problem_.move_to(static_cast<double>(eta));
         sums_.clear();
-        const detail::PeakSums<S> sums = sums_.result(detail::visit_nodes(problem_, log_accuracy_, sums_));
+        const detail::PeakSums<double> sums = sums_.result(detail::visit_nodes(problem_, log_accuracy_, sums_));
         const T floor = (std::max)(eta, T(0));
         std::array<Estimate<T>, 4> of_power{};
         // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error
@@ -98,9 +96,9 @@ private:
 
     detail::PowerSet minus_two_b_;
     T tolerance_;
-    S log_accuracy_;
-    detail::PeakProblem<S> problem_;
-    detail::PeakAccumulator<S> sums_;
+    double log_accuracy_;
+    detail::PeakProblem<double> problem_;
+    detail::PeakAccumulator<double> sums_;
 };
 
 /// The contact integrals of one density of peaks, at separation after separation: less work for each than by the

@@ -39,7 +39,7 @@ inline void require_same_size(Eigen::Index a, Eigen::Index b) {
 
 /// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
 /// where fewer are left, so that a result does not depend on the place of its element; the others go through \p one.
-template <class Pieces, parts::ReadableReal T, std::size_t N, class FourAt, class OneAt>
+template <class Pieces, Real T, std::size_t N, class FourAt, class OneAt>
 void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                const FourAt& four, const OneAt& one) {
     const auto put = [&out](Eigen::Index i, const std::array<T, N>& value) {
@@ -76,7 +76,7 @@ void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x
     }
 }
 
-template <parts::ReadableReal T>
+template <Real T>
 void require_range(const LawRange<T>& range) {
     require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
             "finite and greater than 0, and no denormal number");
@@ -87,7 +87,7 @@ void require_range(const LawRange<T>& range) {
 }  // namespace detail
 
 /// p(d), K(d) and d(p), K(p) of a contact from tables, in nanoseconds. Threads may share one.
-template <parts::ReadableReal T = double>
+template <Real T = double>
 class ContactLaw {
 public:
     struct AtSeparation {
@@ -366,7 +366,7 @@ private:
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
 };
 
-template <parts::ReadableReal T>
+template <Real T>
 template <Contact<T> Model>
 ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
     detail::require_range(range);

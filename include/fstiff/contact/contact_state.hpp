@@ -8,9 +8,9 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
 
+#include <numbers>
 #include <optional>
 
 namespace fstiff::inline v0_1 {
@@ -106,8 +106,7 @@ struct StateOrRefusal {
 /// The refusal that require() would throw.
 template <Real T>
 [[nodiscard]] FSTIFF_COLD domain_error refusal_of(std::string_view parameter, T value, std::string_view allowed) {
-    using Shown = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
-    const std::string shown = rounded_text(static_cast<Shown>(value), std::numeric_limits<T>::digits10);
+    const std::string shown = rounded_text(static_cast<double>(value), std::numeric_limits<T>::digits10);
     return domain_error(Refusal{.parameter = parameter, .value = shown, .allowed = allowed});
 }
 
@@ -173,7 +172,7 @@ template <Real T>
     const T low = std::log(pressure) + search.log_lowest, high = std::log(pressure) + search.log_highest;
     if (!std::isfinite(low) || !std::isfinite(high))
         return refusal_of("pressure", pressure, "possible for the scales of this surface");
-    const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / numbers::ln10_v<T>)); };
+    const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / std::numbers::ln10_v<T>)); };
     return refusal_of("pressure", pressure,
                       "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law");
 }

@@ -13,8 +13,9 @@
 ///             (tests/contact/gradient_spectrum_test.cpp)
 
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -35,7 +36,7 @@ struct GradientPiece {
 template <class S, Real T>
 std::vector<GradientPiece<S>> gradient_pieces(const BandSpectrum<T>& band) {
     band.validate();
-    const S C0 = band.C0, H = band.hurst, q1 = band.q1, qr = band.q_rolloff, q2 = band.q2, pi = numbers::pi_v<S>;
+    const S C0 = band.C0, H = band.hurst, q1 = band.q1, qr = band.q_rolloff, q2 = band.q2, pi = std::numbers::pi_v<S>;
     std::vector<GradientPiece<S>> pieces;
     S from = 0;
     if (qr > q1) {  // G^2 = (pi/2) C (q^4 - q1^4)

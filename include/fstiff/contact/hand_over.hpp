@@ -40,7 +40,7 @@ public:
     [[nodiscard]] T operator()(T pressure, const Peaks& peaks, const Crowded& crowded) const {
         const T beyond = std::log(pressure) - log_pressure_;
         if (beyond > 0) return crowded() * std::exp(log_jump_ * (std::max)(T(0), 1 - beyond / std::log(T(8))));
-        return peaks() * std::exp(log_ratio(-beyond / numbers::ln2_v<T>));
+        return peaks() * std::exp(log_ratio(-beyond / std::numbers::ln2_v<T>));
     }
 
     /// That of a surface \p factor times as high, of \p peaks, with the same ratios; its crowded contact has the same K
@@ -106,7 +106,7 @@ template <Real T>
         }
     }
     for (int k = 1; k <= 12; ++k) {
-        const T log_pressure = low - T(k) * numbers::ln2_v<T>;
+        const T log_pressure = low - T(k) * std::numbers::ln2_v<T>;
         const auto state = alone.at_pressure(std::exp(log_pressure), Quantity::contact_density);
         if (state.contact_density.value * alone.area() < 2) break;
         try {

@@ -24,13 +24,13 @@
 namespace fstiff::inline v0_1::detail {
 
 /// The state of a law at one pressure.
-template <parts::ReadableReal T>
+template <Real T>
 struct LawPoint {
     T separation{};  ///< [m]
     T stiffness{};   ///< K [Pa/m]
 };
 
-template <parts::ReadableReal T>
+template <Real T>
 class KinkedTabulator {
 public:
     /// The state at a pressure; the separation is left out where the second argument is false.

@@ -203,7 +203,7 @@ private:
         const auto integrand = [&](const TensorLanes<T>& e) -> TensorLanes<T> {
             if (gaussian)
                 return f(e) * ((floor * floor - (eta + e).square()) / 2).exp() *
-                       (numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>);
+                       (std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>);
             return f(e) * (floor - (eta + e)).exp();
         };
         const T reach = gaussian

@@ -19,7 +19,6 @@
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/estimate.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 

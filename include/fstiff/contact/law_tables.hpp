@@ -151,7 +151,7 @@ enum class OutsideRange {
 };
 
 /// Range of pressures of a tabulated law.
-template <parts::ReadableReal T = double>
+template <Real T = double>
 struct LawRange {
     T min_pressure{};  ///< [Pa]
     T max_pressure{};  ///< [Pa]
@@ -160,7 +160,7 @@ struct LawRange {
 
 namespace detail {
 
-template <parts::ReadableReal T>
+template <Real T>
 struct LawTables {
     struct Whole {
         T pressure, stiffness, slope;

@@ -24,7 +24,7 @@
 namespace fstiff::inline v0_1::detail {
 
 /// The work of ContactLaw::tabulate, in the order of its functions.
-template <parts::ReadableReal T, class Contact>
+template <Real T, class Contact>
 class LawTabulator {
 public:
     LawTabulator(const Contact& contact, T min_pressure, T max_pressure) : contact_(contact) {
@@ -283,7 +283,7 @@ private:
 
 /// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not
 /// monotone or off by more than 1e-3.
-template <parts::ReadableReal T, class Contact>
+template <Real T, class Contact>
 [[nodiscard]] LawTables<T> tables_of(const Contact& contact, T min_pressure, T max_pressure) {
     if (!parts::has_kinks(contact)) {
         auto made = LawTabulator<T, Contact>(contact, min_pressure, max_pressure).tabulate();

@@ -19,7 +19,7 @@
 
 namespace fstiff::inline v0_1::detail {
 
-template <parts::ReadableReal T>
+template <Real T>
 [[nodiscard]] std::string law_text_head(int version) {
     return "fstiff contact law " + std::to_string(version) + ' ' + std::to_string(sizeof(T));
 }
@@ -33,12 +33,12 @@ template <parts::ReadableReal T>
     return {digits, std::to_chars(digits, digits + sizeof digits, sum, 16).ptr};
 }
 
-template <parts::ReadableReal T>
+template <Real T>
 [[nodiscard]] std::array<T, 6> numbers_of(const Parabola<T>& at) {
     return {at.separation, at.pressure, at.slope, at.bend, at.stiffness, at.stiffness_per_fall};
 }
 /// True if \p pieces are a table from \p law.min_pressure to max_pressure, with p and -d rising all the way.
-template <parts::ReadableReal T>
+template <Real T>
 [[nodiscard]] bool is_table(const std::vector<Parabola<T>>& pieces, const LawTables<T>& law, T closest, T furthest) {
     if (pieces.front().pressure != law.min_pressure || pieces.back().pressure != law.max_pressure ||
         pieces.front().separation != furthest || pieces.back().separation != closest)
@@ -51,7 +51,7 @@ template <parts::ReadableReal T>
     return true;
 }
 
-template <parts::ReadableReal T>
+template <Real T>
 [[nodiscard]] std::string law_text(const LawTables<T>& law) {
     const bool kinked = !law.kinked.empty();
     std::string text = law_text_head<T>(kinked ? 5 : law.has_own_stiffness() ? 4 : 3) + '\n';
@@ -75,7 +75,7 @@ template <parts::ReadableReal T>
 }
 
 /// Reads the text of law_text, number after number.
-template <parts::ReadableReal T>
+template <Real T>
 class LawTextReader {
 public:
     explicit LawTextReader(std::string_view text) : text_(text) {}

@@ -16,7 +16,8 @@
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/estimate.hpp>
-#include <fstiff/core/numbers.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::parts {
 
@@ -44,7 +45,7 @@ public:
     template <class Omega>
     [[nodiscard]] auto area(const Omega& omega, T radius) const {
         return each(omega, [&](T w) {
-            return law_.load(w, radius) * (std::sqrt(law_.area(w, radius) / numbers::pi_v<T>) / radius);
+            return law_.load(w, radius) * (std::sqrt(law_.area(w, radius) / std::numbers::pi_v<T>) / radius);
         });
     }
     [[nodiscard]] T critical(T radius) const requires requires(const Law& law) { law.critical(radius); }

@@ -16,9 +16,10 @@
 /// Accuracy    see contact_integrals.hpp
 
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -28,7 +29,7 @@ struct PeakProblem {
     T r, theta, eta{};
     T log_cutoff;  ///< -log of what may be neglected
     T c = std::sqrt((1 - r) * (1 + r));
-    T k = std::tan(theta) / numbers::sqrt2_v<T>;
+    T k = std::tan(theta) / std::numbers::sqrt2_v<T>;
     T floor{};  ///< max(eta, 0): exp(-floor^2/2) is taken out of every node, the rest is of order 1
     T reach = std::sqrt(2 * log_cutoff);  ///< exp(-reach^2/2) may be neglected
 

@@ -8,9 +8,10 @@
 
 #include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -47,7 +48,7 @@ template <Real T>
 detail::PeakSums<T> finish(const std::array<math::Lanes<T, 4>, 8>& sums, const math::Lanes<T, 4>& first,
                            const math::Lanes<T, 4>& last, T step, int nodes) {
     using V = math::Lanes<T, 4>;
-    const V half_root = V::all(numbers::sqrt2_v<T> / 2);
+    const V half_root = V::all(std::numbers::sqrt2_v<T> / 2);
     std::array<V, 4> odd, even;
     for (std::size_t i = 0; i < 4; ++i) {
         odd[i] = sums[i] - sums[i + 4];
@@ -94,7 +95,7 @@ PowerSet one_power(T a, T b) {
 
 /// erf(k t) at the nodes.
 template <Real T>
-EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const math::ErfPolynomials<T>& by, T* out) {
+EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const math::ErfPolynomials& by, T* out) {
     using V = math::Lanes<T, 8>;
     for (int i = 0; i < nodes.size(); i += 8) {
         const T* t = nodes.t() + i;
@@ -110,8 +111,8 @@ public:
 
     PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b, T tolerance)
         : k_(problem.k),
-          rough_(tolerance > T(10 * math::MomentTable<T>::cut[rough_terms])),
-          by_(math::ErfPolynomials<T>::for_tolerance(static_cast<double>(tolerance))) {
+          rough_(tolerance > T(10 * math::MomentTable::cut[rough_terms])),
+          by_(math::ErfPolynomials::for_tolerance(static_cast<double>(tolerance))) {
         alignas(32) static constexpr T unit[4][4]{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
         for (std::size_t b = 0; b < 3; ++b) {  // in registers: a vector of what has just been stored one by one is slow
             share_[b] = V::all(T(0));
@@ -135,11 +136,11 @@ public:
             erf_table_ = nodes.table();
             erf_size_ = nodes.size();
         }
-        rough_ ? add_by<rough_terms>(nodes) : add_by<math::MomentTable<T>::terms>(nodes);
+        rough_ ? add_by<rough_terms>(nodes) : add_by<math::MomentTable::terms>(nodes);
     }
 
     /// Relative error of the shorter polynomials.
-    [[nodiscard]] T cut() const { return rough_ ? T(math::MomentTable<T>::cut[rough_terms] + by_.error) : T(0); }
+    [[nodiscard]] T cut() const { return rough_ ? T(math::MomentTable::cut[rough_terms] + by_.error) : T(0); }
     PeakSums<T> result(T step) const { return parts::finish(sums_, first_, last_, step, count_); }
 
 private:
@@ -167,7 +168,7 @@ private:
 
     T k_;
     bool rough_;  ///< by the shorter polynomials
-    math::ErfPolynomials<T> by_;
+    math::ErfPolynomials by_;
     int count_ = 0, erf_size_ = 0;
     const T* erf_table_ = nullptr;  ///< of the nodes at which erf_ was computed
     std::array<V, 3> share_;        ///< 1 where b = 0, -1/2, -1

@@ -85,18 +85,16 @@ struct PerssonStiffness {
 /// Persson's theory: the contact of a surface with a known spectrum.
 template <Real T = double>
 class PerssonContact : public detail::SlopeContact<PerssonContact<T>, T> {
-    using S = math::Tabulated<T>;
-
 public:
     /// Takes a spectrum and the effective modulus [Pa]. \throws domain_error naming the parameter that is out of range.
     PerssonContact(const BandSpectrum<T>& spectrum, std::type_identity_t<T> effective_modulus,
                    std::type_identity_t<T> gamma = T(0.45), std::type_identity_t<T> closing = T(0.25))
-        : PerssonContact(detail::gradient_pieces<S>(spectrum), spectrum.rms_height(), effective_modulus, gamma,
+        : PerssonContact(detail::gradient_pieces<double>(spectrum), spectrum.rms_height(), effective_modulus, gamma,
                          closing) {}
     PerssonContact(const SpectrumShells<T>& spectrum, std::type_identity_t<T> effective_modulus,
                    std::type_identity_t<T> gamma = T(0.45), std::type_identity_t<T> closing = T(0.25))
-        : PerssonContact(detail::gradient_pieces<S>(spectrum), spectrum.rms_height, effective_modulus, gamma, closing) {
-    }
+        : PerssonContact(detail::gradient_pieces<double>(spectrum), spectrum.rms_height, effective_modulus, gamma,
+                         closing) {}
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive and at most largest_compared_pressure().
@@ -129,30 +127,30 @@ public:
     /// \throws domain_error unless it is positive and at most 18 E g.
     [[nodiscard]] T stiffness(T pressure) const {
         require_reach(pressure);
-        return static_cast<T>(static_cast<S>(pressure) / (root_2_over_pi() * sums(pressure).value));
+        return static_cast<T>(static_cast<double>(pressure) / (root_2_over_pi() * sums(pressure).value));
     }
 
     /// K [Pa/m] and dK/dp [1/m]. \throws domain_error as stiffness.
     [[nodiscard]] detail::PerssonStiffness<T> stiffness_and_slope(T pressure) const {
         require_reach(pressure);
         const Sums j = sums(pressure);
-        const S K = static_cast<S>(pressure) / (root_2_over_pi() * j.value);
-        return {static_cast<T>(K), static_cast<T>(K / static_cast<S>(pressure) * (1 - j.log_slope))};
+        const double K = static_cast<double>(pressure) / (root_2_over_pi() * j.value);
+        return {static_cast<T>(K), static_cast<T>(K / static_cast<double>(pressure) * (1 - j.log_slope))};
     }
 
     /// The separation of the mean planes under \p pressure [Pa]: above 0 at every pressure.
     /// \throws domain_error as stiffness.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         require_reach(pressure);
-        const S x = static_cast<S>(pressure) / static_cast<S>(modulus_), root_2 = std::sqrt(S(2));
-        S sum = 0;
+        const double x = static_cast<double>(pressure) / static_cast<double>(modulus_), root_2 = std::sqrt(2.0);
+        double sum = 0;
         int evaluations = 0;
         if (2 * x > gradient_) {
-            directly(x, [&](S gradient, S weight) {
+            directly(x, [&](double gradient, double weight) {
                 sum += weight * detail::persson_distance(root_2 * x / gradient, energy_);
             });
         } else {
-            const S last = last_y(x);
+            const double last = last_y(x);
             for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last; ++i, evaluations += 32)
                 sum += weight_[i] * detail::persson_distance(root_2 * x * inverse_[i], energy_);
         }
@@ -197,11 +195,12 @@ public:
     }
 
 private:
-    PerssonContact(std::vector<detail::GradientPiece<S>> pieces, T rms_height, T effective_modulus, T gamma, T closing)
+    PerssonContact(std::vector<detail::GradientPiece<double>> pieces, T rms_height, T effective_modulus, T gamma,
+                   T closing)
         : modulus_(effective_modulus),
           gamma_(gamma),
           rms_height_(rms_height),
-          energy_(detail::persson_energy(static_cast<S>(gamma), static_cast<S>(closing))),
+          energy_(detail::persson_energy(static_cast<double>(gamma), static_cast<double>(closing))),
           gradient_(pieces.back().to),
           pieces_(std::move(pieces)) {
         require_positive("effective_modulus", effective_modulus);
@@ -214,11 +213,11 @@ private:
     static constexpr int panels = 60;          ///< octaves of G below g
     static constexpr T error_of_K = 64 * std::numeric_limits<T>::epsilon();
 
-    static S root_2_over_pi() { return std::sqrt(2 / numbers::pi_v<S>); }
+    static double root_2_over_pi() { return std::sqrt(2 / std::numbers::pi); }
     [[nodiscard]] int nodes() const { return static_cast<int>(inverse_.size()); }
 
     /// x/G from which on f is 1e-26 of its value at g.
-    [[nodiscard]] S last_y(S x) const { return std::sqrt(x / gradient_ * (x / gradient_) + 30); }
+    [[nodiscard]] double last_y(double x) const { return std::sqrt(x / gradient_ * (x / gradient_) + 30); }
 
     void require_reach(T pressure) const {
         require_positive("pressure", pressure);
@@ -228,31 +227,31 @@ private:
 
     /// Integrates the spectrum against the Lagrange polynomials of each panel.
     void make_panels() {
-        const auto& rule = math::GaussLegendre<S, points>::get();
-        const S log_2 = std::log(S(2));
-        std::array<S, points> scale;  // of the Lagrange polynomials
+        const auto& rule = math::GaussLegendre<double, points>::get();
+        const double log_2 = std::log(2.0);
+        std::array<double, points> scale;  // of the Lagrange polynomials
         for (std::size_t j = 0; j < points; ++j) {
             scale[j] = 1;
             for (std::size_t k = 0; k < points; ++k)
                 if (k != j) scale[j] /= rule.node[j] - rule.node[k];
         }
-        weight_.assign(points * panels, S(0));
+        weight_.assign(points * panels, 0.0);
         inverse_.resize(points * panels);
-        S total = 0;
+        double total = 0;
         for (std::size_t panel = 0; panel < panels; ++panel) {
-            const S top = std::ldexp(gradient_, -static_cast<int>(panel)), bottom = top / 2;
+            const double top = std::ldexp(gradient_, -static_cast<int>(panel)), bottom = top / 2;
             for (std::size_t j = 0; j < points; ++j)  // G falls, so that x = p/(E G) ascends
                 inverse_[panel * points + j] = std::exp2((1 + rule.node[j]) / 2) / top;
             for (const auto& piece : pieces_) {
-                const S from = (std::max)(piece.from, bottom), to = (std::min)(piece.to, top);
+                const double from = (std::max)(piece.from, bottom), to = (std::min)(piece.to, top);
                 if (!(from < to)) continue;
                 for (std::size_t i = 0; i < points; ++i) {
-                    const S u = (1 + rule.node[i]) / 2 * std::log(to / from), gradient = from * std::exp(u);
-                    const S mass = rule.weight[i] / 2 * std::log(to / from) * gradient * piece.inverse_q(gradient);
-                    const S t = 2 * std::log(top / gradient) / log_2 - 1;
+                    const double u = (1 + rule.node[i]) / 2 * std::log(to / from), gradient = from * std::exp(u);
+                    const double mass = rule.weight[i] / 2 * std::log(to / from) * gradient * piece.inverse_q(gradient);
+                    const double t = 2 * std::log(top / gradient) / log_2 - 1;
                     total += mass;
                     for (std::size_t j = 0; j < points; ++j) {
-                        S lagrange = scale[j];
+                        double lagrange = scale[j];
                         for (std::size_t k = 0; k < points; ++k)
                             if (k != j) lagrange *= t - rule.node[k];
                         weight_[panel * points + j] += mass * lagrange;
@@ -260,82 +259,82 @@ private:
                 }
             }
         }
-        light_load_length_ = static_cast<T>(root_2_over_pi() * static_cast<S>(gamma_) * total);
+        light_load_length_ = static_cast<T>(root_2_over_pi() * static_cast<double>(gamma_) * total);
     }
 
     /// sink(G, weight) over the spectrum in panels of its own, short where exp(-2 (x/G)^2) falls quickly, from the top
     /// down. Four points are as good as sixteen in a panel ten times shorter than that: most shells of a map are.
     template <class Sink>
-    void directly(S x, const Sink& sink) const {
-        const auto part = [&](const auto& piece, S from, S to, const auto& rule) {
+    void directly(double x, const Sink& sink) const {
+        const auto part = [&](const auto& piece, double from, double to, const auto& rule) {
             for (std::size_t i = 0; i < rule.node.size(); ++i) {
-                const S gradient = (from + to) / 2 + (to - from) / 2 * rule.node[i];
+                const double gradient = (from + to) / 2 + (to - from) / 2 * rule.node[i];
                 sink(gradient, rule.weight[i] * (to - from) / 2 * piece.inverse_q(gradient));
             }
         };
-        const S least = x / last_y(x);
+        const double least = x / last_y(x);
         for (auto piece = pieces_.rbegin(); piece != pieces_.rend() && piece->to > least; ++piece)
-            for (S to = piece->to; to > piece->from && to > least;) {
-                const S ratio = x / to, length = (std::min)(S(0.5), 1 / (1 + ratio * ratio));
-                const S from = (std::max)(piece->from, to * std::exp(-length));
+            for (double to = piece->to; to > piece->from && to > least;) {
+                const double ratio = x / to, length = (std::min)(0.5, 1 / (1 + ratio * ratio));
+                const double from = (std::max)(piece->from, to * std::exp(-length));
                 if (to - from < length / 10 * to)
-                    part(*piece, from, to, math::GaussLegendre<S, 4>::get());
+                    part(*piece, from, to, math::GaussLegendre<double, 4>::get());
                 else
-                    part(*piece, from, to, math::GaussLegendre<S, points>::get());
+                    part(*piece, from, to, math::GaussLegendre<double, points>::get());
                 to = from;
             }
     }
 
     struct Sums {
-        S value;      ///< int f(p/(E G)) dG/q [m]
-        S log_slope;  ///< d ln value/d ln p
+        double value;      ///< int f(p/(E G)) dG/q [m]
+        double log_slope;  ///< d ln value/d ln p
     };
 
     [[nodiscard]] Sums sums(T pressure) const {
-        using V = math::Lanes<S, 8>;
-        const S x = static_cast<S>(pressure) / static_cast<S>(modulus_), root_2 = std::sqrt(S(2));
-        const S dP = 2 * root_2 / std::sqrt(numbers::pi_v<S>);  // dP/dx = dP exp(-2 x^2)
-        const auto erf = math::ErfPolynomials<S>::for_tolerance(0);
+        using V = math::Lanes<double, 8>;
+        const double x = static_cast<double>(pressure) / static_cast<double>(modulus_), root_2 = std::sqrt(2.0);
+        const double dP = 2 * root_2 / std::sqrt(std::numbers::pi);  // dP/dx = dP exp(-2 x^2)
+        const auto erf = math::ErfPolynomials::for_tolerance(0);
         const detail::PerssonEnergy<V> energy{V::all(energy_.gamma), V::all(energy_.square), V::all(energy_.late)};
-        V values = V::all(S(0)), slopes = V::all(S(0));
-        const auto add = [&](const V& y, const V& weight, S least, S most) {
-            const V fall = exp(V::all(S(-2)) * y * y);
+        V values = V::all(0.0), slopes = V::all(0.0);
+        const auto add = [&](const V& y, const V& weight, double least, double most) {
+            const V fall = exp(V::all(-2.0) * y * y);
             const V P = math::erf_ascending(V::all(root_2) * y, root_2 * least, root_2 * most, erf);
             const V bracket = energy.value(P);
-            const V change = multiply_add(energy.slope(P) * V::all(dP), fall, V::all(S(-4)) * y * bracket);
+            const V change = multiply_add(energy.slope(P) * V::all(dP), fall, V::all(-4.0) * y * bracket);
             values = multiply_add(weight * fall, bracket, values);
             slopes = multiply_add(weight * fall * y, change, slopes);
         };
         if (2 * x > gradient_) {
-            alignas(64) std::array<S, 8> ys, weights;
+            alignas(64) std::array<double, 8> ys, weights;
             std::size_t count = 0;
-            const auto take = [&](S y, S weight) {
+            const auto take = [&](double y, double weight) {
                 ys[count] = y, weights[count] = weight;
                 if (++count < 8) return;
                 const auto [least, most] = std::minmax_element(ys.begin(), ys.end());
                 add(V::load(ys.data()), V::load(weights.data()), *least, *most);
                 count = 0;
             };
-            directly(x, [&](S gradient, S weight) { take(x / gradient, weight); });
-            while (count > 0) take(ys[0], S(0));
+            directly(x, [&](double gradient, double weight) { take(x / gradient, weight); });
+            while (count > 0) take(ys[0], 0.0);
         } else {
-            const S last = last_y(x);
+            const double last = last_y(x);
             for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last; i += 8)
                 add(V::all(x) * V::load(&inverse_[i]), V::load(&weight_[i]), x * inverse_[i], x * inverse_[i + 7]);
         }
-        alignas(64) std::array<S, 8> v, s;
+        alignas(64) std::array<double, 8> v, s;
         values.store(v.data());
         slopes.store(s.data());
-        S value = 0, slope = 0;
+        double value = 0, slope = 0;
         for (std::size_t i = 0; i < 8; ++i) value += v[i], slope += s[i];
         return {value, slope / value};
     }
 
     T modulus_, gamma_, rms_height_{}, light_load_length_{};
-    detail::PerssonEnergy<S> energy_;
-    S gradient_{};
-    std::vector<detail::GradientPiece<S>> pieces_;
-    std::vector<S> inverse_, weight_;  ///< 1/G and the weights of f, panel by panel from the top
+    detail::PerssonEnergy<double> energy_;
+    double gradient_{};
+    std::vector<detail::GradientPiece<double>> pieces_;
+    std::vector<double> inverse_, weight_;  ///< 1/G and the weights of f, panel by panel from the top
 };
 
 }  // namespace fstiff::inline v0_1

@@ -23,7 +23,6 @@
 #include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness.hpp>
@@ -172,14 +171,12 @@ private:
     [[nodiscard]] Outcome state_at_separation(T separation, Quantity wanted) const {
         const T eta = separation / scales_.rms_height;
         if (!(eta >= parts::min_eta && eta <= T(1e6))) {
-            using Shown =
-                std::conditional_t<std::is_same_v<T, long double>, double, T>;  // no shortest text of the other
-            const auto rms = static_cast<Shown>(scales_.rms_height);
-            return {{},
-                    parts::refusal_of("separation", separation,
-                                      "between " + parts::shortest_text(static_cast<Shown>(parts::min_eta) * rms) +
-                                          " and " + parts::shortest_text(Shown(1e6) * rms) +
-                                          " m, -1000 and 1e6 rms heights")};
+            const T rms = scales_.rms_height;
+            return {
+                {},
+                parts::refusal_of("separation", separation,
+                                  "between " + parts::shortest_text(static_cast<T>(parts::min_eta) * rms) + " and " +
+                                      parts::shortest_text(T(1e6) * rms) + " m, -1000 and 1e6 rms heights")};
         }
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {

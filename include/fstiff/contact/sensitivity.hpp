@@ -18,9 +18,10 @@
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/roughness.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -88,7 +89,7 @@ struct DerivativeSums {
     void add_boundary(const detail::PeakProblem<T>& p, T step) {
         if constexpr (powers.radius == 2) {
             const T at_zero = p.eta / p.c, outer = p.floor * p.r / p.c;
-            r += 2 * numbers::inv_sqrtpi_v<T> * p.k * lower_moment<powers.omega>(at_zero) *
+            r += 2 * std::numbers::inv_sqrtpi_v<T> * p.k * lower_moment<powers.omega>(at_zero) *
                  std::exp(-outer * outer / 2) / step;
         }
     }
@@ -96,7 +97,7 @@ struct DerivativeSums {
     /// J[a,b] = c^a/(2 theta) step value: the common factors cancel in every logarithmic derivative.
     [[nodiscard]] typename LogDerivatives<T>::One log_derivatives(const detail::PeakProblem<T>& p, T log_factor) const {
         const T inverse_c = 1 / p.c, cosine = std::cos(p.theta);
-        const T dk = 1 / (numbers::sqrt2_v<T> * cosine * cosine);
+        const T dk = 1 / (std::numbers::sqrt2_v<T> * cosine * cosine);
         constexpr T factor = lower_factor<powers.omega, T>;
         return {std::log(value) + log_factor + T(powers.omega) / 2 * std::log(p.c), -factor * inverse_c * eta / value,
                 factor * inverse_c * r / value, dk * theta / value - 1 / p.theta};
@@ -111,13 +112,13 @@ public:
 
     EIGEN_DONT_INLINE void add(const detail::PeakNodes<T>& nodes) {
         T erf[detail::PeakNodes<T>::capacity], moment[4];
-        detail::erf_at(nodes, k_, math::ErfPolynomials<T>::for_tolerance(0), erf);
+        detail::erf_at(nodes, k_, math::ErfPolynomials::for_tolerance(0), erf);
         std::array<math::Lanes<T, 4>, 8> moments;
         for (int i = 0; i < nodes.size(); ++i) {
-            if (i % 8 == 0) math::scaled_moments<math::MomentTable<T>::terms>(nodes.x() + i, moments);
+            if (i % 8 == 0) math::scaled_moments<math::MomentTable::terms>(nodes.x() + i, moments);
             moments[static_cast<std::size_t>(i % 8)].store(moment);
             const T t = nodes.t()[i], root = nodes.inverse_root()[i], mass = nodes.mass()[i];
-            const T layer = mass * 2 * numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
+            const T layer = mass * 2 * std::numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
             const auto add_to = [&]<HalfPowers powers>(DerivativeSums<powers, T>& sums) {
                 constexpr int twice = powers.omega;
                 T lower{};
@@ -255,7 +256,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
         const T r = contact.peaks().r(), theta = contact.peaks().theta();
         out.r =
             slopes(T(0.03) * (std::min)(r, 1 - r), [&](T x) { return logs(with(surface, Peaks(r + x, theta)), eta); });
-        out.theta = slopes(T(0.03) * (std::min)(theta, numbers::pi_v<T> / 2 - theta),
+        out.theta = slopes(T(0.03) * (std::min)(theta, std::numbers::pi_v<T> / 2 - theta),
                            [&](T x) { return logs(with(surface, Peaks(r, theta + x)), eta); });
     }
     return out;

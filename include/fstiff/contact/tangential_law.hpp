@@ -32,7 +32,7 @@ namespace fstiff::inline v0_1 {
 ///
 /// Paths that are straight from call to call are exact along a line. In a plane a path is exact while u keeps its
 /// direction, and a return to the cone of friction where that turns.
-template <parts::ReadableReal T = double>
+template <Real T = double>
 class TangentialLaw {
 public:
     template <int Directions>

@@ -18,8 +18,8 @@
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/tensor_nodes.hpp>
 #include <fstiff/core/estimate.hpp>
-#include <fstiff/core/numbers.hpp>
 
+#include <numbers>
 #include <tuple>
 
 namespace fstiff::inline v0_1::parts {
@@ -216,7 +216,7 @@ private:
                        (std::min)(most * 4 / 3, detail::TensorTable<T>::max_nodes));  // no row takes all of them
             tables_[open].graded(detail::plain_map<T>, begin, range / T(count), count);
         }
-        const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / numbers::pi_v<T>, most);
+        const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / std::numbers::pi_v<T>, most);
         tables_[linear].line(2 * p_.reach / T(count), count);
         if constexpr (kinked) {
             const auto kink = kinks_of<T>(f_);

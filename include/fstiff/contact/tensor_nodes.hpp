@@ -10,8 +10,9 @@
 /// Accuracy    see contact/tensor_integrals
 
 #include <fstiff/contact/peak_nodes.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -68,7 +69,7 @@ inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
 /// the nodes are those of y > 0 of an even function.
 template <Real T>
 EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
-    constexpr T half_root = numbers::sqrt2_v<T> / 2;
+    constexpr T half_root = std::numbers::sqrt2_v<T> / 2;
     constexpr T least = (std::numeric_limits<T>::min)();
     if (even)
         s.template head<7>() =
@@ -227,7 +228,7 @@ struct TensorRows {
         last = right.select((2 * p.log_cutoff - z.square()) * (p.c * p.c) / (wide + distance), wide - distance);
         last = (square > T(0)).select(last, T(0));
 
-        constexpr T least = (std::numeric_limits<T>::min)(), half_pi = numbers::pi_v<T> / 2;
+        constexpr T least = (std::numeric_limits<T>::min)(), half_pi = std::numbers::pi_v<T> / 2;
         const TensorLanes<T> capped = (x.min)(std::sqrt(6 * digits));
         const TensorLanes<T> root = ((1 + 6 * right.template cast<T>()) * capped.square() + 12 * digits).sqrt();
         const TensorLanes<T> b2 = (capped + root) / 12;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Scalar type of every template of fstiff. Others are rejected, such as __float128, for which std::floating_point
-/// holds in gnu++20, or std::float16_t of C++23.
+/// Scalar type of every template of fstiff. Others are rejected, such as long double, which not every machine has, or
+/// std::float16_t of C++23.
 
 #include <fstiff/core/config.hpp>
 
@@ -11,9 +11,9 @@
 
 namespace fstiff::inline v0_1 {
 
-/// A floating-point scalar: float, double or long double.
+/// A floating-point scalar: float or double.
 template <class T>
 concept Real = std::same_as < std::remove_cv_t<T>,
-float > || std::same_as<std::remove_cv_t<T>, double> || std::same_as<std::remove_cv_t<T>, long double>;
+float > || std::same_as<std::remove_cv_t<T>, double>;
 
 }  // namespace fstiff::inline v0_1

@@ -197,15 +197,12 @@ auto located(const Place& place, const Call& call) {
                                                         std::string_view allowed) {
     refuse(parameter, rounded_text(value, digits), allowed);
 }
-/// A template, so that only programs that compute in long double hold its digits.
 template <class T>
 requires Real<T> || std::integral<T>
 [[noreturn]] FSTIFF_COLD_OUT_OF_LINE void refuse(std::string_view parameter, T value, std::string_view allowed) {
     constexpr int digits = std::numeric_limits<T>::digits10;
     if constexpr (std::integral<T>)
         refuse(parameter, std::to_string(value), allowed);
-    else if constexpr (std::is_same_v<T, long double>)
-        refuse(parameter, rounded_text(value, digits), allowed);
     else
         refuse(parameter, static_cast<double>(value), digits, allowed);
 }

@@ -28,10 +28,6 @@
 
 namespace fstiff::inline v0_1::parts {
 
-/// float or double: the types that can be read back.
-template <class T>
-concept ReadableReal = Real<T> && !std::is_same_v<T, long double>;
-
 inline bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_hexadecimal_digit(char c) {
     return is_decimal_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
@@ -43,14 +39,6 @@ inline bool begins_number(const char* first, const char* last, bool hexadecimal)
     if (first != last && *first == '.') ++first;
     return first != last && (hexadecimal ? is_hexadecimal_digit(*first) : is_decimal_digit(*first));
 }
-
-#if defined(_LIBCPP_VERSION) || defined(__MINGW32__)
-template <class T>  // for a long double libc++ writes the nearest double, MinGW the decimal comma of the locale
-inline constexpr bool has_to_chars = FSTIFF_HAS_FLOAT_TO_CHARS && !std::is_same_v<T, long double>;
-#else
-template <class T>
-inline constexpr bool has_to_chars = FSTIFF_HAS_FLOAT_TO_CHARS;
-#endif
 
 template <Real T, class... Format>
 std::string text_by_to_chars(T value, Format... format) {
@@ -69,13 +57,9 @@ std::string text_by_to_chars(T value, Format... format) {
 template <Real T>
 std::string text_by_printf(T value, char conversion, int precision) {
     if (std::isnan(value)) return "nan";
-    constexpr bool is_long = std::is_same_v<T, long double>;
-    const char format[] = {'%', '.', '*', is_long ? 'L' : conversion, is_long ? conversion : '\0', '\0'};
+    const char format[] = {'%', '.', '*', conversion, '\0'};
     const auto print = [&](char* text, std::size_t size) {
-        if constexpr (is_long)
-            return std::snprintf(text, size, format, precision, value);
-        else
-            return std::snprintf(text, size, format, precision, static_cast<double>(value));
+        return std::snprintf(text, size, format, precision, static_cast<double>(value));
     };
     std::string text(static_cast<std::size_t>(print(nullptr, 0)) + 1, '\0');
     print(text.data(), text.size());
@@ -95,7 +79,7 @@ std::string text_by_printf(T value, char conversion, int precision) {
 
 #if !FSTIFF_HAS_FLOAT_FROM_CHARS
 /// from_chars by strtod: the characters of the number are copied, with the decimal sign of the locale.
-template <ReadableReal T>
+template <Real T>
 std::from_chars_result read_by_strtod(const char* first, const char* last, T& value, bool hexadecimal) {
     const auto is_digit = [&](char c) { return hexadecimal ? is_hexadecimal_digit(c) : is_decimal_digit(c); };
     std::string copy;
@@ -138,7 +122,7 @@ std::from_chars_result read_by_strtod(const char* first, const char* last, T& va
 }
 #endif
 
-template <ReadableReal T>
+template <Real T>
 std::from_chars_result read_number(const char* first, const char* last, T& value, bool hexadecimal) {
     if (!begins_number(first, last, hexadecimal)) return {first, std::errc::invalid_argument};
 #if FSTIFF_HAS_FLOAT_FROM_CHARS
@@ -151,21 +135,21 @@ std::from_chars_result read_number(const char* first, const char* last, T& value
 /// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
 /// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number
 /// too large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
-template <ReadableReal T>
+template <Real T>
 std::from_chars_result read_decimal(const char* first, const char* last, T& value) {
     return read_number(first, last, value, false);
 }
 
 /// Reads, as read_decimal does, what hexadecimal_text writes.
-template <ReadableReal T>
+template <Real T>
 std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value) {
     return read_number(first, last, value, true);
 }
 
 /// The fewest digits that read back as \p value.
-template <ReadableReal T>
+template <Real T>
 [[nodiscard]] std::string shortest_text(T value) {
-    if constexpr (has_to_chars<T>) {
+    if constexpr (FSTIFF_HAS_FLOAT_TO_CHARS) {
         return text_by_to_chars(value);
     } else {
         constexpr int most = std::numeric_limits<T>::max_digits10;
@@ -182,7 +166,7 @@ template <ReadableReal T>
 /// \p digits significant digits, trailing zeros dropped.
 template <Real T>
 [[nodiscard]] std::string rounded_text(T value, int digits) {
-    if constexpr (has_to_chars<T>)
+    if constexpr (FSTIFF_HAS_FLOAT_TO_CHARS)
         return text_by_to_chars(value, std::chars_format::general, digits);
     else
         return text_by_printf(value, 'g', digits);
@@ -191,16 +175,16 @@ template <Real T>
 /// \p decimals digits after the point.
 template <Real T>
 [[nodiscard]] std::string fixed_text(T value, int decimals) {
-    if constexpr (has_to_chars<T>)
+    if constexpr (FSTIFF_HAS_FLOAT_TO_CHARS)
         return text_by_to_chars(value, std::chars_format::fixed, decimals);
     else
         return text_by_printf(value, 'f', decimals);
 }
 
 /// Hexadecimal digits and a power of two, without 0x.
-template <ReadableReal T>
+template <Real T>
 [[nodiscard]] std::string hexadecimal_text(T value) {
-    if constexpr (has_to_chars<T>) {
+    if constexpr (FSTIFF_HAS_FLOAT_TO_CHARS) {
         return text_by_to_chars(value, std::chars_format::hex);
     } else {
         std::string text = text_by_printf(value, 'a', -1);

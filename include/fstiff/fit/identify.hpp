@@ -15,7 +15,6 @@
 /// Valid       as contact/sensitivity; pressures p_i + p_0 > 0; the length of an interaction is held
 /// Accuracy    the truth lies in the 95 % interval in 95 +- 4 of 100 runs (tests/fit/identify_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/fit/fit_problem.hpp>
 #include <fstiff/math/least_squares.hpp>
 #include <fstiff/math/statistics.hpp>

@@ -138,7 +138,7 @@ template <Real T>
 BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                                       const parts::BoundaryElementOptions<T>& options)
     : modulus_(effective_modulus),
-      softest_(numbers::pi_v<T> / (std::max)(map.dx * T(map.columns()), map.dy * T(map.rows()))),
+      softest_(std::numbers::pi_v<T> / (std::max)(map.dx * T(map.columns()), map.dy * T(map.rows()))),
       options_(options),
       height_(map.heights),
       compliance_(map.rows(), map.columns(), map.dx, map.dy, options.edges),

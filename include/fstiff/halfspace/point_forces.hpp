@@ -16,7 +16,6 @@
 /// Accuracy    2e-9 of the largest deflection against a direct sum, a quick split 2e-4 (tests/halfspace)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
@@ -29,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -125,7 +125,7 @@ private:
               }) {
         grid_.resize(cells(cell.height), cells(cell.width));
         margined_.resize(grid_.rows(), grid_.cols() + 2 * margin);
-        const T a = T(Split::reach) / range_, pi = numbers::pi_v<T>;
+        const T a = T(Split::reach) / range_, pi = std::numbers::pi_v<T>;
         self_ = -2 * a / (pi * std::sqrt(pi));
         mean_ = 2 / (a * std::sqrt(pi) * cell.width * cell.height);
         per_cell_ = T(grid_.size()) / (cell.width * cell.height);  // a force becomes a pressure
@@ -139,13 +139,13 @@ private:
         require(x.size() == y.size() && x.size() > 0, "points", y.size(), "as many x as y, and at least 1");
         require((x >= 0).all() && (x <= cell.width).all() && (y >= 0).all() && (y <= cell.height).all(), "points",
                 x.size(), "within the cell");
-        const T even = std::sqrt(T(neighbours) * cell.width * cell.height / (numbers::pi_v<T> * T(x.size())));
+        const T even = std::sqrt(T(neighbours) * cell.width * cell.height / (std::numbers::pi_v<T> * T(x.size())));
         return (std::min)(even, (std::min)(cell.width, cell.height) / 2);
     }
 
     /// Cells of the grid along \p side: up to the wave number Split::waves a the window is resolved twice.
     [[nodiscard]] Eigen::Index cells(T side) const {
-        const T step = numbers::pi_v<T> * range_ / T(2 * Split::reach * Split::waves);
+        const T step = std::numbers::pi_v<T> * range_ / T(2 * Split::reach * Split::waves);
         return static_cast<Eigen::Index>(
             math::fast_fft_size((std::max)(std::size_t{2 * window}, static_cast<std::size_t>(std::ceil(side / step)))));
     }
@@ -251,7 +251,7 @@ private:
                 const T right = image->x - x[i], down = image->y - y[i], r = std::sqrt(right * right + down * down);
                 if (r >= range_ || r == 0) continue;  // 0: the point itself
                 near_point_.push_back(image->point);
-                near_value_.push_back(std::erfc(a * r) / (numbers::pi_v<T> * r));
+                near_value_.push_back(std::erfc(a * r) / (std::numbers::pi_v<T> * r));
             }
             start_.push_back(near_point_.size());
         }

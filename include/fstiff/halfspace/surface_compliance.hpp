@@ -15,7 +15,6 @@
 /// Accuracy    1e-14 relative to the largest deflection in double (tests/halfspace/surface_compliance_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/topography/line_transform.hpp>
 
 #include <Eigen/Core>
@@ -24,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace fstiff::inline v0_1::detail {
@@ -109,7 +109,7 @@ private:
         using Line = Eigen::Array<T, Eigen::Dynamic, 1>;
         const auto waves = [edges](Eigen::Index points, T step) -> Line {
             return Line::NullaryExpr(points, [&](Eigen::Index k) {
-                return 2 * numbers::pi_v<T> / (step * T(points)) *
+                return 2 * std::numbers::pi_v<T> / (step * T(points)) *
                        parts::wave_number<T>(static_cast<std::size_t>(k), edges);
             });
         };

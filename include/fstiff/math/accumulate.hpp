@@ -14,10 +14,6 @@
 
 namespace fstiff::inline v0_1::math {
 
-/// The type in which numbers of type \p T are added up: double for float.
-template <Real T>
-using Accumulator = std::conditional_t<std::is_same_v<T, float>, double, T>;
-
 /// A sum as rounded, and its rounding error.
 template <Real T = double>
 struct RoundedSum {

@@ -11,7 +11,6 @@
 /// Accuracy    that of the samples times log(degree), and the coefficients left out; a derivative costs degree^2
 
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>
@@ -38,7 +37,7 @@ public:
         std::array<T, capacity> value;
         std::array<T, 4 * capacity> cosine;  // cos(pi m / (2 points))
         for (std::size_t m = 0; m <= points; ++m) {
-            const T one = m == points ? T(0) : std::cos(numbers::pi_v<T> * T(m) / (2 * T(points)));
+            const T one = m == points ? T(0) : std::cos(std::numbers::pi_v<T> * T(m) / (2 * T(points)));
             cosine[m] = cosine[(4 * points - m) % (4 * points)] = one;
             cosine[2 * points - m] = cosine[2 * points + m] = -one;
         }
@@ -187,9 +186,9 @@ public:
 private:
     /// Inverse Vandermonde matrix by Lagrange's polynomials, multiplied out in long double: the condition is 2.4^N.
     LobattoPiece() {
+        const long double pi = std::acos(-1.0L);  // libc++ has that of double only
         std::array<long double, size> x;
-        for (std::size_t k = 0; k < size; ++k)
-            x[k] = -std::cos(numbers::pi_v<long double> * static_cast<long double>(k) / (N - 1));
+        for (std::size_t k = 0; k < size; ++k) x[k] = -std::cos(pi * static_cast<long double>(k) / (N - 1));
         if constexpr (N % 2 == 1) x[N / 2] = 0;
         for (std::size_t k = 0; k < size; ++k) {
             std::array<long double, size> product{1};

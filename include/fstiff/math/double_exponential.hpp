@@ -14,12 +14,12 @@
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/estimate.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fstiff::inline v0_1::math {
 
@@ -54,12 +54,12 @@ Estimate<T> double_exponential(const F& f, const Map& map, T low, T high, T rela
 template <Real T, class F>
 Estimate<T> integral_over_interval(const F& f, T a, T b, T relative_tolerance) {
     const auto map = [=](T y) {
-        const T e = std::exp(-numbers::pi_v<T> * std::abs(std::sinh(y)));  // small end's share: e/(1+e)
+        const T e = std::exp(-std::numbers::pi_v<T> * std::abs(std::sinh(y)));  // small end's share: e/(1+e)
         const T share = e / (1 + e);
         return std::pair(y < 0 ? a + (b - a) * share : b - (b - a) * share,
-                         (b - a) * numbers::pi_v<T> * std::cosh(y) * share / (1 + e));
+                         (b - a) * std::numbers::pi_v<T> * std::cosh(y) * share / (1 + e));
     };
-    const T end = std::asinh(-std::log(std::numeric_limits<T>::epsilon()) / numbers::pi_v<T> + 1);
+    const T end = std::asinh(-std::log(std::numeric_limits<T>::epsilon()) / std::numbers::pi_v<T> + 1);
     return double_exponential(f, map, -end, end, relative_tolerance);
 }
 

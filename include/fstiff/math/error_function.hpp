@@ -4,7 +4,7 @@
 /// erf of eight numbers at once. std::erf costs ten times an exponential and Eigen has none in vectors of double.
 ///
 ///     erf(y) = y P(y^2)    0 <= y <= 5/2
-///     erf(y) = Q(y), R(y)  to 9/2, to 13/2; beyond it is 1 to the last bit of every type
+///     erf(y) = Q(y), R(y)  to 9/2, to 13/2; beyond it is 1 to the last bit
 ///
 /// Reference   P, Q and R are interpolated by tools/make_gaussian_moment_table.py.
 /// Units       dimensionless
@@ -20,9 +20,8 @@
 namespace fstiff::inline v0_1::math {
 
 /// c[0] + c[1] u + c[2] u^2 + ..., even and odd powers apart: one sum alone waits for each multiplication.
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T, 8> polynomial(std::span<const T> c, const Lanes<T, 8>& u) {
-    using V = Lanes<T, 8>;
+EIGEN_ALWAYS_INLINE Lanes<double, 8> polynomial(std::span<const double> c, const Lanes<double, 8>& u) {
+    using V = Lanes<double, 8>;
     if (c.size() < 2) return V::all(c.front());
     const V square = u * u;
     std::size_t n = c.size() - 2;
@@ -36,26 +35,24 @@ EIGEN_ALWAYS_INLINE Lanes<T, 8> polynomial(std::span<const T> c, const Lanes<T, 
 }
 
 /// Polynomials for the three ranges.
-template <Real T = double>
 struct ErfPolynomials {
-    std::span<const T> inner, middle, outer;
+    std::span<const double> inner, middle, outer;
     double error;  ///< relative, beyond the rounding
 
     /// The shorter ones where \p tolerance allows.
     static ErfPolynomials for_tolerance(double tolerance) {
-        using Table = ErfTable<T>;
-        if (tolerance > 10 * Table::rough_error)
-            return {Table::rough_inner, Table::rough_middle, Table::rough_outer, Table::rough_error};
-        return {Table::inner, Table::middle, Table::outer, 0};
+        if (tolerance > 10 * ErfTable::rough_error)
+            return {ErfTable::rough_inner, ErfTable::rough_middle, ErfTable::rough_outer, ErfTable::rough_error};
+        return {ErfTable::inner, ErfTable::middle, ErfTable::outer, 0};
     }
 };
 
 /// erf of eight ascending numbers from \p first to \p last.
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T, 8> erf_ascending(const Lanes<T, 8>& y, T first, T last, const ErfPolynomials<T>& by) {
-    using V = Lanes<T, 8>;
-    constexpr T middle = T(2.5), outer = T(4.5), end = T(6.5);
-    V value = V::all(T(1));
+EIGEN_ALWAYS_INLINE Lanes<double, 8> erf_ascending(const Lanes<double, 8>& y, double first, double last,
+                                                   const ErfPolynomials& by) {
+    using V = Lanes<double, 8>;
+    constexpr double middle = 2.5, outer = 4.5, end = 6.5;
+    V value = V::all(1);
     if (first >= end) return value;
     if (last > outer) value = polynomial(by.outer, smaller(y, V::all(end)) - V::all((outer + end) / 2));
     if (last > middle && first < outer) {
@@ -64,8 +61,8 @@ EIGEN_ALWAYS_INLINE Lanes<T, 8> erf_ascending(const Lanes<T, 8>& y, T first, T l
     }
     if (first < middle) {
         const V bounded = smaller(y, V::all(middle));
-        const V p = bounded *
-                    polynomial(by.inner, multiply_add(bounded * V::all(2 / (middle * middle)), bounded, V::all(T(-1))));
+        const V p =
+            bounded * polynomial(by.inner, multiply_add(bounded * V::all(2 / (middle * middle)), bounded, V::all(-1)));
         value = select_less(y, V::all(middle), p, value);
     }
     return value;
@@ -74,10 +71,9 @@ EIGEN_ALWAYS_INLINE Lanes<T, 8> erf_ascending(const Lanes<T, 8>& y, T first, T l
 /// out[i] = erf(k t[i]) for eight ascending t; float by way of double.
 template <Real T>
 EIGEN_DONT_INLINE void erf_of_eight(const T* t, T k, T* out) {
-    using S = Tabulated<T>;
-    S argument[8], value[8];
-    for (int i = 0; i < 8; ++i) argument[i] = static_cast<S>(k) * static_cast<S>(t[i]);
-    erf_ascending(Lanes<S, 8>::load(argument), argument[0], argument[7], ErfPolynomials<S>::for_tolerance(0))
+    double argument[8], value[8];
+    for (int i = 0; i < 8; ++i) argument[i] = static_cast<double>(k) * static_cast<double>(t[i]);
+    erf_ascending(Lanes<double, 8>::load(argument), argument[0], argument[7], ErfPolynomials::for_tolerance(0))
         .store(value);
     for (int i = 0; i < 8; ++i) out[i] = static_cast<T>(value[i]);
 }

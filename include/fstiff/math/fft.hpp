@@ -12,11 +12,9 @@
 /// Reference   Borgerding, kissfft (in Eigen, MPL2); Bluestein, IEEE Trans. Audio Electroacoust. 18 (1970) 451
 /// Units       those of the data
 /// Valid       M up to 2^30, 2^28 for a length with a large prime factor
-/// Accuracy    rms error for 2^20 points 4e-16 of the rms in double, 2e-15 by chirps; long double is no better, because
-///             Eigen's phases are double (tests/math/fft_test.cpp)
+/// Accuracy    rms error for 2^20 points 4e-16 of the rms in double, 2e-15 by chirps (tests/math/fft_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -31,6 +29,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -75,7 +74,8 @@ public:
         if (is_smooth_size(size)) return;
         chirp_.resize(size);  // exp(-pi i j^2/M)
         for (std::size_t j = 0; j < size; ++j)
-            chirp_[j] = std::polar(T(1), -numbers::pi_v<T> * static_cast<T>(j * j % (2 * size)) / static_cast<T>(size));
+            chirp_[j] =
+                std::polar(T(1), -std::numbers::pi_v<T> * static_cast<T>(j * j % (2 * size)) / static_cast<T>(size));
         std::vector<Complex> wrapped(fast_fft_size(2 * size - 1));
         for (std::size_t j = 0; j < size; ++j)
             wrapped[j] = wrapped[j == 0 ? 0 : wrapped.size() - j] = std::conj(chirp_[j]) / T(wrapped.size());

@@ -12,9 +12,10 @@
 /// Valid       M from 2 to 2^30 without a prime factor above 50
 /// Accuracy    that of math/fft (tests/math/fft_of_lines_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/lanes.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::math {
 
@@ -99,7 +100,7 @@ private:
             for (std::size_t k = 0; k < factor; ++k) root.push_back(turn(k, factor));
         }
         [[nodiscard]] static std::complex<T> turn(std::size_t part, std::size_t whole) {
-            return std::polar(T(1), -2 * numbers::pi_v<T> * T(part) / T(whole));
+            return std::polar(T(1), -2 * std::numbers::pi_v<T> * T(part) / T(whole));
         }
     };
 

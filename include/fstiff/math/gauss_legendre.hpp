@@ -11,10 +11,10 @@
 /// Accuracy    nodes 2 epsilon, weights 4 N epsilon relative (tests/math/gauss_legendre_test.cpp)
 
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace fstiff::inline v0_1::math {
 
@@ -26,7 +26,7 @@ struct GaussLegendre {
 
     GaussLegendre() {
         for (std::size_t i = 0; i < (N + 1) / 2; ++i) {
-            T x = 2 * i + 1 == N ? T(0) : std::cos(numbers::pi_v<T> * (T(i) + T(0.75)) / (T(N) + T(0.5)));
+            T x = 2 * i + 1 == N ? T(0) : std::cos(std::numbers::pi_v<T> * (T(i) + T(0.75)) / (T(N) + T(0.5)));
             T derivative = 1;
             for (int iteration = 0; iteration < 8; ++iteration) {  // quadratic from 1e-3 or better: five would do
                 T previous = 1, value = x;

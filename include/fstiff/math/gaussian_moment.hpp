@@ -11,8 +11,7 @@
 /// Reference   NIST Digital Library of Mathematical Functions, 12.5.1
 /// Units       dimensionless
 /// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double). float is
-///             computed in double; long double takes the tables of math/gaussian_moment_table_extended, which the
-///             program includes, and is refused where it has more than 64 binary digits
+///             computed in double
 /// Accuracy    6 epsilon relative; 1 epsilon is typical (tests/math/gaussian_moment_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -28,45 +27,38 @@ namespace fstiff::inline v0_1::math {
 /// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; for x < 0 too.
 inline constexpr int moment_far = 30, pieces_a_side = 33;
 
-/// True if |x| < moment_far, as its pieces see it: a long double just below counts as the double that it rounds to.
-template <Real T>
-EIGEN_ALWAYS_INLINE bool is_near(T x) {
-    return static_cast<double>(std::abs(x)) < moment_far;
-}
+EIGEN_ALWAYS_INLINE bool is_near(double x) { return std::abs(x) < moment_far; }
 
 /// Place of a number that is_near: found from the bits of |x| + 2, without a branch.
-template <Real T>
 struct NearPiece {
-    static_assert(std::numeric_limits<T>::digits <= 64, "the tables of fstiff hold 64 binary digits");
-
-    T s;  ///< |x| less the middle of the piece
+    double s;  ///< |x| less the middle of the piece
     std::int64_t piece;
 
-    EIGEN_ALWAYS_INLINE explicit NearPiece(T x) {
+    EIGEN_ALWAYS_INLINE explicit NearPiece(double x) {
         constexpr int eighths = 3, rest = 52 - eighths;  // of the 52 binary digits of a double
-        const T size = std::abs(x);
-        const auto upper = std::bit_cast<std::int64_t>(static_cast<double>(size) + 2) >> rest;
+        const double size = std::abs(x);
+        const auto upper = std::bit_cast<std::int64_t>(size + 2) >> rest;
         const double middle = std::bit_cast<double>((upper << rest) | (std::int64_t{1} << (rest - 1))) - 2;
-        s = size - static_cast<T>(middle);
+        s = size - middle;
         piece = upper - (std::int64_t{1024} << eighths) + (x < 0 ? pieces_a_side : 0);
     }
 };
 
 /// Half-integer powers v^(TwiceA/2), given v and its square root.
-template <int TwiceA, Real T>
-T half_power(T v, T root) {
+template <int TwiceA>
+double half_power(double v, double root) {
     if constexpr (TwiceA < 0) return 1 / half_power<-TwiceA>(v, root);
-    if constexpr (TwiceA == 0) return T(1);
+    if constexpr (TwiceA == 0) return 1;
     if constexpr (TwiceA == 1) return root;
     if constexpr (TwiceA > 1) return v * half_power<TwiceA - 2>(v, root);
 }
 
 /// The four polynomials of a piece at s, by their first \p terms.
-template <int terms, Real T>
-EIGEN_ALWAYS_INLINE Lanes<T, 4> moment_polynomials(std::int64_t piece, T s) {
-    static_assert(terms % 2 == 0 && terms <= MomentTable<T>::terms);
-    using V = Lanes<T, 8>;  // even and odd powers side by side
-    const T* c = MomentTable<T>::main + piece * MomentTable<T>::terms * 4;
+template <int terms>
+EIGEN_ALWAYS_INLINE Lanes<double, 4> moment_polynomials(std::int64_t piece, double s) {
+    static_assert(terms % 2 == 0 && terms <= MomentTable::terms);
+    using V = Lanes<double, 8>;  // even and odd powers side by side
+    const double* c = MomentTable::main + piece * MomentTable::terms * 4;
     const V square = V::all(s * s);
     V both = V::load_aligned(c + terms * 4 - 8);
     for (int n = terms - 4; n >= 0; n -= 2) both = multiply_add(both, square, V::load_aligned(c + n * 4));
@@ -74,34 +66,32 @@ EIGEN_ALWAYS_INLINE Lanes<T, 4> moment_polynomials(std::int64_t piece, T s) {
 }
 
 /// The four moments for |x| >= moment_far.
-template <Real T>
-EIGEN_DONT_INLINE Lanes<T, 4> far_moments(T x) {
-    const T size = std::abs(x), root = std::sqrt(size);
-    T power[4] = {1, root, size, size * root};
+EIGEN_DONT_INLINE inline Lanes<double, 4> far_moments(double x) {
+    const double size = std::abs(x), root = std::sqrt(size);
+    double power[4] = {1, root, size, size * root};
     if (x > 0)
-        for (T& one : power) one = 1 / (one * size);
-    return moment_polynomials<MomentTable<T>::terms>(x > 0 ? pieces_a_side - 1 : 2 * pieces_a_side - 1,
-                                                     1 / size / size) *
-           Lanes<T, 4>::load(power);
+        for (double& one : power) one = 1 / (one * size);
+    return moment_polynomials<MomentTable::terms>(x > 0 ? pieces_a_side - 1 : 2 * pieces_a_side - 1, 1 / size / size) *
+           Lanes<double, 4>::load(power);
 }
 
 /// F_a(x) for a = 0, 1/2, 1, 3/2, times exp(x^2/2) for x >= 0, at eight monotone x, without under- and overflow. By the
 /// first \p terms of each polynomial, an even number, with a relative error of MomentTable::cut[terms].
-template <int terms, Real T>
-EIGEN_ALWAYS_INLINE void scaled_moments(const T* x, std::array<Lanes<T, 4>, 8>& out) {
+template <int terms>
+EIGEN_ALWAYS_INLINE void scaled_moments(const double* x, std::array<Lanes<double, 4>, 8>& out) {
     if (is_near(x[0]) && is_near(x[7])) {
-        T s[8];
+        double s[8];
         std::int64_t piece[8];
         for (int i = 0; i < 8; ++i) {
-            const NearPiece<T> at(x[i]);
+            const NearPiece at(x[i]);
             s[i] = at.s;
             piece[i] = at.piece;
         }
         for (int i = 0; i < 8; ++i) out[static_cast<std::size_t>(i)] = moment_polynomials<terms>(piece[i], s[i]);
     } else {
-        const auto at_one = [](T one) {
+        const auto at_one = [](double one) {
             if (!is_near(one)) return far_moments(one);
-            const NearPiece<T> at(one);
+            const NearPiece at(one);
             return moment_polynomials<terms>(at.piece, at.s);
         };
         for (int i = 0; i < 8; ++i) out[static_cast<std::size_t>(i)] = at_one(x[i]);
@@ -114,21 +104,21 @@ T scaled_moment(T x) {
     if constexpr (std::same_as<T, float>) {
         return static_cast<float>(scaled_moment<TwiceA>(static_cast<double>(x)));
     } else {
-        using Table = MomentTable<T>;
+        using Table = MomentTable;
         constexpr bool main = TwiceA >= 0 && TwiceA <= 3;
         constexpr int stride = main ? 4 : 2, column = main ? TwiceA : TwiceA < 0 ? 0 : 1;
-        const auto sum = [](std::int64_t piece, T s) {
-            const T* c = (main ? Table::main : Table::side) + (piece + 1) * Table::terms * stride + column;
-            T value = 0;
+        const auto sum = [](std::int64_t piece, double s) {
+            const double* c = (main ? Table::main : Table::side) + (piece + 1) * Table::terms * stride + column;
+            double value = 0;
             for (int n = 0; n < Table::terms; ++n) value = value * s + *(c -= stride);
             return value;
         };
         if (is_near(x)) {
-            const NearPiece<T> at(x);
+            const NearPiece at(x);
             return sum(at.piece, at.s);
         }
-        const T size = std::abs(x);
-        const T inverse_square = 1 / size / size, root = std::sqrt(size);
+        const double size = std::abs(x);
+        const double inverse_square = 1 / size / size, root = std::sqrt(size);
         return x > 0 ? sum(pieces_a_side - 1, inverse_square) * half_power<-TwiceA - 2>(size, root)
                      : sum(2 * pieces_a_side - 1, inverse_square) * half_power<TwiceA>(size, root);
     }
@@ -139,8 +129,8 @@ T scaled_moment(T x) {
 template <Real T>
 T gaussian(T x) {
     using Limits = std::numeric_limits<T>;
-    constexpr int whole = Limits::max_exponent > 10000 ? 8 : Limits::max_exponent > 1000 ? 6 : 4;  // binary digits of x
-    if (!(std::abs(x) < T(1 << whole))) return T(0);                                               // underflows before
+    constexpr int whole = Limits::max_exponent > 1000 ? 6 : 4;  // binary digits of x
+    if (!(std::abs(x) < T(1 << whole))) return T(0);            // underflows before
     constexpr T grid = T(std::int64_t{1} << (Limits::digits / 2 - whole));
     const T head = std::floor(x * grid) / grid;
     const T tail = x - head;

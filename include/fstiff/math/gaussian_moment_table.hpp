@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Coefficients of gaussian_moment.hpp and of error_function.hpp in double, made by
-/// tools/make_gaussian_moment_table.py, which names the pieces and the variables.
+/// Coefficients of gaussian_moment.hpp and of error_function.hpp, made by tools/make_gaussian_moment_table.py, which
+/// names the pieces and the variables.
 
 #include <fstiff/core/config.hpp>
 
 #include <array>
-#include <type_traits>
 
 namespace fstiff::inline v0_1::math {
 
 // clang-format off
-/// The scalar in which a function of T that rests on these tables is computed.
-template <class T>
-using Tabulated = std::conditional_t<std::is_same_v<T, float>, double, T>;
-
 /// main: a = 0, 1/2, 1, 3/2 side by side; side: a = -1/2, 5/2
-template <class T>
 struct MomentTable {
-    static_assert(sizeof(T) == 0, "include <fstiff/math/gaussian_moment_table_extended.hpp> for contacts in long double");
-};
-template <class T>
-struct ErfTable {
-    static_assert(sizeof(T) == 0, "include <fstiff/math/gaussian_moment_table_extended.hpp> for contacts in long double");
-};
-
-template <>
-struct MomentTable<double> {
     static constexpr int terms = 12;
     static constexpr std::array<double, 13> cut{1.23, 0.221, 0.0271, 0.00273, 0.000241, 2.03e-5, 1.66e-6, 1.3e-7, 9.86e-9, 7.24e-10, 5.22e-11, 3.41e-12, 1.18e-16};
     alignas(64) static constexpr double main[66 * 12 * 4] = {
@@ -168,8 +153,7 @@ struct MomentTable<double> {
     };
 };
 
-template <>
-struct ErfTable<double> {
+struct ErfTable {
     static constexpr std::array<double, 20> inner{5.58659990612029567e-1, -2.54541235022659133e-1, 1.52173488324253099e-1, -8.64649507465195276e-2, 4.41362932127566425e-2, -2.00223272100260655e-2, 8.0932079217478639e-3, -2.9345002028723667e-3, 9.617886854089166e-4, -2.870694395374699e-4, 7.85639430573047e-5, -1.98360088969716e-5, 4.6457022102106e-6, -1.01422957474e-6, 2.073568597565e-7, -3.98285284619e-8, 7.1607527635e-9, -1.227978943e-9, 2.251911612e-10, -3.46515992e-11};
     static constexpr std::array<double, 21> middle{9.99999256901627656e-1, 5.3994267776257e-6, -1.8897993720326e-5, 4.22955097383228e-5, -6.77178108537889e-5, 8.21162826301718e-5, -7.77442460684572e-5, 5.81927466858969e-5, -3.42591779808306e-5, 1.5330790119696e-5, -4.6410058792035e-6, 4.446302692483e-7, 4.437400075119e-7, -3.01513547164e-7, 9.23775896922e-8, -5.9443172264e-9, -8.3354333811e-9, 4.218689217e-9, -6.536793158e-10, -2.3663132e-10, 9.73599427e-11};
     static constexpr std::array<double, 17> outer{9.9999999999999264e-1, 8.19943e-14, -4.519332e-13, 1.64236e-12, -4.3436559e-12, 8.8877955e-12, -1.5334197e-11, 2.3079161e-11, -2.7555471e-11, 2.5541948e-11, -2.5465433e-11, 2.8165609e-11, -1.8562511e-11, 4.3449e-12, -3.9395067e-12, 6.5642399e-12, -2.647953e-12};

@@ -10,9 +10,10 @@
 /// Valid       w > 0, as many numbers as were announced
 /// Accuracy    1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights below 1e-17 are 0
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::math {
 
@@ -24,7 +25,7 @@ public:
     GaussianSmoother(std::size_t size, T width) : size_(size), fft_(fast_fft_size(size + reach(size, width))) {
         const auto weight = [&](std::size_t k) {
             const T x = static_cast<T>(k) / width;
-            return std::exp(-numbers::pi_v<T> * numbers::pi_v<T> / numbers::ln2_v<T> * x * x);
+            return std::exp(-std::numbers::pi_v<T> * std::numbers::pi_v<T> / std::numbers::ln2_v<T> * x * x);
         };
         std::vector<T> kernel(fft_.size());
         kernel[0] = weight(0);

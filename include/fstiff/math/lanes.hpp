@@ -2,10 +2,10 @@
 #pragma once
 /// \file
 /// N numbers that are computed with at once, whatever the width of the machine's vectors: one of Eigen's packets where
-/// it has one of that size, else two halves, down to single numbers (long double). No loops, no branches, no arrays, so
+/// it has one of that size, else two halves, down to single numbers. No loops, no branches, no arrays, so
 /// that a compiler keeps them in registers at every level of optimisation.
 ///
-/// Valid       float, double, long double; N a power of two
+/// Valid       float, double; N a power of two
 /// Accuracy    that of Eigen's packet functions: exp and log 2 ulp, all others correctly rounded; multiply_add rounds
 ///             once where the machine has a fused one
 

@@ -5,25 +5,24 @@
 ///
 ///     phi(z) = exp(-z^2/2)/sqrt(2 pi)      Phi(z) = erfc(-z/sqrt(2))/2      z = Phi^-1(p)
 ///
-/// Reference   Wichura, Appl. Stat. 37 (1988) 477, AS 241; in long double one step of Newton more.
+/// Reference   Wichura, Appl. Stat. 37 (1988) 477, AS 241.
 /// Units       dimensionless
 /// Valid       0 < p < 1
-/// Accuracy    Phi^-1 to 1e-15 of itself in double, 1e-18 in long double (tests/math/normal_distribution_test.cpp)
+/// Accuracy    Phi^-1 to 1e-15 of itself in double (tests/math/normal_distribution_test.cpp)
 
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <numbers>
 
 namespace fstiff::inline v0_1::math {
 
 /// phi(z).
 template <Real T>
 [[nodiscard]] T normal_density(T z) {
-    return std::exp(-z * z / 2) / std::sqrt(2 * numbers::pi_v<T>);
+    return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi_v<T>);
 }
 
 /// Phi(z): the share of normal numbers below \p z.
@@ -79,11 +78,6 @@ template <Real T>
         z = r <= 5 ? Table::ratio(Table::tail_above, Table::tail_below, r - 1.6)
                    : Table::ratio(Table::beyond_above, Table::beyond_below, r - 5);
         z = q < 0 ? -z : z;
-    }
-    if constexpr (std::numeric_limits<T>::digits > 53) {
-        const T tail = z < 0 ? probability : 1 - probability, found = normal_share(-std::abs(static_cast<T>(z)));
-        const T step = (tail - found) / normal_density(static_cast<T>(z));
-        return static_cast<T>(z) + (z < 0 ? step : -step);
     }
     return static_cast<T>(z);
 }

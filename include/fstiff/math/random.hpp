@@ -7,11 +7,11 @@
 /// Accuracy    normal numbers to the rounding of the local log, cos and sin (tests/math/random_test.cpp)
 
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <numbers>
 
 namespace fstiff::inline v0_1::math {
 
@@ -29,7 +29,7 @@ template <Real T>
 [[nodiscard]] std::complex<T> normal_pair(std::uint64_t& state) {
     const T uniform = static_cast<T>((splitmix64(state) >> 11) + 1) * T(0x1p-53L);  // in (0, 1]: its log exists
     const T turn = static_cast<T>(splitmix64(state) >> 11) * T(0x1p-53L);
-    return std::polar(std::sqrt(-2 * std::log(uniform)), 2 * numbers::pi_v<T> * turn);
+    return std::polar(std::sqrt(-2 * std::log(uniform)), 2 * std::numbers::pi_v<T> * turn);
 }
 
 }  // namespace fstiff::inline v0_1::math

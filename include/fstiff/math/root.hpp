@@ -44,8 +44,7 @@ struct RootResult {
 };
 
 /// Three times the evaluations of bisection, for a slope that misleads.
-template <Real T>
-inline constexpr int root_iterations = (std::max)(200, 3 * std::numeric_limits<T>::digits);
+inline constexpr int root_iterations = 200;
 
 /// Bracket of a root, and whether f was evaluated at the ends.
 template <Real T>
@@ -66,7 +65,7 @@ struct Bracket {
 template <Real T, class F>
 [[nodiscard]] RootResult<T> newton_bracketed(
     F f, T lower, T upper, T guess, T tolerance,
-    int max_iterations = root_iterations<T>) noexcept(std::is_nothrow_invocable_v<F&, T>) {
+    int max_iterations = root_iterations) noexcept(std::is_nothrow_invocable_v<F&, T>) {
     if (!(std::isfinite(lower) && std::isfinite(upper) && lower <= upper)) return {guess, 0, 0, RootStatus::no_bracket};
 
     Bracket<T> bracket{lower, upper};

@@ -8,10 +8,10 @@
 /// Accuracy    rounding of the sums (tests/math/statistics_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/random.hpp>
 
 #include <algorithm>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -47,7 +47,7 @@ template <Real T>
     const T z = normal.value, middle = 2 * normal.probability - 1;
     if (degrees_of_freedom <= 0) return z;
     const auto n = static_cast<T>(degrees_of_freedom);
-    if (degrees_of_freedom == 1) return std::tan(middle / 2 * numbers::pi_v<T>);
+    if (degrees_of_freedom == 1) return std::tan(middle / 2 * std::numbers::pi_v<T>);
     if (degrees_of_freedom == 2) return middle * std::sqrt(2 / (1 - middle * middle));
     const T s = z * z;
     return z * (1 + (s + 1) / (4 * n) + ((5 * s + 16) * s + 3) / (96 * n * n) +

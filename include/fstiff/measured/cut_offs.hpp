@@ -16,11 +16,11 @@
 ///             surface, and lambda_s is below lambda_c
 /// Accuracy    that of nesting_index() and roughness_cut_off() (tests/measured/cut_offs_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/measure_options.hpp>
 #include <fstiff/profile/roughness_cut_off.hpp>
 
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace fstiff::inline v0_1::parts {
@@ -167,7 +167,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] std::vector<T> neighbouring_lambda_s(const std::optional<T>& lambda_s, std::type_identity_t<T> step) {
     if (!lambda_s) return {4 * step};
-    const T root = numbers::sqrt2_v<T>;
+    const T root = std::numbers::sqrt2_v<T>;
     if (*lambda_s / root < min_steps_of_lambda_s * step) return {2 * *lambda_s};
     return {*lambda_s / root, *lambda_s * root};
 }

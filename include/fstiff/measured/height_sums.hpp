@@ -13,7 +13,6 @@
 /// Accuracy    that of plain sums (tests/measured/surface_parameters_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
@@ -24,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -71,7 +71,7 @@ Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
     if (count == PeakCount::profile) {
         const S share = static_cast<S>(sums.triples.peaks) / static_cast<S>(sums.triples.triples);
         e[1] = parts::radius_times_rms_curvature<S>() / curvature;
-        e[2] = 2 * numbers::pi_v<S> / (3 * std::sqrt(S(3))) * share * share;
+        e[2] = 2 * std::numbers::pi_v<S> / (3 * std::sqrt(S(3))) * share * share;
     } else if (count == PeakCount::summits) {
         e[1] = sums.summits / sums.summit_curvature;
         e[2] = sums.summits / sums.inner;

@@ -15,7 +15,6 @@
 /// Accuracy    quantile of ln sigma 1 % for v >= 4, 9 % at v = 2; waves of 15 half periods are low by 4 % due to the
 ///             width of 64 parts (tests/measured/long_waves_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
 
@@ -23,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -57,7 +57,7 @@ T variance_of_power_law(T share, bool map) {
                 const T c = std::pow(static_cast<T>(x * x + y * y), -(map ? b + 1 : b) / 2);
                 sum += c, squares += c * c;
             }
-        const T all = sum + std::pow(edge, 1 - b) / (b - 1) * (map ? numbers::pi_v<T> / 2 : T(1));
+        const T all = sum + std::pow(edge, 1 - b) / (b - 1) * (map ? std::numbers::pi_v<T> / 2 : T(1));
         variance = 2 * squares / (all * all);
         (sum / all < share ? low : high) = b;
     }
@@ -73,9 +73,10 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
     const auto cosines = [](Eigen::Index points) {
         return Waves::NullaryExpr(points, most,
                                   [points](Eigen::Index j, Eigen::Index k) {
-                                      const T angle = numbers::pi_v<T> * static_cast<T>(k * (2 * j + 1)) /
+                                      const T angle = std::numbers::pi_v<T> * static_cast<T>(k * (2 * j + 1)) /
                                                       static_cast<T>(2 * points);
-                                      return k < points ? std::cos(angle) * (k > 0 ? numbers::sqrt2_v<T> : T(1)) : T(0);
+                                      return k < points ? std::cos(angle) * (k > 0 ? std::numbers::sqrt2_v<T> : T(1))
+                                                        : T(0);
                                   })
             .eval();
     };

@@ -83,7 +83,7 @@ template <Real T>
     if (fit.automatic_window && fit.flattest_lag > T(0) && fit.flattest_slope < T(0.2) &&
         (fit.behind_plateau || fit.min_slope > fit.flattest_slope + T(0.5)))
         found.push_back(MeasuredConcern::saturated);
-    if (fit.log_roughness_error > numbers::ln10_v<T>) found.push_back(MeasuredConcern::roughness_uncertain);
+    if (fit.log_roughness_error > std::numbers::ln10_v<T>) found.push_back(MeasuredConcern::roughness_uncertain);
     return found;
 }
 

@@ -13,7 +13,6 @@
 /// Valid       surfaces without their mean plane (line) or a form of higher degree, missing points allowed
 /// Accuracy    shares 0.02, place of a step along x or y one part (tests/measured/plain_form_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/topography/height_map.hpp>
 
@@ -21,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -126,7 +126,7 @@ template <Real T, class Height>
     found.parabola = removed < 2 ? of.explained(2, 2) / squares : T(0);
     constexpr int angles = 36;
     for (int k = 0; k < (map ? angles : 1); ++k) {
-        const auto [gain, at] = of.step(static_cast<T>(k) * numbers::pi_v<T> / angles, removed);
+        const auto [gain, at] = of.step(static_cast<T>(k) * std::numbers::pi_v<T> / angles, removed);
         if (!(gain / squares > found.step) || !(gain > of.explained(removed + 1, smooth))) continue;
         found.step = gain / squares, found.along_x = k == 0, found.along_y = 2 * k == angles;
         found.place = found.along_y ? (of.v[at] + 1) / 2 * static_cast<T>(rows) * dy

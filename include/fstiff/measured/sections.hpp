@@ -94,26 +94,24 @@ struct SectionSums {
 constexpr Eigen::Index rows_apart(Eigen::Index n) { return std::max<Eigen::Index>(1, n / 16); }
 
 template <Real T>
-SectionSums<math::Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, bool second,
-                                               math::Accumulator<T> unit) {
-    using F = math::Accumulator<T>;
-    using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+SectionSums<double> section_sums(const HeightMap<T>& map, Direction direction, bool second, double unit) {
+    using Rows = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const bool x = direction == Direction::x;
     const Eigen::Index sections = x ? map.rows() : map.columns(), points = x ? map.columns() : map.rows();
-    SectionSums<F> sums;
+    SectionSums<double> sums;
     sums.step = logarithmic_lags(static_cast<std::size_t>(points) / 4);
     const auto lags = static_cast<Eigen::Index>(sums.step.size());
     sums.sum.resize(sections, lags);
     sums.pairs.resize(sections, lags);
     constexpr Eigen::Index together = 16;  // columns are fetched by so many, which share lines of the cache
     Rows z;
-    Eigen::Array<F, 1, Eigen::Dynamic> squares;
+    Eigen::Array<double, 1, Eigen::Dynamic> squares;
     sums.sum.setZero();
     sums.pairs.setZero();
     for (Eigen::Index j = 0; j < sections; ++j) {
         const Eigen::Index at = j % together, many = (std::min)(together, sections - j);
-        if (at == 0 && x) z = map.heights.middleRows(j, many).template cast<F>() / unit;
-        if (at == 0 && !x) z = map.heights.middleCols(j, many).transpose().template cast<F>() / unit;
+        if (at == 0 && x) z = map.heights.middleRows(j, many).template cast<double>() / unit;
+        if (at == 0 && !x) z = map.heights.middleCols(j, many).transpose().template cast<double>() / unit;
         const bool whole = !z.row(at).isNaN().any();
         for (Eigen::Index k = 0; k < lags; ++k) {
             const auto n = static_cast<Eigen::Index>(sums.step[static_cast<std::size_t>(k)]);
@@ -121,12 +119,12 @@ SectionSums<math::Accumulator<T>> section_sums(const HeightMap<T>& map, Directio
             const Eigen::Index count = points - (second ? 2 * n : n);
             const auto add = [&](const auto& square) {
                 if (whole) {
-                    sums.pairs(j, k) = static_cast<F>(count);
+                    sums.pairs(j, k) = static_cast<double>(count);
                     sums.sum(j, k) = square.sum();
                 } else {
                     squares = square;
-                    sums.pairs(j, k) = static_cast<F>(count - squares.isNaN().count());
-                    sums.sum(j, k) = squares.isNaN().select(F(0), squares).sum();
+                    sums.pairs(j, k) = static_cast<double>(count - squares.isNaN().count());
+                    sums.sum(j, k) = squares.isNaN().select(0.0, squares).sum();
                 }
             };
             const auto row = z.row(at);
@@ -178,44 +176,44 @@ struct LogLevel {
 };
 
 template <Real T>
-LogLevel<math::Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
-    using F = math::Accumulator<T>;
+LogLevel<double> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
     const StructureFunction<T>& s = measured.second_differences;
     // trapezoids over ln(lag), at 24 points of the window that both directions share
     constexpr int points = 24;
-    std::vector<F> weight(s.size(), F(0));
-    const F from = std::log(static_cast<F>(window.from)), to = std::log(static_cast<F>(window.to));
+    std::vector<double> weight(s.size(), 0.0);
+    const double from = std::log(static_cast<double>(window.from)), to = std::log(static_cast<double>(window.to));
     for (int p = 0; p < points; ++p) {
-        const F at = from + (to - from) * static_cast<F>(p) / static_cast<F>(points - 1);
+        const double at = from + (to - from) * static_cast<double>(p) / static_cast<double>(points - 1);
         std::size_t k = 1;
-        while (k + 1 < s.size() && std::log(static_cast<F>(s.lag[k])) < at) ++k;
-        const F below = std::log(static_cast<F>(s.lag[k - 1])), above = std::log(static_cast<F>(s.lag[k]));
-        const F share = std::clamp((at - below) / (above - below), F(0), F(1));
-        weight[k - 1] += (1 - share) / static_cast<F>(points);
-        weight[k] += share / static_cast<F>(points);
+        while (k + 1 < s.size() && std::log(static_cast<double>(s.lag[k])) < at) ++k;
+        const double below = std::log(static_cast<double>(s.lag[k - 1])),
+                     above = std::log(static_cast<double>(s.lag[k]));
+        const double share = std::clamp((at - below) / (above - below), 0.0, 1.0);
+        weight[k - 1] += (1 - share) / static_cast<double>(points);
+        weight[k] += share / static_cast<double>(points);
     }
-    LogStructure<F> log;
+    LogStructure<double> log;
     log.points = measured.points;
-    log.profiles = static_cast<F>(measured.profiles);
-    log.apart = static_cast<F>(measured.apart);
-    std::vector<F> used, log_lag, log_s;
-    LogLevel<F> level;
+    log.profiles = static_cast<double>(measured.profiles);
+    log.apart = static_cast<double>(measured.apart);
+    std::vector<double> used, log_lag, log_s;
+    LogLevel<double> level;
     for (std::size_t k = 0; k < s.size(); ++k) {
-        if (weight[k] == F(0)) continue;
+        if (weight[k] == 0.0) continue;
         log.step.push_back(s.step[k]);
         log.pairs.push_back(s.pairs[k]);
         used.push_back(weight[k]);
-        log_lag.push_back(std::log(static_cast<F>(s.step[k])));
-        log_s.push_back(std::log(static_cast<F>(s.value[k])));
+        log_lag.push_back(std::log(static_cast<double>(s.step[k])));
+        log_s.push_back(std::log(static_cast<double>(s.value[k])));
         level.mean += weight[k] * log_s.back();
     }
     const auto size = static_cast<Eigen::Index>(log.step.size());
-    const Vector<F> row = Eigen::Map<const Vector<F>>(used.data(), size);
-    log.lag = Eigen::Map<const Vector<F>>(log_lag.data(), size);
-    const Vector<F> y = Eigen::Map<const Vector<F>>(log_s.data(), size);
+    const Vector<double> row = Eigen::Map<const Vector<double>>(used.data(), size);
+    log.lag = Eigen::Map<const Vector<double>>(log_lag.data(), size);
+    const Vector<double> y = Eigen::Map<const Vector<double>>(log_s.data(), size);
     level.error = expected_spread(row, covariance_of(log, regression_slope(log.lag, y, 0, size - 1)));
     if (measured.resample)
-        level.error = (std::max)(level.error, sample_spread(row, Matrix<F>(measured.resample(log.step))));
+        level.error = (std::max)(level.error, sample_spread(row, Matrix<double>(measured.resample(log.step))));
     return level;
 }
 
@@ -232,43 +230,43 @@ Profile<T> section(const HeightMap<T>& map, Direction direction, Eigen::Index pl
 template <Real T>
 MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Direction direction,
                                                const SectionResampling& resampling) {
-    using F = math::Accumulator<T>;
     map.validate(16);
     require(resampling.resamples >= 0 && resampling.resamples <= 100000, "resamples", resampling.resamples,
             "between 0 and 100000");
     const bool x = direction == Direction::x;
-    const F unit = 4 * static_cast<F>(height_scale(map));  // the differences are at most 1
-    const SectionSums<F> first = section_sums(map, direction, false, unit);
-    SectionSums<F> sums = section_sums(map, direction, true, unit);
+    const double unit = 4 * static_cast<double>(height_scale(map));  // the differences are at most 1
+    const SectionSums<double> first = section_sums(map, direction, false, unit);
+    SectionSums<double> sums = section_sums(map, direction, true, unit);
 
     MeasuredStructureFunction<T> measured;
     measured.spacing = x ? map.dx : map.dy;
     measured.rms_height = rms_height(map);
     measured.points = static_cast<std::size_t>(x ? map.columns() : map.rows());
-    const auto sections = static_cast<F>(sums.sum.rows());
-    const auto means = [&](StructureFunction<T>& s, const SectionSums<F>& of) {
+    const auto sections = static_cast<double>(sums.sum.rows());
+    const auto means = [&](StructureFunction<T>& s, const SectionSums<double>& of) {
         for (std::size_t k = 0; k < of.step.size(); ++k) {
             const auto lag = static_cast<Eigen::Index>(k);
-            const F pairs = of.pairs.col(lag).sum(), sum = of.sum.col(lag).sum();
-            if (pairs == F(0)) continue;
+            const double pairs = of.pairs.col(lag).sum(), sum = of.sum.col(lag).sum();
+            if (pairs == 0.0) continue;
             const T value = mean_square<T>(sum, pairs, unit);
             s.step.push_back(of.step[k]);
             s.lag.push_back(static_cast<T>(of.step[k]) * measured.spacing);
             s.value.push_back(value);
-            const auto apart = static_cast<F>(rows_apart(static_cast<Eigen::Index>(of.step[k])));
-            const F used = std::ceil(sections / apart);
-            s.pairs.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(pairs / used + F(0.5))));
+            const auto apart = static_cast<double>(rows_apart(static_cast<Eigen::Index>(of.step[k])));
+            const double used = std::ceil(sections / apart);
+            s.pairs.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(pairs / used + 0.5)));
         }
     };
     means(measured.structure_function, first);
     means(measured.second_differences, sums);
-    const F apart = static_cast<F>(x ? map.dy : map.dx) / static_cast<F>(measured.spacing);  // rows, in samples
+    const double apart =
+        static_cast<double>(x ? map.dy : map.dx) / static_cast<double>(measured.spacing);  // rows, in samples
     measured.profiles = static_cast<T>(sections);
     measured.apart = static_cast<T>(apart);
     if (resampling.resamples > 1)
         measured.resample = [sums = std::move(sums), resampling, apart](const std::vector<std::size_t>& steps) {
-            const F reach = 4 * static_cast<F>(*std::max_element(steps.begin(), steps.end())) / apart;
-            const auto block = static_cast<std::size_t>((std::min)(reach, static_cast<F>(sums.sum.rows()))) + 1;
+            const double reach = 4 * static_cast<double>(*std::max_element(steps.begin(), steps.end())) / apart;
+            const auto block = static_cast<std::size_t>((std::min)(reach, static_cast<double>(sums.sum.rows()))) + 1;
             return resample_sections(sums, steps, block, resampling);
         };
     return measured;

@@ -17,7 +17,6 @@
 /// Accuracy    sums 1e-12; errors 0.7 to 1.4 times the scatter of 60 surfaces, exceptions in docs/theory.md, section 2
 
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/long_waves.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
@@ -25,6 +24,7 @@
 #include <fstiff/topography/form.hpp>
 
 #include <array>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -83,10 +83,9 @@ template <Real T>
 
 /// Sums of heights in \p unit and of lengths in samples of \p dx by \p dy.
 template <Real T>
-void store_sums(SurfaceParameters<T>& result, const detail::Estimates<math::Accumulator<T>>& whole,
-                const detail::EstimateSpread<math::Accumulator<T>>& spread, math::Accumulator<T> unit,
-                math::Accumulator<T> dx, math::Accumulator<T> dy) {
-    const auto measured = [&](Eigen::Index i, math::Accumulator<T> scale) {
+void store_sums(SurfaceParameters<T>& result, const detail::Estimates<double>& whole,
+                const detail::EstimateSpread<double>& spread, double unit, double dx, double dy) {
+    const auto measured = [&](Eigen::Index i, double scale) {
         return Measurement<T>{static_cast<T>(whole[i] * scale), static_cast<T>(whole[i] * scale * spread.error[i])};
     };
     result.rms_height = measured(0, unit);
@@ -105,7 +104,7 @@ void store_sums(SurfaceParameters<T>& result, const detail::Estimates<math::Accu
     else if (!(r < T(1)))
         result.why_no_peaks = "r = " + rounded_text(r, 4) +
                               ", must be less than 1: too near to a single sine, a straight line or a zigzag";
-    else if (!(theta < numbers::pi_v<T> / 2))
+    else if (!(theta < std::numbers::pi_v<T> / 2))
         result.why_no_peaks = "theta = pi/2, must be less: every point is above or below both of its neighbours";
     else {
         result.r = {r, static_cast<T>(spread.error[4])};
@@ -184,29 +183,28 @@ void require_numbers(const SurfaceParameters<T>& result) {
 
 template <Real T>
 SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, const SurfaceParameterOptions<T>& options) {
-    using S = math::Accumulator<T>;
     const Profile<T>& profile = levelled.profile;
     profile.validate(16);
     require_options(options);
     const std::size_t size = profile.size();
     const std::vector<T>& z = profile.heights;
-    const S unit = height_scale(profile), mean = static_cast<S>(mean_height(profile));
-    const S step = static_cast<S>(profile.spacing);
+    const double unit = height_scale(profile), mean = static_cast<double>(mean_height(profile));
+    const double step = static_cast<double>(profile.spacing);
 
-    // correlation length: S reaches 1 - 1/e of its end value
+    // correlation length: double reaches 1 - 1/e of its end value
     const StructureFunction<T> s = structure_function(profile);
     const T sigma = rms_height(profile);
     std::size_t correlated = size / 4;
     for (std::size_t k = s.size(); k-- > 0;)
         if (s.value[k] >= T(2) * sigma * sigma * T(0.632)) correlated = s.step[k];
     const std::size_t cells = std::min<std::size_t>(256, size / 2), length = (size + cells - 1) / cells;
-    std::vector<detail::HeightSums<S>> sums((size + length - 1) / length);
-    const auto height = [&](std::size_t i) { return (static_cast<S>(z[i]) - mean) / unit; };
+    std::vector<detail::HeightSums<double>> sums((size + length - 1) / length);
+    const auto height = [&](std::size_t i) { return (static_cast<double>(z[i]) - mean) / unit; };
     for (std::size_t i = 0; i < size; ++i) {
         sums[i / length].add_point(height(i));
         if (i > 0 && i + 1 < size) sums[i / length].triples.add(height(i) - height(i - 1), height(i + 1) - height(i));
     }
-    detail::HeightSums<S> all;
+    detail::HeightSums<double> all;
     for (const auto& cell : sums) all.add(cell);
     if (all.triples.triples < 8)
         throw domain_error("profile has " + std::to_string(all.triples.triples) +
@@ -219,8 +217,8 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     const auto whole = detail::estimates(all, count);
     auto spread = detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress);
     const auto waves =
-        detail::long_waves<S>(1, static_cast<Eigen::Index>(size), whole[0] * whole[0],
-                              [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
+        detail::long_waves<double>(1, static_cast<Eigen::Index>(size), whole[0] * whole[0],
+                                   [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, whole, waves);
     result.repetition = detail::repetition(profile);
@@ -234,18 +232,17 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
         options.dimension ? fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
                           : "D was not asked for";
     if (result.profile_fit) store_fit(result, *result.profile_fit);
-    store_long_end(result, waves, static_cast<T>(size) * profile.spacing / numbers::sqrt2_v<T>, options);
+    store_long_end(result, waves, static_cast<T>(size) * profile.spacing / std::numbers::sqrt2_v<T>, options);
     return result;
 }
 
 /// Sums over the part \p block of \p map, whose heights \p height gives in a unit; with \p summits also over its
 /// summits.
 template <Real T, class Height>
-[[nodiscard]] detail::HeightSums<math::Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
-                                                                     const Height& height, bool summits) {
-    using S = math::Accumulator<T>;
+[[nodiscard]] detail::HeightSums<double> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
+                                                       const Height& height, bool summits) {
     using Index = Eigen::Index;
-    detail::HeightSums<S> tile;
+    detail::HeightSums<double> tile;
     for (Index j = block.top; j < block.bottom; ++j)
         for (Index i = block.left; i < block.right; ++i) {
             tile.add_point(height(j, i));
@@ -253,13 +250,13 @@ template <Real T, class Height>
                 tile.triples.add(height(j, i) - height(j, i - 1), height(j, i + 1) - height(j, i));
         }
     if (!summits) return tile;
-    const S square_of_sides = static_cast<S>(map.dx) / map.dy * (static_cast<S>(map.dx) / map.dy);
+    const double square_of_sides = static_cast<double>(map.dx) / map.dy * (static_cast<double>(map.dx) / map.dy);
     visit_inner_points(map, block, [&](Index j, Index i, bool summit) {
         tile.inner += 1;
         if (!summit) return;
-        const S here = height(j, i);
-        const S along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
-        const S along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
+        const double here = height(j, i);
+        const double along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
+        const double along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
         tile.summits += 1;
         tile.summit_curvature += (along_x + along_y * square_of_sides) / 2;
     });
@@ -291,24 +288,23 @@ void store_islands(SurfaceParameters<T>& result, const HeightMap<T>& map, const 
 template <Real T, class Directions>
 SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options,
                                     const Directions& directions) {
-    using S = math::Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
     require_options(options);
     const auto& z = map.heights;
-    const S unit = height_scale(map), mean = static_cast<S>(mean_height(map));
-    const auto height = [&](Index j, Index i) { return (static_cast<S>(z(j, i)) - mean) / unit; };
+    const double unit = height_scale(map), mean = static_cast<double>(mean_height(map));
+    const auto height = [&](Index j, Index i) { return (static_cast<double>(z(j, i)) - mean) / unit; };
     const bool summits = options.peaks == PeakSource::summits;
     const Index tiles = static_cast<Index>(options.tiles);
-    std::vector<detail::HeightSums<S>> sums;
-    detail::HeightSums<S> all;
+    std::vector<detail::HeightSums<double>> sums;
+    detail::HeightSums<double> all;
     for (Index t = 0; t < tiles * tiles; ++t) {
         const Index row = t / tiles, column = t % tiles;
         const MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles, column * map.columns() / tiles,
                              (column + 1) * map.columns() / tiles};
-        const detail::HeightSums<S> tile = sums_of_block(map, block, height, summits);
+        const detail::HeightSums<double> tile = sums_of_block(map, block, height, summits);
         all.add(tile);
-        if (tile.points > S(0)) sums.push_back(tile);
+        if (tile.points > 0.0) sums.push_back(tile);
     }
     require(all.triples.triples > 0, "triples of neighbouring points in the rows", all.triples.triples, "at least 1");
     const auto with_summits =
@@ -320,11 +316,11 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const auto count = summits && result.why_no_density.empty() ? detail::PeakCount::summits : detail::PeakCount::none;
     const auto whole = detail::estimates(all, count);
     auto spread = detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress);
-    const auto waves = detail::long_waves<S>(map.rows(), map.columns(), whole[0] * whole[0], height);
+    const auto waves = detail::long_waves<double>(map.rows(), map.columns(), whole[0] * whole[0], height);
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, whole, waves);
     if (options.texture) result.texture_aspect_ratio = detail::texture_aspect_ratio(map);
-    store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
+    store_sums(result, whole, spread, unit, static_cast<double>(map.dx), static_cast<double>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) store_islands(result, map, options);
     if (!result.why_no_density.empty()) result.peak_radius = result.peak_density = {};

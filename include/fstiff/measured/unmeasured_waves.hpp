@@ -16,7 +16,6 @@
 /// Accuracy    the band of a piece contains sigma of a whole 4 or 8 times as long for 81 to 95 % of pieces without a
 ///             roll-off, 95 to 100 % with one, H 0.3 to 0.9 (tests/measured/unmeasured_waves_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/statistics.hpp>
 
 #include <Eigen/Core>
@@ -24,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace fstiff::inline v0_1::parts {
@@ -50,7 +50,7 @@ struct UnmeasuredWaves {
 template <Real T>
 [[nodiscard]] UnmeasuredWaves<T> unmeasured_waves(const LongEnd<T>& end, std::type_identity_t<T> side) {
     if (!(end.side > T(0) && side > end.side)) return {};
-    const T scatter = (numbers::sqrt2_v<T> - 1) * math::normal_95<T>.value * end.error * (1 - end.side / side);
+    const T scatter = (std::numbers::sqrt2_v<T> - 1) * math::normal_95<T>.value * end.error * (1 - end.side / side);
     const T growth = end.open * (end.hurst * std::log(side / end.side) + scatter);
     return {growth, growth > T(0.01) && !end.law};
 }
@@ -96,7 +96,7 @@ template <Real T, class Squares>
     T best = -std::numeric_limits<T>::infinity(), all = 0, open = 0, hurst = 0;
     for (int i = 1; i < 20; ++i)
         for (int j = 0; j <= 16; ++j) {
-            const T h = T(i) / 20, edge = T(j) * numbers::ln2_v<T> / 4;  // ln k_r, to four octaves
+            const T h = T(i) / 20, edge = T(j) * std::numbers::ln2_v<T> / 4;  // ln k_r, to four octaves
             const T b = 2 * h + (map ? 2 : 1), away = prior.error > T(0) ? (h - prior.value) / prior.error : T(0);
             T sum = 0, of_logs = 0;
             for (std::size_t w = 0; w < logs.size(); ++w) {

@@ -17,9 +17,9 @@
 ///             (tests/peaks/peak_distribution_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -30,7 +30,7 @@ public:
     /// \throws domain_error unless 0 <= r < 1 and 0 < theta < pi/2.
     PeakDistribution(T r, T theta) : r_(r), theta_(theta) {
         require(r >= 0 && r < 1, "r", r, "at least 0 and less than 1");
-        require(theta > 0 && theta < numbers::pi_v<T> / 2, "theta", theta,
+        require(theta > 0 && theta < std::numbers::pi_v<T> / 2, "theta", theta,
                 "between 0 and pi/2, both excluded (radians)");
     }
 
@@ -47,7 +47,7 @@ public:
     /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta). \throws domain_error unless pi/4
     /// <= theta <= pi/3, as rho2 = rho1^2 allows (a rounding beyond an end counts as the end).
     static PeakDistribution exponential(T theta) {
-        constexpr T pi = numbers::pi_v<T>;
+        constexpr T pi = std::numbers::pi_v<T>;
         constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
         require(theta >= pi / 4 - slack && theta <= pi / 3 + slack, "theta", theta,
                 "between pi/4 and pi/3 (radians) for an exponential autocorrelation");
@@ -73,7 +73,7 @@ public:
     [[nodiscard]] T operator()(T zeta, T t) const {
         if (!(t > 0)) return T(0);
         const T z = (zeta - r_ * t) / c();
-        return std::erf(t * std::tan(theta_) / numbers::sqrt2_v<T>) / (2 * theta_ * c()) *
+        return std::erf(t * std::tan(theta_) / std::numbers::sqrt2_v<T>) / (2 * theta_ * c()) *
                std::exp(-(z * z + t * t) / 2);
     }
 
@@ -83,7 +83,7 @@ public:
         // where that Gaussian stays clear of t = 0; elsewhere in u, t = s exp(u - exp(-u)) with s the smaller of c and
         // 1/k, which grades the nodes towards t = 0
         const T reach = std::sqrt(-2 * std::log(std::numeric_limits<T>::epsilon())) + T(0.5);
-        const T k = std::tan(theta_) / numbers::sqrt2_v<T>;
+        const T k = std::tan(theta_) / std::numbers::sqrt2_v<T>;
         const T width = c();
         const T mean = r_ * zeta;
         const auto integrand = [&](T t) {
@@ -111,7 +111,7 @@ public:
     /// E t^n. \throws domain_error unless 1 <= n <= 4.
     [[nodiscard]] T curvature_moment(int n) const {
         const T s = std::sin(theta_);
-        const T half = std::sqrt(numbers::pi_v<T> / 2);
+        const T half = std::sqrt(std::numbers::pi_v<T> / 2);
         switch (n) {
             case 1: return half * s / theta_;
             case 2: return 1 + std::sin(2 * theta_) / (2 * theta_);
@@ -145,7 +145,7 @@ public:
     }
 
     /// Peaks per ordinate, eq. (4.3).
-    [[nodiscard]] T peak_ratio() const { return theta_ / numbers::pi_v<T>; }
+    [[nodiscard]] T peak_ratio() const { return theta_ / std::numbers::pi_v<T>; }
 
 private:
     [[nodiscard]] T curvature_variance() const {

@@ -14,8 +14,9 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -37,7 +38,7 @@ template <int TwiceN, Real T>
 T scaled_upper_gamma(T x) {
     if constexpr (TwiceN == 0) return T(1);
     if constexpr (TwiceN == -1)
-        return numbers::sqrt2_v<T> * math::scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
+        return std::numbers::sqrt2_v<T> * math::scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
     if constexpr (TwiceN > 0) return T(TwiceN) / 2 * scaled_upper_gamma<TwiceN - 2>(x) + std::pow(x, T(TwiceN) / 2);
 }
 
@@ -45,7 +46,7 @@ T scaled_upper_gamma(T x) {
 template <Real T>
 [[nodiscard]] T height_moment(T n, T h, Heights heights = Heights::gaussian) {
     if (heights == Heights::gaussian)
-        return math::gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);
+        return math::gaussian_moment(n, h) / (std::numbers::sqrt2_v<T> / std::numbers::inv_sqrtpi_v<T>);
     require(!std::isnan(h), "h", h, "a number");
     return math::with_power(n, [h]<int TwiceN>() {
         return scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))) * std::exp(-(std::max)(h, T(0)));
@@ -61,15 +62,16 @@ struct SingleRadius {
     template <int TwiceN>
     [[nodiscard]] std::pair<T, T> scaled_height_moment(T h) const {
         if (heights == Heights::gaussian)
-            return {math::scaled_moment<TwiceN>(h) * numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>,
+            return {math::scaled_moment<TwiceN>(h) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>,
                     h > 0 ? -h * h / 2 : T(0)};
         return {scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))), -(std::max)(h, T(0))};
     }
     /// phi(s).
     [[nodiscard]] T density(T s) const {
-        return heights == Heights::gaussian ? std::exp(-s * s / 2) * numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>
-               : s >= 0                     ? std::exp(-s)
-                                            : T(0);
+        return heights == Heights::gaussian
+                   ? std::exp(-s * s / 2) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>
+               : s >= 0 ? std::exp(-s)
+                        : T(0);
     }
     [[nodiscard]] bool operator==(const SingleRadius&) const = default;
 };

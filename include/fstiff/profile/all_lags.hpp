@@ -12,7 +12,7 @@
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8)
 /// Units       lag [m], S [m^2]
 /// Valid       2 to 2^29 points; every height finite or NaN (missing)
-/// Accuracy    1e-10 relative at every lag in double and long double, tilt up to 1e6 times the roughness
+/// Accuracy    1e-10 relative at every lag in double, tilt up to 1e6 times the roughness
 ///             (tests/profile/all_lags_test.cpp)
 /// Cost        two transforms of 2N points, and N for every lag from its pairs: a few dozen for a rough profile
 
@@ -260,27 +260,26 @@ private:
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest = 0,
                                                                   Divisor divisor = Divisor::pairs) {
-    using F = math::Accumulator<T>;
     require_positive("spacing", profile.spacing);
     const std::size_t points = profile.size();
     if (points < 2 || points > std::size_t{1} << 29)
         throw domain_error("profile has " + std::to_string(points) + " points: must be between 2 and 2^29");
     if (longest >= points)
         refuse("lag", std::to_string(longest) + " samples", "between 1 and " + std::to_string(points - 1));
-    const F scale = static_cast<F>(height_scale(profile));
-    std::vector<F> heights(points);
+    const double scale = static_cast<double>(height_scale(profile));
+    std::vector<double> heights(points);
     std::vector<char> present;
     if (profile.present() < points) present.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
         const bool exists = !std::isnan(profile.heights[i]);
         if (!present.empty()) present[i] = exists ? 1 : 0;
-        heights[i] = exists ? static_cast<F>(profile.heights[i]) / scale : F(0);
+        heights[i] = exists ? static_cast<double>(profile.heights[i]) / scale : 0.0;
     }
-    parts::AllLags<F> all(heights, present, longest == 0 ? points - 1 : longest);
+    parts::AllLags<double> all(heights, present, longest == 0 ? points - 1 : longest);
     StructureFunction<T> result;
     result.step.resize(all.sum.size());
     result.lag.resize(all.sum.size());
-    if constexpr (std::is_same_v<T, F>)
+    if constexpr (std::is_same_v<T, double>)
         result.value = std::move(all.sum);
     else
         result.value.assign(all.sum.begin(), all.sum.end());
@@ -290,7 +289,7 @@ template <Real T>
         const std::size_t pairs = result.pairs[k];
         const std::size_t count = divided_by(pairs, divisor);
         if (count == 0) continue;
-        const T value = mean_square<T>(static_cast<F>(result.value[k]), static_cast<F>(count), scale);
+        const T value = mean_square<T>(static_cast<double>(result.value[k]), static_cast<double>(count), scale);
         result.step[kept] = k + 1;
         result.lag[kept] = static_cast<T>(k + 1) * profile.spacing;
         result.value[kept] = value;

@@ -31,20 +31,19 @@ struct Autocorrelation {
 /// Autocorrelation of \p profile. \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
-    using F = math::Accumulator<T>;
     profile.validate(16);
     const std::size_t size = profile.size(), lags = size / 2;
     if (size > std::size_t{1} << 29)
         throw domain_error("profile has " + std::to_string(size) + " points: must be at most 2^29");
     const T mean = parts::mean_height(profile), unit = math::power_of_two_below(rms_height(profile));
-    std::vector<F> z(size), mask(size, F(1));
+    std::vector<double> z(size), mask(size, 1.0);
     for (std::size_t i = 0; i < size; ++i) {
         if (std::isnan(profile.heights[i])) mask[i] = 0;
-        z[i] = mask[i] > 0 ? static_cast<F>((profile.heights[i] - mean) / unit) : F(0);
+        z[i] = mask[i] > 0 ? static_cast<double>((profile.heights[i] - mean) / unit) : 0.0;
     }
-    math::RealFft<F> fft(math::fast_fft_size(size + lags));
-    const auto correlate = [&](std::vector<F>& data) {
-        std::vector<std::complex<F>> spectrum;
+    math::RealFft<double> fft(math::fast_fft_size(size + lags));
+    const auto correlate = [&](std::vector<double>& data) {
+        std::vector<std::complex<double>> spectrum;
         fft.forward(data, spectrum);
         for (auto& wave : spectrum) wave = std::norm(wave);
         fft.inverse(spectrum, data);
@@ -53,9 +52,9 @@ template <Real T>
     correlate(z);
     if (!whole) correlate(mask);
     Autocorrelation<T> result;
-    const F variance = z[0] / static_cast<F>(profile.present());
+    const double variance = z[0] / static_cast<double>(profile.present());
     for (std::size_t n = 0; n <= lags; ++n) {
-        const F pairs = whole ? static_cast<F>(size - n) : std::round(mask[n]);
+        const double pairs = whole ? static_cast<double>(size - n) : std::round(mask[n]);
         result.lag.push_back(static_cast<T>(n) * profile.spacing);
         result.value.push_back(pairs > 0 ? static_cast<T>(z[n] / pairs / variance)
                                          : std::numeric_limits<T>::quiet_NaN());

@@ -64,34 +64,33 @@ template <Real T>
         throw domain_error("profile has " + std::to_string(points) + " points: must be at least " +
                            std::to_string(terms) + " to remove this form");
 
-    using S = math::Accumulator<T>;
-    const auto count = static_cast<S>(points);
-    const S last = static_cast<S>(profile.size() > 1 ? profile.size() - 1 : 1);
-    const auto position = [&](std::size_t i) { return 2 * static_cast<S>(i) / last - 1; };  // in [-1, 1]
+    const auto count = static_cast<double>(points);
+    const double last = static_cast<double>(profile.size() > 1 ? profile.size() - 1 : 1);
+    const auto position = [&](std::size_t i) { return 2 * static_cast<double>(i) / last - 1; };  // in [-1, 1]
     const auto mean_over_points = [&](const auto& f) {
-        math::CompensatedSum<S> sum;
+        math::CompensatedSum<double> sum;
         for (std::size_t i = 0; i < profile.size(); ++i)
             if (!std::isnan(profile.heights[i])) sum.add(f(i));
         return sum.value() / count;
     };
-    OrthogonalPolynomials<S> p;
+    OrthogonalPolynomials<double> p;
     p.centre = mean_over_points(position);
     p.mean_square =
         mean_over_points([&](std::size_t i) { return (position(i) - p.centre) * (position(i) - p.centre); });
     if (terms == 3)
         p.slope_shift = mean_over_points([&](std::size_t i) {
-                            const S u = position(i) - p.centre;
+                            const double u = position(i) - p.centre;
                             return u * u * u;
                         }) /
                         p.mean_square;
-    std::array<S, 3> norm{};
+    std::array<double, 3> norm{};
     for (std::size_t k = 0; k < terms; ++k)
         norm[k] = mean_over_points([&](std::size_t i) { return p(position(i))[k] * p(position(i))[k]; });
 
-    std::vector<S> value(profile.heights.begin(), profile.heights.end()), carry(profile.size(), S(0));
+    std::vector<double> value(profile.heights.begin(), profile.heights.end()), carry(profile.size(), 0.0);
     for (int pass = 0; pass < 2; ++pass) {
         for (std::size_t k = 0; k < terms; ++k) {
-            const S c =
+            const double c =
                 mean_over_points([&](std::size_t i) { return p(position(i))[k] * (value[i] + carry[i]); }) / norm[k];
             for (std::size_t i = 0; i < value.size(); ++i) subtract_product(value[i], carry[i], c, p(position(i))[k]);
         }

@@ -85,7 +85,6 @@ void set_slope_error(LogStructure<F>& log) {
 
 template <Real T>
 FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options) {
-    using F = math::Accumulator<T>;
     profile.validate(16);
     check_options(options);
     const std::size_t points = profile.size();
@@ -106,8 +105,8 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
     measured.points = points;
     if (options.resamples > 1)
         measured.resample = [&](const std::vector<std::size_t>& steps) {
-            const Profile<F> heights{std::vector<F>(profile.heights.begin(), profile.heights.end()),
-                                     static_cast<F>(profile.spacing)};
+            const Profile<double> heights{std::vector<double>(profile.heights.begin(), profile.heights.end()),
+                                          static_cast<double>(profile.spacing)};
             return bootstrap_log_structure(heights, steps, options.resamples, options.seed, options.progress);
         };
     const T tip_length = options.tip_radius > T(0) ? detail::tip_cutoff(profile, options.tip_radius) : T(0);
@@ -171,8 +170,8 @@ namespace parts {
 
 /// Adds the properties of the window to the result.
 template <Real T>
-void set_window(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>& log,
-                const ChosenRange<math::Accumulator<T>>& chosen, T spacing, const ReliableLags<T>& reliable) {
+void set_window(FractalFit<T>& result, const LogStructure<double>& log, const ChosenRange<double>& chosen, T spacing,
+                const ReliableLags<T>& reliable) {
     const IndexRange& range = chosen.range;
     const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
     result.reliable_from = reliable.from;
@@ -204,49 +203,50 @@ void set_window(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>&
 
 /// Computes D, G, and their errors.
 template <Real T>
-void set_fractal(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T>>& line,
-                 const LogStructure<math::Accumulator<T>>& log, const detail::LineFitter<math::Accumulator<T>>& fitter,
-                 const Matrix<math::Accumulator<T>>& resampled, T spacing, const FractalFitOptions<T>& options) {
-    using F = math::Accumulator<T>;
+void set_fractal(FractalFit<T>& result, const detail::LogFit<double>& line, const LogStructure<double>& log,
+                 const detail::LineFitter<double>& fitter, const Matrix<double>& resampled, T spacing,
+                 const FractalFitOptions<T>& options) {
     const IndexRange& range = line.range;
-    const detail::FractalLine<F> main =
-        detail::fractal_line<F>(line, options.convention, static_cast<F>(options.gamma));
-    const auto expected = [&](const Vector<F>& row) { return std::sqrt(fitter.covariance_of(row, row, range)); };
+    const detail::FractalLine<double> main =
+        detail::fractal_line<double>(line, options.convention, static_cast<double>(options.gamma));
+    const auto expected = [&](const Vector<double>& row) { return std::sqrt(fitter.covariance_of(row, row, range)); };
     // the scatter of a profile with few of the longest lags is uncertain: deviation of Student's t
-    const F longest = std::exp(log.lag[range.last]);
-    const F pieces = (std::max)(F(4), static_cast<F>(log.points) / longest * log.independent(longest));
-    const F few = std::sqrt(pieces / (pieces - 2));
-    F of_dimension = expected(main.dimension_row), of_log_g = expected(main.log_g_row);
-    F correlation = fitter.covariance_of(main.dimension_row, main.log_g_row, range) / of_dimension / of_log_g;
+    const double longest = std::exp(log.lag[range.last]);
+    const double pieces = (std::max)(4.0, static_cast<double>(log.points) / longest * log.independent(longest));
+    const double few = std::sqrt(pieces / (pieces - 2));
+    double of_dimension = expected(main.dimension_row), of_log_g = expected(main.log_g_row);
+    double correlation = fitter.covariance_of(main.dimension_row, main.log_g_row, range) / of_dimension / of_log_g;
     result.model_dimension_error = static_cast<T>(of_dimension);
-    F beyond_model = 1;  // how much more the variance is than that of a Gaussian profile
+    double beyond_model = 1;  // how much more the variance is than that of a Gaussian profile
     if (resampled.size() > 0) {
-        const auto part = [&](const Vector<F>& row) { return Vector<F>(row.segment(range.first, range.count())); };
-        const F bootstrap = sample_spread(part(main.dimension_row), resampled);
+        const auto part = [&](const Vector<double>& row) {
+            return Vector<double>(row.segment(range.first, range.count()));
+        };
+        const double bootstrap = sample_spread(part(main.dimension_row), resampled);
         result.bootstrap_dimension_error = static_cast<T>(bootstrap);
-        beyond_model = (std::max)(F(1), bootstrap * bootstrap / (of_dimension * of_dimension));
+        beyond_model = (std::max)(1.0, bootstrap * bootstrap / (of_dimension * of_dimension));
         of_dimension = (std::max)(of_dimension, bootstrap);
         of_log_g = (std::max)(of_log_g, sample_spread(part(main.log_g_row), resampled));
     }
     of_dimension *= few, of_log_g *= few;
     result.sampling_dimension_error = static_cast<T>(of_dimension);
     result.sampling_log_roughness_error = static_cast<T>(of_log_g);
-    F product = 0;  // of the shares of the window
+    double product = 0;  // of the shares of the window
     detail::set_neighbours(result, main, range, log, fitter, spacing, beyond_model, product, options);
-    const F dimension_error = std::hypot(of_dimension, static_cast<F>(result.window_dimension_error));
-    const F log_g_error = std::hypot(of_log_g, static_cast<F>(result.window_log_roughness_error));
+    const double dimension_error = std::hypot(of_dimension, static_cast<double>(result.window_dimension_error));
+    const double log_g_error = std::hypot(of_log_g, static_cast<double>(result.window_log_roughness_error));
     result.dimension_roughness_correlation = static_cast<T>(
-        std::clamp((correlation * of_dimension * of_log_g + product) / (dimension_error * log_g_error), F(-1), F(1)));
+        std::clamp((correlation * of_dimension * of_log_g + product) / (dimension_error * log_g_error), -1.0, 1.0));
     result.fractal.dimension = static_cast<T>(main.dimension);
-    const F roughness = std::exp(main.log_g) * static_cast<F>(spacing);
+    const double roughness = std::exp(main.log_g) * static_cast<double>(spacing);
     result.fractal.roughness = static_cast<T>(roughness);
     require(result.fractal.roughness >= (std::numeric_limits<T>::min)() &&
                 result.fractal.roughness <= (std::numeric_limits<T>::max)(),
             "fractal dimension of the window", main.dimension, "further from 1: G is beyond the range of numbers");
     result.dimension_error = static_cast<T>(dimension_error);
     result.log_roughness_error = static_cast<T>(log_g_error);
-    const F absolute = roughness * log_g_error;
-    require(absolute <= static_cast<F>((std::numeric_limits<T>::max)()), "fractal dimension of the window",
+    const double absolute = roughness * log_g_error;
+    require(absolute <= static_cast<double>((std::numeric_limits<T>::max)()), "fractal dimension of the window",
             main.dimension, "further from 1: the error of G is beyond the range of numbers");
     result.roughness_error = static_cast<T>(absolute);
 }
@@ -265,16 +265,15 @@ StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
 
 /// Sets D of the ordinary straight line over \p range, and its error. Returns the slope.
 template <Real T>
-math::Accumulator<T> set_ordinary_line(FractalFit<T>& result, const LogStructure<math::Accumulator<T>>& log,
-                                       const IndexRange& range) {
-    using F = math::Accumulator<T>;
-    const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
-    const F slope = regression_slope(x, y, 0, x.size() - 1);
+double set_ordinary_line(FractalFit<T>& result, const LogStructure<double>& log, const IndexRange& range) {
+    const Vector<double> x = log.lag.segment(range.first, range.count()),
+                         y = log.value.segment(range.first, range.count());
+    const double slope = regression_slope(x, y, 0, x.size() - 1);
     const auto centred = (x.array() - x.mean()).eval();
-    const F squares = (y.array() - y.mean() - slope * centred).square().sum();
+    const double squares = (y.array() - y.mean() - slope * centred).square().sum();
     result.line_dimension = static_cast<T>(2 - slope / 2);
     result.regression_dimension_error =
-        static_cast<T>(std::sqrt(squares / static_cast<F>(result.lags - 2) / centred.square().sum()) / 2);
+        static_cast<T>(std::sqrt(squares / static_cast<double>(result.lags - 2) / centred.square().sum()) / 2);
     return slope;
 }
 
@@ -291,22 +290,20 @@ template <Real T>
 
 /// S2 of the fitted \p line at the lags of its window.
 template <Real T>
-void set_fitted(FractalFit<T>& result, const detail::LogFit<math::Accumulator<T>>& line,
-                const LogStructure<math::Accumulator<T>>& log, T spacing) {
-    using F = math::Accumulator<T>;
+void set_fitted(FractalFit<T>& result, const detail::LogFit<double>& line, const LogStructure<double>& log, T spacing) {
     for (Eigen::Index k = 0; k < line.range.count(); ++k) {
         const auto at = static_cast<std::size_t>(line.range.first + k);
         result.fitted.step.push_back(log.step[at]);
         result.fitted.pairs.push_back(log.pairs[at]);
         result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
-        result.fitted.value.push_back(static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
+        result.fitted.value.push_back(
+            static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<double>(spacing)))));
     }
 }
 
 template <Real T>
 FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
                            T tip_length) {
-    using F = math::Accumulator<T>;  // the fit of a float profile is done in double
     FractalFit<T> result;
     result.structure_function = measured.structure_function;
     result.second_differences = measured.second_differences;
@@ -316,36 +313,36 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     if (options.lambda_s > reliable.from) reliable = {options.lambda_s, WindowEnd::lambda_s};
     if (tip_length > reliable.from) reliable = {tip_length, WindowEnd::tip};
     const T longest = !options.window && options.longest > T(0) ? options.longest : std::numeric_limits<T>::infinity();
-    LogStructure<F> log =
+    LogStructure<double> log =
         log_structure(up_to(measured.second_differences, longest), spacing, measured.points, reliable);
-    log.profiles = static_cast<F>(measured.profiles);
-    log.apart = static_cast<F>(measured.apart);
+    log.profiles = static_cast<double>(measured.profiles);
+    log.apart = static_cast<double>(measured.apart);
     if (measured.rms_height > T(0))  // the variance of z - 2 z' + z'' where the three have nothing in common
-        log.saturated = std::log(F(6)) + 2 * std::log(static_cast<F>(measured.rms_height / spacing));
+        log.saturated = std::log(6.0) + 2 * std::log(static_cast<double>(measured.rms_height / spacing));
     set_slope_error(log);
-    const ChosenRange<F> chosen =
+    const ChosenRange<double> chosen =
         options.window ? given_range(log, *options.window, spacing, reliable) : automatic_range(log, spacing, reliable);
     set_window(result, log, chosen, spacing, reliable);
 
     const IndexRange& range = chosen.range;
-    F power = std::clamp(set_ordinary_line(result, log, range), F(0.05), F(1.95));
-    const F log_gamma = std::log(static_cast<F>(options.gamma));
-    std::optional<detail::LineFitter<F>> fitter;
-    detail::LogFit<F> line;
+    double power = std::clamp(set_ordinary_line(result, log, range), 0.05, 1.95);
+    const double log_gamma = std::log(static_cast<double>(options.gamma));
+    std::optional<detail::LineFitter<double>> fitter;
+    detail::LogFit<double> line;
     for (int round = 0; round < 4; ++round) {  // covariance, filter and band ends depend weakly on the slope
-        const bool band_ends = range.first > 0 && log.slope[0] > power + F(0.3);  // S2 is steeper at shorter lags
+        const bool band_ends = range.first > 0 && log.slope[0] > power + 0.3;  // S2 is steeper at shorter lags
         fitter.emplace(log, covariance_of(log, power), power, log_gamma, band_ends);
         line = fitter->fit(range, range);
-        if (std::abs(line.slope - power) < F(0.01)) break;
-        power = std::clamp(line.slope, F(0.05), F(1.95));
+        if (std::abs(line.slope - power) < 0.01) break;
+        power = std::clamp(line.slope, 0.05, 1.95);
     }
     result.finite_band = line.finite_band;
     result.log_periodic = line.log_periodic;
-    const F dimension = 2 - line.slope / 2;
-    require(dimension > F(1) && dimension < F(2), "fractal dimension of the window", dimension,
+    const double dimension = 2 - line.slope / 2;
+    require(dimension > 1.0 && dimension < 2.0, "fractal dimension of the window", dimension,
             "between 1 and 2, both excluded: this window holds no fractal profile");
-    if (result.automatic_window && line.slope < F(0.2)) refuse_plateau(result, static_cast<T>(dimension));
-    Matrix<F> resampled;
+    if (result.automatic_window && line.slope < 0.2) refuse_plateau(result, static_cast<T>(dimension));
+    Matrix<double> resampled;
     if (measured.resample) {
         resampled = measured.resample({log.step.begin() + range.first, log.step.begin() + range.last + 1});
         if (resampled.rows() != range.count() || resampled.cols() < 2 || !resampled.allFinite())
@@ -354,7 +351,7 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     set_fractal(result, line, log, *fitter, resampled, spacing, options);
     set_fitted(result, line, log, spacing);
     result.curved =
-        detail::is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
+        detail::is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < 0.2 ||
         detail::flattens(log, range, line.slope) ||
         std::any_of(result.neighbours.begin(), result.neighbours.end(), [](const auto& one) { return one.disagrees; });
     return result;

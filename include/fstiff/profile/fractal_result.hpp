@@ -49,8 +49,7 @@ struct MeasuredStructureFunction {
     T apart{};  ///< distance between neighbouring profiles [spacings]: below half the lag they have the same waves;
                 ///< 0: they are independent
     /// ln S2 at the given steps (rows) for resamples (columns), for the errors; may be empty. ln S2 in any unit.
-    std::function<Eigen::Matrix<math::Accumulator<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>
-        resample{};
+    std::function<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)> resample{};
 };
 
 /// D of a half of the window, or of a straight window next to it.

@@ -16,11 +16,12 @@
 /// Accuracy    transmission 1e-6 for a cut-off of 5 spacings, 1e-13 from 10 on; robust 1e-10 of the rms height
 ///             (tests/profile/gaussian_filter_test.cpp, tests/profile/robust_gaussian_filter_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/gaussian_smoother.hpp>
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/profile/structure_function.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::parts {
 
@@ -30,13 +31,12 @@ template <Real T>
     require_positive("wavelength", wavelength);
     require_positive("cut-off", cutoff);
     const T ratio = cutoff / wavelength;
-    return std::exp(-numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
+    return std::exp(-std::numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
 }
 
 /// Weighted means of the head of this file, for a cut-off of at least \p least spacings.
 template <Real T>
 Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
-    using F = math::Accumulator<T>;
     require_positive("spacing", profile.spacing);
     // a cut-off of exactly so many spacings is valid, whatever its rounding
     if (!(cutoff >= static_cast<T>(least) * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) &&
@@ -46,12 +46,12 @@ Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
     const T scale = height_scale(profile);
     const T mean = mean_height(profile);
     const std::size_t size = profile.size();
-    math::GaussianSmoother<F> smooth(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing));
-    std::vector<F> heights(size), mask(size);
+    math::GaussianSmoother<double> smooth(size, static_cast<double>(cutoff) / static_cast<double>(profile.spacing));
+    std::vector<double> heights(size), mask(size);
     for (std::size_t i = 0; i < size; ++i) {
         const bool exists = !std::isnan(profile.heights[i]);
-        heights[i] = exists ? static_cast<F>((profile.heights[i] - mean) / scale) : F(0);
-        mask[i] = exists ? F(1) : F(0);
+        heights[i] = exists ? static_cast<double>((profile.heights[i] - mean) / scale) : 0.0;
+        mask[i] = exists ? 1.0 : 0.0;
     }
     smooth(heights);
     smooth(mask);
@@ -104,7 +104,7 @@ public:
         for (std::size_t n = 0; n < shapes_.size(); ++n) {
             for (std::size_t k = 0; k <= reach_; ++k) {
                 const F x = static_cast<F>(k) / unit;
-                const F value = std::exp(-numbers::pi_v<F> * x * x) * std::pow(x, static_cast<F>(n));
+                const F value = std::exp(-std::numbers::pi_v<F> * x * x) * std::pow(x, static_cast<F>(n));
                 kernel[k] = n % 2 == 0 ? value : -value;  // the sum runs over i + x: the kernel is turned round
                 if (k > 0) kernel[fft_.size() - k] = value;
             }
@@ -151,25 +151,25 @@ F regression_value(const std::vector<std::vector<F>>& s, const std::vector<std::
 /// Long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
 template <Real T>
 [[nodiscard]] math::RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2) {
-    using F = math::Accumulator<T>;
     require_positive("spacing", profile.spacing);
     require(order == 0 || order == 2, "order", order, "0 or 2");
     require(cutoff >= 5 * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= profile.length(),
             "cut-off", cutoff, "at least 5 spacings and at most the length of the profile");
     const T scale = height_scale(profile), mean = mean_height(profile);
     const std::size_t size = profile.size(), terms = static_cast<std::size_t>(order) + 1;
-    parts::RegressionSums<F> regression(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing), order);
-    std::vector<std::vector<F>> s, t;
+    parts::RegressionSums<double> regression(size, static_cast<double>(cutoff) / static_cast<double>(profile.spacing),
+                                             order);
+    std::vector<std::vector<double>> s, t;
     const auto exists = [&](std::size_t i) { return !std::isnan(profile.heights[i]); };
-    std::vector<F> heights(size);
+    std::vector<double> heights(size);
     for (std::size_t i = 0; i < size; ++i)
-        if (exists(i)) heights[i] = static_cast<F>((profile.heights[i] - mean) / scale);
-    const auto sum = [&](const std::vector<F>& weights, const std::vector<F>& weighted) {
+        if (exists(i)) heights[i] = static_cast<double>((profile.heights[i] - mean) / scale);
+    const auto sum = [&](const std::vector<double>& weights, const std::vector<double>& weighted) {
         regression(weights, 2 * terms - 1, s);
         regression(weighted, terms, t);
     };
     const auto found = math::robust_means(
-        heights, static_cast<F>(robust_share[order / 2]), exists, sum, [&](std::size_t i) { return s[0][i]; },
+        heights, static_cast<double>(robust_share[order / 2]), exists, sum, [&](std::size_t i) { return s[0][i]; },
         [&](std::size_t i) { return regression_value(s, t, i); });
     math::RobustWaviness<Profile<T>> result{profile, found.left_out, found.iterations, found.converged};
     for (std::size_t i = 0; i < size; ++i)

@@ -134,18 +134,17 @@ struct LogStructure {
 
 /// Omits lags at which nothing differs (S2 = 0), which have no logarithm, and unreliable lags.
 template <Real T>
-LogStructure<math::Accumulator<T>> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
-                                                 const ReliableLags<T>& reliable) {
-    using F = math::Accumulator<T>;
-    LogStructure<F> log;
+LogStructure<double> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
+                                   const ReliableLags<T>& reliable) {
+    LogStructure<double> log;
     log.points = points;
-    std::vector<F> lag, value;
+    std::vector<double> lag, value;
     for (std::size_t k = 0; k < s.size(); ++k) {
         if (!(s.value[k] > T(0) && reliable.holds(static_cast<T>(s.step[k]) * spacing))) continue;
         log.step.push_back(s.step[k]);
         log.pairs.push_back(s.pairs[k]);
-        lag.push_back(std::log(static_cast<F>(s.step[k])));
-        value.push_back(std::log(static_cast<F>(s.value[k])) - 2 * std::log(static_cast<F>(spacing)));
+        lag.push_back(std::log(static_cast<double>(s.step[k])));
+        value.push_back(std::log(static_cast<double>(s.value[k])) - 2 * std::log(static_cast<double>(spacing)));
     }
     const bool limited = reliable.from > T(0);
     if (limited && (log.step.size() < min_window_lags ||
@@ -157,8 +156,8 @@ LogStructure<math::Accumulator<T>> log_structure(const StructureFunction<T>& s, 
         throw domain_error("profile has differing heights at " + std::to_string(log.step.size()) +
                            " lags: must be at least " + std::to_string(min_window_lags));
     const auto size = static_cast<Eigen::Index>(lag.size());
-    log.lag = Eigen::Map<const Vector<F>>(lag.data(), size);
-    log.value = Eigen::Map<const Vector<F>>(value.data(), size);
+    log.lag = Eigen::Map<const Vector<double>>(lag.data(), size);
+    log.value = Eigen::Map<const Vector<double>>(value.data(), size);
     log.slope.resize(size);
     for (Eigen::Index k = 0; k < size; ++k) log.slope[k] = local_slope(log.lag, log.value, k);
     return log;
@@ -226,12 +225,11 @@ struct ChosenRange {
 
 /// Given window. \throws domain_error when it holds too few lags.
 template <Real T>
-ChosenRange<math::Accumulator<T>> given_range(const LogStructure<math::Accumulator<T>>& log, const LagWindow<T>& window,
-                                              T spacing, const ReliableLags<T>& reliable) {
-    using F = math::Accumulator<T>;
-    const F slack = F(1e-4);
-    const F from = std::log(static_cast<F>(window.from / spacing)) - slack;
-    const F to = std::log(static_cast<F>(window.to / spacing)) + slack;
+ChosenRange<double> given_range(const LogStructure<double>& log, const LagWindow<T>& window, T spacing,
+                                const ReliableLags<T>& reliable) {
+    const double slack = 1e-4;
+    const double from = std::log(static_cast<double>(window.from / spacing)) - slack;
+    const double to = std::log(static_cast<double>(window.to / spacing)) + slack;
     IndexRange range{log.lag.size(), -1};
     for (Eigen::Index k = 0; k < log.lag.size(); ++k)
         if (log.lag[k] >= from && log.lag[k] <= to) {
@@ -240,7 +238,7 @@ ChosenRange<math::Accumulator<T>> given_range(const LogStructure<math::Accumulat
         }
     const auto held = range.last < range.first ? Eigen::Index(0) : range.count();
     if (held < static_cast<Eigen::Index>(min_window_lags) ||
-        log.lag[range.last] - log.lag[range.first] < std::log(static_cast<F>(min_window_ratio))) {
+        log.lag[range.last] - log.lag[range.first] < std::log(static_cast<double>(min_window_ratio))) {
         const T length = static_cast<T>(log.points - 1) * spacing;
         const auto metres = [](T value) { return rounded_text(value, 4) + " m"; };
         throw domain_error({.parameter = "window",
@@ -249,16 +247,14 @@ ChosenRange<math::Accumulator<T>> given_range(const LogStructure<math::Accumulat
                                       std::to_string(min_window_lags) + " and half a decade, between " +
                                       metres(spacing) + " and " + metres(length) + reliable.note(length)});
     }
-    return {range, F(0), false};
+    return {range, 0.0, false};
 }
 
 /// Automatic window. \throws domain_error when there is none.
 template <Real T>
-ChosenRange<math::Accumulator<T>> automatic_range(const LogStructure<math::Accumulator<T>>& log, T spacing,
-                                                  const ReliableLags<T>& reliable) {
-    using F = math::Accumulator<T>;
+ChosenRange<double> automatic_range(const LogStructure<double>& log, T spacing, const ReliableLags<T>& reliable) {
     for (const auto& [tolerance, behind_plateau] :
-         {std::pair{F(0.2), false}, {F(0.2), true}, {F(0.3), false}, {F(0.45), false}, {F(0.3), true}, {F(0.45), true}})
+         {std::pair{0.2, false}, {0.2, true}, {0.3, false}, {0.45, false}, {0.3, true}, {0.45, true}})
         if (const auto range = straight_range(log, tolerance, behind_plateau, {0, log.lag.size() - 1}))
             return {*range, tolerance, behind_plateau};
     const std::string first = rounded_text(log.slope[0], 4), last = rounded_text(log.slope[log.slope.size() - 1], 4);

@@ -15,11 +15,12 @@
 /// Valid       at least 16 points and a triple; peak_statistics() refuses r = 1 (single sine), theta = pi/2 (zigzag)
 /// Accuracy    1e-13 in double (tests/profile/spectral_moments_test.cpp, tests/profile/peak_statistics_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/accumulate.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/moments.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -68,7 +69,7 @@ struct PeakStatistics {
     std::size_t triples{};   ///< of existing neighbours
 
     /// theta/pi: expected counted_peak_ratio of a Gaussian profile by (4.3).
-    [[nodiscard]] T peak_ratio() const { return theta / numbers::pi_v<T>; }
+    [[nodiscard]] T peak_ratio() const { return theta / std::numbers::pi_v<T>; }
 };
 
 /// Statistics of \p profile about its mean: remove its form first, with detrend().
@@ -76,31 +77,31 @@ struct PeakStatistics {
 template <Real T>
 [[nodiscard]] PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     profile.validate(16);
-    using S = math::Accumulator<T>;
     PeakStatistics<T> result;
     result.rms_height = rms_height(profile);
     const T scale = result.rms_height;  // heights below are in units of sigma
-    parts::TripleSums<S, math::CompensatedSum<S>> sums;
+    parts::TripleSums<double, math::CompensatedSum<double>> sums;
     const std::vector<T>& z = profile.heights;
     for (std::size_t i = 1; i + 1 < z.size(); ++i) sums.add((z[i] - z[i - 1]) / scale, (z[i + 1] - z[i]) / scale);
     result.triples = sums.triples;
     if (result.triples == 0) throw domain_error("profile has 0 triples of neighbouring points: must be at least 1");
-    const S slope2 = sums.mean_square_slope(), curvature2 = sums.mean_square_curvature();  // times h^2, h^4
-    const S h = static_cast<S>(profile.spacing);
-    const S sine = std::sqrt(curvature2 / slope2) / 2;
-    const S r = slope2 / std::sqrt(curvature2);
-    require(sine > S(0) && sine < S(1), "sin(theta) of the profile", sine,
+    const double slope2 = sums.mean_square_slope(), curvature2 = sums.mean_square_curvature();  // times h^2, h^4
+    const double h = static_cast<double>(profile.spacing);
+    const double sine = std::sqrt(curvature2 / slope2) / 2;
+    const double r = slope2 / std::sqrt(curvature2);
+    require(sine > 0.0 && sine < 1.0, "sin(theta) of the profile", sine,
             "between 0 and 1, both excluded: neither straight nor zigzag");
-    require(r < S(1), "r of the profile", r, "less than 1: this profile is too near to a single sine, or too short");
-    result.rms_slope = static_cast<T>(static_cast<S>(scale) * (std::sqrt(slope2) / h));
-    result.rms_curvature = static_cast<T>(static_cast<S>(scale) / h * (std::sqrt(curvature2) / h));
+    require(r < 1.0, "r of the profile", r, "less than 1: this profile is too near to a single sine, or too short");
+    result.rms_slope = static_cast<T>(static_cast<double>(scale) * (std::sqrt(slope2) / h));
+    result.rms_curvature = static_cast<T>(static_cast<double>(scale) / h * (std::sqrt(curvature2) / h));
     result.rho1 = static_cast<T>(1 - slope2 / 2);
     result.rho2 = static_cast<T>(1 - 2 * slope2 + curvature2 / 2);
     result.r = static_cast<T>(r);
     result.theta = static_cast<T>(std::asin(sine));
     require(result.r < T(1), "r of the profile", result.r,
             "less than 1: this profile is too near to a single sine, or too short");
-    require(result.theta < numbers::pi_v<T> / 2, "theta of the profile", result.theta, "less than pi/2: no zigzag");
+    require(result.theta < std::numbers::pi_v<T> / 2, "theta of the profile", result.theta,
+            "less than pi/2: no zigzag");
     result.counted_peak_ratio = static_cast<T>(sums.peaks) / static_cast<T>(result.triples);
     result.peaks_per_length = result.counted_peak_ratio / profile.spacing;
     return result;
@@ -113,27 +114,26 @@ namespace parts {
 template <Real T>
 [[nodiscard]] SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
     profile.validate(16);
-    using S = math::Accumulator<T>;
     const T scale = height_scale(profile);
-    math::CompensatedSum<S> slope;
-    TripleSums<S, math::CompensatedSum<S>> sums;
+    math::CompensatedSum<double> slope;
+    TripleSums<double, math::CompensatedSum<double>> sums;
     std::size_t pairs = 0;
-    S before = std::numeric_limits<S>::quiet_NaN();
+    double before = std::numeric_limits<double>::quiet_NaN();
     const std::vector<T>& z = profile.heights;
     for (std::size_t i = 0; i + 1 < z.size(); ++i) {
-        const S rise = (z[i + 1] - z[i]) / scale;
+        const double rise = (z[i + 1] - z[i]) / scale;
         sums.add(std::exchange(before, rise), rise);
         if (std::isnan(rise)) continue;
         slope.add(rise * rise);
         ++pairs;
     }
     if (sums.triples == 0) throw domain_error("profile has 0 triples of neighbouring points: must be at least 1");
-    const S ratio = static_cast<S>(scale) / static_cast<S>(profile.spacing);
+    const double ratio = static_cast<double>(scale) / static_cast<double>(profile.spacing);
     SpectralMoments<T> moments;
     const T rms = rms_height(profile);
     moments.m0 = rms * rms;
-    moments.m2 = static_cast<T>(slope.value() / static_cast<S>(pairs) * ratio * ratio);
-    const S rms_bend = std::sqrt(sums.mean_square_curvature()) * ratio / static_cast<S>(profile.spacing);
+    moments.m2 = static_cast<T>(slope.value() / static_cast<double>(pairs) * ratio * ratio);
+    const double rms_bend = std::sqrt(sums.mean_square_curvature()) * ratio / static_cast<double>(profile.spacing);
     moments.m4 = static_cast<T>(rms_bend * rms_bend);
     const auto usable = [](T value) {
         return value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)();

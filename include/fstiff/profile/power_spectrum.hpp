@@ -16,10 +16,11 @@
 /// Accuracy    Parseval 1e-13; D of fractional Brownian profiles of 4096 points 0.02 in the mean
 ///             (tests/profile/power_spectrum_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/spectrum_window.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -35,7 +36,7 @@ struct PowerSpectrum {
 
     /// Integral of q^\p order C dq: m0, m2, m4 by 0, 2, 4 [m^(2-order)].
     [[nodiscard]] T moment(int order) const {
-        math::CompensatedSum<math::Accumulator<T>> sum;
+        math::CompensatedSum<double> sum;
         for (std::size_t k = 0; k < size(); ++k) {
             const T share = k == 0 || k + 1 == size() ? T(0.5) : T(1);
             sum.add(share * value[k] * step * std::pow(wavenumber[k], static_cast<T>(order)));
@@ -63,19 +64,18 @@ struct SpectralFit {
 
 /// Heights from the first to the last existing point, gaps bridged.
 template <Real T>
-std::vector<math::Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
-    std::vector<math::Accumulator<T>> heights;
+std::vector<double> bridged(const Profile<T>& profile, T mean, T scale) {
+    std::vector<double> heights;
     std::size_t gap = 0;
     for (const T z : profile.heights) {
         if (std::isnan(z)) {
             gap += heights.empty() ? 0 : 1;
             continue;
         }
-        const math::Accumulator<T> next = static_cast<math::Accumulator<T>>((z - mean) / scale);
-        const math::Accumulator<T> last = heights.empty() ? next : heights.back();
+        const double next = static_cast<double>((z - mean) / scale);
+        const double last = heights.empty() ? next : heights.back();
         for (std::size_t k = 1; k <= gap; ++k)
-            heights.push_back(last + (next - last) * static_cast<math::Accumulator<T>>(k) /
-                                         static_cast<math::Accumulator<T>>(gap + 1));
+            heights.push_back(last + (next - last) * static_cast<double>(k) / static_cast<double>(gap + 1));
         gap = 0;
         heights.push_back(next);
     }
@@ -89,7 +89,7 @@ struct SpectralBin {
 };
 
 /// Mean of the values \p first to \p end - 1.
-template <Real T, Real F = math::Accumulator<T>>
+template <Real T, Real F = double>
 std::vector<SpectralBin<F>> spectral_bins(const PowerSpectrum<T>& spectrum, std::size_t first, std::size_t end) {
     std::vector<SpectralBin<F>> bins;
     for (std::size_t k = first; k < end;) {
@@ -119,35 +119,34 @@ std::vector<SpectralBin<F>> spectral_bins(const PowerSpectrum<T>& spectrum, std:
 /// \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape = SpectrumWindow::hann) {
-    using F = math::Accumulator<T>;
     profile.validate(16);
     const T scale = parts::height_scale(profile);
-    std::vector<F> z = parts::bridged(profile, parts::mean_height(profile), scale);
+    std::vector<double> z = parts::bridged(profile, parts::mean_height(profile), scale);
     const std::size_t points = z.size();
-    std::vector<F> window(points);
-    math::CompensatedSum<F> weight, squares, weighted;
+    std::vector<double> window(points);
+    math::CompensatedSum<double> weight, squares, weighted;
     for (std::size_t i = 0; i < points; ++i) {
-        window[i] = parts::window_weight<F>(shape, i, points);
+        window[i] = parts::window_weight<double>(shape, i, points);
         weight.add(window[i]);
         squares.add(window[i] * window[i]);
         weighted.add(window[i] * z[i]);
     }
-    const F mean = weighted.value() / weight.value();
+    const double mean = weighted.value() / weight.value();
     for (std::size_t i = 0; i < points; ++i) z[i] = window[i] * (z[i] - mean);
-    math::RealFft<F> fft(math::fast_fft_size(points));
-    std::vector<std::complex<F>> transform;
+    math::RealFft<double> fft(math::fast_fft_size(points));
+    std::vector<std::complex<double>> transform;
     fft.forward(z, transform);
 
     PowerSpectrum<T> spectrum;
-    const F h = static_cast<F>(profile.spacing), size = static_cast<F>(fft.size());
-    const F factor = h / (numbers::pi_v<F> * squares.value());
-    spectrum.step = static_cast<T>(2 * numbers::pi_v<F> / (size * h));
-    const F neighbours = shape == SpectrumWindow::hann ? F(35) / 18 : F(1);
-    spectrum.independent = static_cast<T>(neighbours * size / static_cast<F>(points));
+    const double h = static_cast<double>(profile.spacing), size = static_cast<double>(fft.size());
+    const double factor = h / (std::numbers::pi * squares.value());
+    spectrum.step = static_cast<T>(2 * std::numbers::pi / (size * h));
+    const double neighbours = shape == SpectrumWindow::hann ? 35.0 / 18 : 1.0;
+    spectrum.independent = static_cast<T>(neighbours * size / static_cast<double>(points));
     for (std::size_t k = 0; k < transform.size(); ++k) {
         spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
-        const F relative = k == 0 ? F(0) : std::norm(transform[k]) * factor;
-        const T value = static_cast<T>(relative * static_cast<F>(scale) * static_cast<F>(scale));
+        const double relative = k == 0 ? 0.0 : std::norm(transform[k]) * factor;
+        const T value = static_cast<T>(relative * static_cast<double>(scale) * static_cast<double>(scale));
         require(value <= (std::numeric_limits<T>::max)(), "power spectrum", value,
                 "finite: these heights are too large");
         spectrum.value.push_back(value);
@@ -162,11 +161,10 @@ namespace parts {
 template <Real T>
 [[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
                                           const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {}) {
-    using F = math::Accumulator<T>;
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
-    const F turn = 2 * numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
-    const F longest = turn / static_cast<F>(spectrum.step), shortest = longest / last;  // two spacings
+    const double turn = 2 * std::numbers::pi, last = static_cast<double>(spectrum.size() - 1);
+    const double longest = turn / static_cast<double>(spectrum.step), shortest = longest / last;  // two spacings
     SpectralFit<T> fit;
     fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
     require_positive("window from", fit.window.from);
@@ -175,15 +173,15 @@ template <Real T>
 
     // bins of an eighth of an octave from the longest wavelength on; the index gives the wavelength longest/k
     const auto first = static_cast<std::size_t>(
-        std::clamp(std::ceil(longest / static_cast<F>(fit.window.to) * F(1 - 1e-6)), F(1), last + 1));
+        std::clamp(std::ceil(longest / static_cast<double>(fit.window.to) * double(1 - 1e-6)), 1.0, last + 1));
     const auto end = static_cast<std::size_t>(
-        std::clamp(std::floor(longest / static_cast<F>(fit.window.from) * F(1 + 1e-6)), F(0), last) + 1);
+        std::clamp(std::floor(longest / static_cast<double>(fit.window.from) * double(1 + 1e-6)), 0.0, last) + 1);
     const auto bins = spectral_bins(spectrum, first, end);
     fit.bins = bins.size();
-    if (bins.size() < 4 || bins.back().x - bins.front().x < std::log(F(3.1)))
+    if (bins.size() < 4 || bins.back().x - bins.front().x < std::log(3.1))
         throw domain_error("window of the power spectrum: holds " + std::to_string(bins.size()) +
                            " bins; must hold at least 4 and half a decade");
-    F weights = 0, mean_x = 0, mean_y = 0;
+    double weights = 0, mean_x = 0, mean_y = 0;
     for (const auto& bin : bins) {
         weights += bin.weight;
         mean_x += bin.weight * bin.x;
@@ -191,7 +189,7 @@ template <Real T>
     }
     mean_x /= weights;
     mean_y /= weights;
-    F moment = 0, product = 0;
+    double moment = 0, product = 0;
     for (const auto& bin : bins) {
         moment += bin.weight * (bin.x - mean_x) * (bin.x - mean_x);
         product += bin.weight * (bin.x - mean_x) * (bin.y - mean_y);

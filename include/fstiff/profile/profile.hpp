@@ -57,7 +57,7 @@ namespace parts {
 /// Mean of the heights that exist [m]. \throws domain_error when there is none.
 template <Real T>
 [[nodiscard]] T mean_height(const Profile<T>& profile) {
-    math::CompensatedSum<math::Accumulator<T>> sum;
+    math::CompensatedSum<double> sum;
     std::size_t count = 0;
     for (const T z : profile.heights)
         if (!std::isnan(z)) {
@@ -65,7 +65,7 @@ template <Real T>
             ++count;
         }
     if (count == 0) throw domain_error("profile has 0 points: must be at least 1");
-    return static_cast<T>(sum.value() / static_cast<math::Accumulator<T>>(count));
+    return static_cast<T>(sum.value() / static_cast<double>(count));
 }
 
 }  // namespace parts
@@ -78,16 +78,16 @@ template <Real T>
     for (const T z : profile.heights)
         if (!std::isnan(z)) largest = (std::max)(largest, std::abs(z - mean));
     if (largest == T(0)) return T(0);
-    math::CompensatedSum<math::Accumulator<T>> squares, firsts;
+    math::CompensatedSum<double> squares, firsts;
     std::size_t count = 0;
     for (const T z : profile.heights)
         if (!std::isnan(z)) {
-            const math::Accumulator<T> scaled = (z - mean) / largest;
+            const double scaled = (z - mean) / largest;
             squares.add(scaled * scaled);
             firsts.add(scaled);
             ++count;
         }
-    const auto n = static_cast<math::Accumulator<T>>(count);
+    const auto n = static_cast<double>(count);
     const auto offset = firsts.value() / n;  // residual of the rounding of the mean
     return largest * static_cast<T>(std::sqrt(squares.value() / n - offset * offset));
 }

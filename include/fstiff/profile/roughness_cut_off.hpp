@@ -41,7 +41,7 @@ struct RoughnessCutOff {
 /// Ra of \p roughness, whose mean line is 0: mean of the absolute heights [m]. 0 where every point is missing.
 template <Real T>
 [[nodiscard]] T mean_deviation(const Profile<T>& roughness) {
-    math::Accumulator<T> sum = 0, points = 0;
+    double sum = 0, points = 0;
     for (const T z : roughness.heights)
         if (!std::isnan(z)) sum += std::abs(z), points += 1;
     return points > 0 ? static_cast<T>(sum / points) : T(0);

@@ -86,25 +86,24 @@ template <Real F>
 template <Real T>
 [[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
                                                           std::optional<std::type_identity_t<T>> cutoff = {}) {
-    using F = math::Accumulator<T>;
     profile.validate(16);
     if (cutoff) require_positive("cut-off", *cutoff);
     const std::size_t size = profile.size();
     RoughnessParameters<T> result;
     result.rms_height = rms_height(profile);
-    const F unit = static_cast<F>(math::power_of_two_below(result.rms_height));
+    const double unit = static_cast<double>(math::power_of_two_below(result.rms_height));
     const T mean = parts::mean_height(profile);
-    std::vector<F> z(size);
-    math::CompensatedSum<F> rest;
+    std::vector<double> z(size);
+    math::CompensatedSum<double> rest;
     for (std::size_t i = 0; i < size; ++i) {
-        z[i] = static_cast<F>(profile.heights[i] - mean) / unit;
+        z[i] = static_cast<double>(profile.heights[i] - mean) / unit;
         if (!std::isnan(z[i])) rest.add(z[i]);
     }
-    const F points = static_cast<F>(profile.present());
-    const F offset = rest.value() / points;  // residual of the rounding of the mean
-    math::CompensatedSum<F> firsts, squares, thirds, fourths;
-    F high = -std::numeric_limits<F>::infinity(), low = -high;
-    for (F& one : z) {
+    const double points = static_cast<double>(profile.present());
+    const double offset = rest.value() / points;  // residual of the rounding of the mean
+    math::CompensatedSum<double> firsts, squares, thirds, fourths;
+    double high = -std::numeric_limits<double>::infinity(), low = -high;
+    for (double& one : z) {
         if (std::isnan(one)) continue;
         one -= offset;
         firsts.add(std::abs(one));
@@ -114,13 +113,13 @@ template <Real T>
         high = (std::max)(high, one);
         low = (std::min)(low, one);
     }
-    const F variance = squares.value() / points;
+    const double variance = squares.value() / points;
     result.mean_deviation = static_cast<T>(firsts.value() / points * unit);
     result.skewness = static_cast<T>(thirds.value() / points / (variance * std::sqrt(variance)));
     result.kurtosis = static_cast<T>(fourths.value() / points / (variance * variance));
     result.total_height = static_cast<T>((high - low) * unit);
     if (const auto rise = detail::mean_square_rise(z))
-        result.rms_slope = static_cast<T>(std::sqrt(*rise) * unit / static_cast<F>(profile.spacing));
+        result.rms_slope = static_cast<T>(std::sqrt(*rise) * unit / static_cast<double>(profile.spacing));
 
     const T steps = cutoff ? std::round(*cutoff / profile.spacing) : T(0);
     result.by_cutoff = steps >= 1 && 5 * steps <= static_cast<T>(size);

@@ -14,10 +14,11 @@
 /// Valid       lags rising, 0 < p < 2
 /// Accuracy    5 % of the sum over all pairs of a profile of 20 lags and more (tests/profile/structure_errors_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/lag_window.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::parts {
 
@@ -25,7 +26,7 @@ namespace fstiff::inline v0_1::parts {
 template <Real T>
 Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector<std::size_t>& triples, T power) {
     constexpr int per_octave = 48;
-    const T pi = numbers::pi_v<T>, turn = 2 * pi;
+    const T pi = std::numbers::pi_v<T>, turn = 2 * pi;
     const auto longest = static_cast<T>(step.back());
     const auto nodes = static_cast<Eigen::Index>(per_octave * std::log2(10 * pi * longest)) + 1;
     const auto size = static_cast<Eigen::Index>(step.size());

@@ -14,10 +14,11 @@
 /// Valid       at least 4 lags, 0 < p < 2
 /// Accuracy    1e-10 of data that are a line (tests/profile/structure_fit_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/structure_errors.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -25,7 +26,7 @@ namespace fstiff::inline v0_1::detail {
 template <Real T>
 T share_of_short_waves(T power) {
     using std::pow;
-    const T pi = numbers::pi_v<T>;
+    const T pi = std::numbers::pi_v<T>;
     return 6 * std::tgamma(1 + power) * std::sin(pi * power / 2) /
            (pi * power * (4 - pow(T(2), power)) * pow(2 * pi, power));
 }
@@ -33,7 +34,7 @@ T share_of_short_waves(T power) {
 /// Ratio of this share in sections of an isotropic map to that of a profile.
 template <Real T>
 T share_of_oblique_waves(T power) {
-    return std::sqrt(numbers::pi_v<T>) * std::tgamma(1 + power / 2) / std::tgamma((1 + power) / 2);
+    return std::sqrt(std::numbers::pi_v<T>) * std::tgamma(1 + power / 2) / std::tgamma((1 + power) / 2);
 }
 
 /// Lower triangular root L of a = L L^T, which must be positive definite.
@@ -145,7 +146,8 @@ private:
         columns.block(0, 2, count, 2) = band_columns(band).block(range.first, 0, count, 2);
         if (log_periodic)
             for (const Eigen::Index harmonic : {1, 2}) {
-                const auto angle = (2 * static_cast<T>(harmonic) * numbers::pi_v<T> / log_gamma_ * x.array()).eval();
+                const auto angle =
+                    (2 * static_cast<T>(harmonic) * std::numbers::pi_v<T> / log_gamma_ * x.array()).eval();
                 columns.col(2 + 2 * harmonic) = angle.cos();
                 columns.col(3 + 2 * harmonic) = angle.sin();
             }

@@ -82,7 +82,7 @@ constexpr std::size_t divided_by(std::size_t pairs, Divisor divisor) {
 
 /// Mean of the squares of differences from their \p sum, with heights in units of \p scale.
 template <Real T>
-T mean_square(math::Accumulator<T> sum, math::Accumulator<T> count, math::Accumulator<T> scale) {
+T mean_square(double sum, double count, double scale) {
     const T value = static_cast<T>(sum / count * scale * scale);
     require(sum == 0 || (value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)()),
             "structure function", value, "a number of normal size: these heights are too large or too small");
@@ -103,15 +103,15 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
                    "between 1 and " + std::to_string(points > 0 ? (points - 1) / reach : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
         constexpr std::size_t run = 512;
-        math::Accumulator<T> sum = 0;
+        double sum = 0;
         std::size_t pairs = 0;
         for (std::size_t start = 0; start < points - reach * n; start += run) {
             const std::size_t end = (std::min)(start + run, points - reach * n);
-            math::Accumulator<T> part = 0;
+            double part = 0;
             for (std::size_t i = start; i < end; ++i) {
                 const T here = difference(i, n);
                 if (!whole && std::isnan(here)) continue;
-                part += static_cast<math::Accumulator<T>>(here) * here;
+                part += static_cast<double>(here) * here;
                 ++pairs;
             }
             sum += part;
@@ -120,7 +120,7 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
         if (count == 0) continue;
         result.step.push_back(n);
         result.lag.push_back(static_cast<T>(n) * profile.spacing);
-        result.value.push_back(mean_square<T>(sum, static_cast<math::Accumulator<T>>(count), scale));
+        result.value.push_back(mean_square<T>(sum, static_cast<double>(count), scale));
         result.pairs.push_back(pairs);
     }
     return result;

@@ -104,38 +104,36 @@ std::vector<parts::IndexRange> neighbours_of(const parts::LogStructure<F>& log, 
 
 /// Shares of the window in the errors of D and ln G, from the windows next to that of \p main.
 template <Real T>
-void set_neighbours(FractalFit<T>& result, const FractalLine<math::Accumulator<T>>& main,
-                    const parts::IndexRange& range, const parts::LogStructure<math::Accumulator<T>>& log,
-                    const LineFitter<math::Accumulator<T>>& fitter, T spacing, math::Accumulator<T> beyond_model,
-                    math::Accumulator<T>& product, const parts::FractalFitOptions<T>& options) {
-    using F = math::Accumulator<T>;
-    F weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
+void set_neighbours(FractalFit<T>& result, const FractalLine<double>& main, const parts::IndexRange& range,
+                    const parts::LogStructure<double>& log, const LineFitter<double>& fitter, T spacing,
+                    double beyond_model, double& product, const parts::FractalFitOptions<T>& options) {
+    double weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
     product = 0;
     const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
     for (const parts::IndexRange& lags : neighbours_of(log, range, result.automatic_window)) {
-        const FractalLine<F> other =
-            fractal_line<F>(fitter.fit(lags, range), options.convention, static_cast<F>(options.gamma));
+        const FractalLine<double> other =
+            fractal_line<double>(fitter.fit(lags, range), options.convention, static_cast<double>(options.gamma));
         parts::NeighbourWindow<T> neighbour;
         neighbour.window = {lag(lags.first), lag(lags.last)};
         neighbour.half = lags.first >= range.first && lags.last <= range.last;
         neighbour.dimension = static_cast<T>(other.dimension);
-        const bool fractal = other.dimension > F(1) && other.dimension < F(2);
+        const bool fractal = other.dimension > 1.0 && other.dimension < 2.0;
         if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
-        const F width = log.lag[lags.last] - log.lag[lags.first];
+        const double width = log.lag[lags.last] - log.lag[lags.first];
         if (!neighbour.half) weights += width;
-        const auto excess = [&](const parts::Vector<F>& row, F difference) {
-            const F expected = fitter.covariance_of(row, row, range) * beyond_model;
-            return std::pair{(std::max)(F(0), difference * difference - 2 * expected), std::sqrt(expected)};
+        const auto excess = [&](const parts::Vector<double>& row, double difference) {
+            const double expected = fitter.covariance_of(row, row, range) * beyond_model;
+            return std::pair{(std::max)(0.0, difference * difference - 2 * expected), std::sqrt(expected)};
         };
-        const F off = other.dimension - main.dimension;
+        const double off = other.dimension - main.dimension;
         const auto [excess_d, expected] = excess(other.dimension_row - main.dimension_row, off);
         neighbour.difference = static_cast<T>(off);
         neighbour.difference_error = static_cast<T>(expected);
-        neighbour.disagrees = std::abs(off) > F(2.5) * expected && std::abs(off) > F(0.05);
+        neighbour.disagrees = std::abs(off) > 2.5 * expected && std::abs(off) > 0.05;
         of_dimension += width * excess_d;
         if (fractal) {
-            const F off_g = other.log_g - main.log_g;
-            const F excess_g = excess(other.log_g_row - main.log_g_row, off_g).first;
+            const double off_g = other.log_g - main.log_g;
+            const double excess_g = excess(other.log_g_row - main.log_g_row, off_g).first;
             of_log_g += width * excess_g;
             product += width * std::copysign(std::sqrt(excess_d * excess_g), off * off_g);
         }
@@ -143,16 +141,16 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<math::Accumulator<T
     }
     of_dimension /= weights, of_log_g /= weights, product /= weights;
     if (result.automatic_window &&
-        log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<F>(parts::min_window_ratio))) {
+        log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<double>(parts::min_window_ratio))) {
         // In so short a window the search allows a bend that changes D by up to half the tolerance, with the standard
         // deviation t. The difference of the halves, with the error s, contributes its part to their share; the rest
         // t^2 s^2/(t^2 + s^2) is added here.
-        const F t = static_cast<F>(result.slope_tolerance) / std::sqrt(F(12));
-        F s = 0;  // the halves depart from the whole in opposite directions
+        const double t = static_cast<double>(result.slope_tolerance) / std::sqrt(12.0);
+        double s = 0;  // the halves depart from the whole in opposite directions
         int halves = 0;
         for (const auto& one : result.neighbours)
-            if (one.half) s += static_cast<F>(one.difference_error), ++halves;
-        const F unseen = halves == 2 ? t * t * s * s / (t * t + s * s) : t * t, moved = main.log_g_of_dimension;
+            if (one.half) s += static_cast<double>(one.difference_error), ++halves;
+        const double unseen = halves == 2 ? t * t * s * s / (t * t + s * s) : t * t, moved = main.log_g_of_dimension;
         of_dimension += unseen, of_log_g += unseen * moved * moved, product += unseen * moved;
     }
     result.window_dimension_error = static_cast<T>(std::sqrt(of_dimension));

@@ -15,11 +15,11 @@
 /// Valid       ranges as in the table; the lower end of r (no correlation) is valid, but a fit cannot start from it
 
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,7 +48,7 @@ enum class Variation { as_it_is, log, between };
 
 /// An end of a range, and its spelling in a sentence.
 struct RangeEnd {
-    long double value;
+    double value;
     std::string_view text;
 };
 
@@ -84,7 +84,7 @@ inline constexpr std::array parameter_table{
     ParameterRow{Parameter::peak_density,      "peak_density",      "D_p",    "Dp",     "1/m^2", per_square_millimetre, 1e-6, Variation::log},
     ParameterRow{Parameter::fractal_dimension, "fractal_dimension", "D",      "D",      "",      "",      1,    Variation::between, {1, "1"}, {2, "2"}},
     ParameterRow{Parameter::r,                 "r",                 "r",      "r",      "",      "",      1,    Variation::between, {0, "0"}, {1, "1"}, true},
-    ParameterRow{Parameter::theta,             "theta",             "theta",  "theta",  "rad",   "rad",   1,    Variation::between, {0, "0"}, {numbers::pi_v<long double> / 2, "pi/2"}},
+    ParameterRow{Parameter::theta,             "theta",             "theta",  "theta",  "rad",   "rad",   1,    Variation::between, {0, "0"}, {std::numbers::pi / 2, "pi/2"}},
     ParameterRow{Parameter::effective_modulus, "effective_modulus", "E",      "E",      "Pa",    "GPa",   1e-9, Variation::log},
     ParameterRow{Parameter::offset,            "offset",            "offset", "offset", "Pa",    "MPa",   1e-6, Variation::as_it_is},
     ParameterRow{Parameter::rms_gradient,      "rms_gradient",      "g",      "g",      "",      "",      1,    Variation::log},

@@ -15,12 +15,12 @@
 /// Accuracy    1e-13 of the formulae in double (tests/surface/cut_offs_test.cpp, also for generated surfaces)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace fstiff::inline v0_1::parts {
 
@@ -47,7 +47,7 @@ template <Real T>
     const T hurst = 2 - fractal.dimension;
     const T s = structure_function_at(unit, fractal) / (rms * rms);
     const T gammas = std::tgamma(1 - hurst) / std::tgamma(1 + hurst);
-    return numbers::pi_v<T> * unit * std::pow(2 * gammas / s, 1 / (2 * hurst));
+    return std::numbers::pi_v<T> * unit * std::pow(2 * gammas / s, 1 / (2 * hurst));
 }
 
 /// m2/m0 of a section of the Gaussian map with waves from \p shortest to \p longest.
@@ -57,7 +57,7 @@ template <Real T>
     require(hurst > T(0) && hurst < T(1), "hurst", hurst, "between 0 and 1, both excluded");
     require_positive("longest", longest);
     require(shortest > T(0) && shortest < longest, "shortest", shortest, "positive and below the longest wavelength");
-    const T b = std::log(longest / shortest), pi = numbers::pi_v<T>;
+    const T b = std::log(longest / shortest), pi = std::numbers::pi_v<T>;
     return 2 * pi * pi / (longest * longest) * hurst / (1 - hurst) * std::expm1((2 - 2 * hurst) * b) /
            -std::expm1(-2 * hurst * b);
 }

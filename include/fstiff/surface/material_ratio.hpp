@@ -123,31 +123,30 @@ template <Real F>
 
 template <Real T>
 MaterialRatio<T> material_ratio(std::span<const T> heights) {
-    using F = math::Accumulator<T>;
-    std::vector<F> z;
+    std::vector<double> z;
     z.reserve(heights.size());
     for (const T height : heights)
-        if (!std::isnan(height)) z.push_back(static_cast<F>(height));
+        if (!std::isnan(height)) z.push_back(static_cast<double>(height));
     require(z.size() >= 16, "heights of a material ratio curve", z.size(), "at least 16");
     std::sort(z.begin(), z.end(), std::greater<>());
     require(z.front() > z.back() && std::isfinite(z.front() - z.back()),
             "heights of a material ratio curve, all of them", static_cast<T>(z.front()),
             "finite and of varying height");
-    const F datum = z[z.size() / 2], scale = z.front() - z.back(), places = static_cast<F>(z.size() - 1);
-    for (F& one : z) one = (one - datum) / scale;
+    const double datum = z[z.size() / 2], scale = z.front() - z.back(), places = static_cast<double>(z.size() - 1);
+    for (double& one : z) one = (one - datum) / scale;
 
-    const parts::FallingCurve<F> curve(z);
-    const F width = F(2) / 5 * places, from = flattest_place(z, width), to = (std::min)(from + width, places);
-    const F middle = (from + to) / 2;
-    math::CompensatedSum<F> area, moment;
-    curve.visit(from, to, [&](F a, F b, F za, F zb) {
-        const F part = b - a, mean = (za + zb) / 2;
+    const parts::FallingCurve<double> curve(z);
+    const double width = 2.0 / 5 * places, from = flattest_place(z, width), to = (std::min)(from + width, places);
+    const double middle = (from + to) / 2;
+    math::CompensatedSum<double> area, moment;
+    curve.visit(from, to, [&](double a, double b, double za, double zb) {
+        const double part = b - a, mean = (za + zb) / 2;
         area.add(part * mean);
         moment.add(part * (mean * ((a + b) / 2 - middle) + (zb - za) * part / 12));
     });
-    const F slope = (std::min)(F(0), 12 * moment.value() / (width * width * width));  // of z per place
-    const F upper = area.value() / width - slope * middle, lower = upper + slope * places;
-    const F first = curve.first_at_or_below(upper), second = curve.first_below(lower);
+    const double slope = (std::min)(0.0, 12 * moment.value() / (width * width * width));  // of z per place
+    const double upper = area.value() / width - slope * middle, lower = upper + slope * places;
+    const double first = curve.first_at_or_below(upper), second = curve.first_below(lower);
     MaterialRatio<T> result;
     result.core_height = static_cast<T>((upper - lower) * scale);
     result.peak_share = static_cast<T>(first / places);

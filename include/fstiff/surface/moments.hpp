@@ -14,9 +14,9 @@
 /// Accuracy    4 ulp (tests/surface/moments_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -51,7 +51,7 @@ template <Real T>
 /// R sigma_kappa = 3 sqrt(pi)/8, eq. (4.10).
 template <Real T>
 [[nodiscard]] T radius_times_rms_curvature() {
-    return 3 * std::sqrt(numbers::pi_v<T>) / 8;
+    return 3 * std::sqrt(std::numbers::pi_v<T>) / 8;
 }
 
 }  // namespace parts
@@ -65,7 +65,7 @@ template <Real T>
     require_positive("peak_radius", peak_radius);
     require_positive("peak_density", peak_density);
     const T curvature = parts::radius_times_rms_curvature<T>() / peak_radius, m4 = curvature * curvature;
-    return {rms_height * rms_height, m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * peak_density), m4};
+    return {rms_height * rms_height, m4 / (6 * std::numbers::pi_v<T> * std::sqrt(T(3)) * peak_density), m4};
 }
 
 namespace parts {
@@ -89,7 +89,7 @@ template <Real T>
 /// D_p [1/m^2] of an isotropic Gaussian surface of these moments, by Nayak.
 template <Real T>
 [[nodiscard]] T peak_density_of(const SpectralMoments<T>& moments) {
-    return moments.m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);
+    return moments.m4 / (6 * std::numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);
 }
 
 }  // namespace parts

@@ -16,11 +16,11 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace fstiff::inline v0_1::parts {
@@ -76,7 +76,7 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
 
 /// Rms gradient of a surface over the rms slope of its profile: sqrt(2) if isotropic, 1 to sqrt(2) across a lay.
 [[nodiscard]] inline PriorRange gradient_of_slope(const ProcessPrior& prior) {
-    const double root = numbers::sqrt2_v<double>;
+    const double root = std::numbers::sqrt2_v<double>;
     return prior.has_lay ? PriorRange{1, std::sqrt(root), root} : PriorRange{root, root, root};
 }
 
@@ -85,7 +85,7 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
 [[nodiscard]] inline PriorRange slope_of_spacing(double rms_height, double spacing) {
     require_positive("rms_height", rms_height);
     require_positive("RSm", spacing);
-    const double rice = 2 * numbers::pi_v<double> * rms_height / spacing;
+    const double rice = 2 * std::numbers::pi * rms_height / spacing;
     return {1.3 * rice, 2.3 * rice, 4.4 * rice};
 }
 

@@ -16,7 +16,6 @@
 /// Accuracy    1e-13 relative in double (tests/surface/roughness_spectrum_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/surface/moments.hpp>
 
@@ -24,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -71,9 +71,9 @@ struct BandSpectrum {
         const T flat = begin * -std::expm1(T(n + 1) * std::log(q1 / q_rolloff)) / T(n + 1);
         return C0 * (flat + begin * parts::power_integral(s, std::log(q2 / q_rolloff)));
     }
-    [[nodiscard]] T m0() const { return 2 * numbers::pi_v<T> * integral(1); }
-    [[nodiscard]] T m2() const { return numbers::pi_v<T> * integral(3); }
-    [[nodiscard]] T m4() const { return numbers::pi_v<T> * T(0.75) * integral(5); }
+    [[nodiscard]] T m0() const { return 2 * std::numbers::pi_v<T> * integral(1); }
+    [[nodiscard]] T m2() const { return std::numbers::pi_v<T> * integral(3); }
+    [[nodiscard]] T m4() const { return std::numbers::pi_v<T> * T(0.75) * integral(5); }
     [[nodiscard]] SpectralMoments<T> moments() const { return {m0(), m2(), m4()}; }
     [[nodiscard]] T rms_height() const { return std::sqrt(m0()); }
     [[nodiscard]] T rms_gradient() const { return std::sqrt(2 * m2()); }
@@ -172,7 +172,7 @@ template <Real T>
     band.hurst = hurst;
     band.q1 = band.q_rolloff = std::sqrt(2 * moments.m2 / moments.m0 * (F0 / F2));
     band.q2 = band.q1 * std::exp(log_ratio);
-    band.C0 = moments.m0 / (2 * numbers::pi_v<T> * F0) * std::pow(band.q1, 2 * hurst);
+    band.C0 = moments.m0 / (2 * std::numbers::pi_v<T> * F0) * std::pow(band.q1, 2 * hurst);
     return band;
 }
 
@@ -190,7 +190,7 @@ template <Real T>
     const auto excess = [&](T x) {  // of ln alpha, and its slope against ln q2
         band.q2 = band.q_rolloff * std::exp(x);
         const SpectralMoments<T> m = band.moments();
-        const T q = band.q2, C = band.C0 * std::pow(q, -2 - 2 * band.hurst), unit = numbers::pi_v<T> * C * q * q;
+        const T q = band.q2, C = band.C0 * std::pow(q, -2 - 2 * band.hurst), unit = std::numbers::pi_v<T> * C * q * q;
         const T slope = unit * (2 / m.m0 + T(0.75) * q * q * q * q / m.m4 - 2 * q * q / m.m2);
         return std::pair(std::log(m.bandwidth() / alpha), slope);
     };

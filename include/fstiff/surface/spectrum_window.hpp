@@ -13,10 +13,10 @@
 /// Accuracy    2 ulp (tests/surface/spectrum_window_test.cpp)
 
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -35,7 +35,7 @@ namespace parts {
 template <Real T>
 [[nodiscard]] T window_weight(SpectrumWindow window, std::size_t i, std::size_t points) {
     if (window == SpectrumWindow::none) return T(1);
-    const T sine = std::sin(numbers::pi_v<T> * (static_cast<T>(i) + T(0.5)) / static_cast<T>(points));
+    const T sine = std::sin(std::numbers::pi_v<T> * (static_cast<T>(i) + T(0.5)) / static_cast<T>(points));
     return sine * sine;
 }
 

@@ -18,11 +18,11 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -48,7 +48,7 @@ template <Real T>
                                    T gamma = T(1.5)) {
     require_fractal_dimension(fractal_dimension);
     require(gamma > T(1) && gamma <= (std::numeric_limits<T>::max)(), "gamma", gamma, "finite and greater than 1");
-    constexpr T pi = numbers::pi_v<T>;
+    constexpr T pi = std::numbers::pi_v<T>;
     const T above = fractal_dimension - 1, below = 2 - fractal_dimension;  // both exact
     const T g = pi / (2 * std::tgamma(2 * below) * std::sin(pi * (above < below ? above : below)));
     if (convention == StructureConvention::paper) return g / below;

@@ -86,7 +86,6 @@ Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_wave
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
 template <Real T>
 HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
-    using W = math::Accumulator<T>;
     using Index = Eigen::Index;
     require(options.hurst > T(0) && options.hurst < T(1), "hurst", options.hurst, "between 0 and 1, both excluded");
     require_positive("rms", options.rms);
@@ -96,50 +95,52 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
         require(points >= 4 && points <= max_points, "points of a side", points, "between 4 and 2^28");
     if (columns > max_points / rows)
         refuse("points", std::to_string(columns) + " x " + std::to_string(rows), "at most 2^28");
-    const W period_x = static_cast<W>(columns) * dx, period_y = map ? static_cast<W>(rows) * dy : W(0);
-    const W side = (std::max)(period_x, period_y), step = map ? (std::max)(dx, dy) : dx;
-    const W longest = options.longest_wavelength == T(0) ? side : static_cast<W>(options.longest_wavelength);
-    const W shortest = options.shortest_wavelength == T(0) ? 2 * step : static_cast<W>(options.shortest_wavelength);
-    const W slack = 1 + 16 * static_cast<W>(std::numeric_limits<T>::epsilon());  // a cut-off that was computed
+    const double period_x = static_cast<double>(columns) * dx, period_y = map ? static_cast<double>(rows) * dy : 0.0;
+    const double side = (std::max)(period_x, period_y), step = map ? (std::max)(dx, dy) : dx;
+    const double longest = options.longest_wavelength == T(0) ? side : static_cast<double>(options.longest_wavelength);
+    const double shortest =
+        options.shortest_wavelength == T(0) ? 2 * step : static_cast<double>(options.shortest_wavelength);
+    const double slack =
+        1 + 16 * static_cast<double>(std::numeric_limits<T>::epsilon());  // a cut-off that was computed
     require(shortest * slack >= 2 * step && shortest <= side, "shortest_wavelength", options.shortest_wavelength,
             "between two spacings and the side of the surface, or 0");
-    require(longest > shortest && longest <= static_cast<W>((std::numeric_limits<T>::max)()), "longest_wavelength",
+    require(longest > shortest && longest <= static_cast<double>((std::numeric_limits<T>::max)()), "longest_wavelength",
             options.longest_wavelength, "finite and greater than the shortest wavelength, or 0");
 
     // half of the waves: ky > 0, or ky = 0 and kx > 0; the wave at two samples itself has no phase, and is left out
     const auto half_x = static_cast<std::int32_t>((columns - 1) / 2);
     const auto half_y = static_cast<std::int32_t>(map ? (rows - 1) / 2 : 0);
-    const W power = -(map ? 2 * options.hurst + 2 : 2 * options.hurst + 1);
-    const auto weight = [&](std::int32_t kx, std::int32_t ky) -> W {  // q in units of 1/longest
-        const W q = std::hypot(static_cast<W>(kx) * (longest / period_x),
-                               map ? static_cast<W>(ky) * (longest / period_y) : W(0));
+    const double power = -(map ? 2 * options.hurst + 2 : 2 * options.hurst + 1);
+    const auto weight = [&](std::int32_t kx, std::int32_t ky) -> double {  // q in units of 1/longest
+        const double q = std::hypot(static_cast<double>(kx) * (longest / period_x),
+                                    map ? static_cast<double>(ky) * (longest / period_y) : 0.0);
         if (q * shortest > longest * slack || (q * slack < 1 && options.long_waves == LongWaves::none)) return 0;
-        return std::pow((std::max)(q, W(1)), power);
+        return std::pow((std::max)(q, 1.0), power);
     };
-    Waves<W> waves = Waves<W>::Zero(static_cast<Index>(rows), static_cast<Index>(columns));
-    W total = 0;
+    Waves<double> waves = Waves<double>::Zero(static_cast<Index>(rows), static_cast<Index>(columns));
+    double total = 0;
     for (std::int32_t ky = half_y; ky >= 0; --ky) {
-        W row_total = 0;
+        double row_total = 0;
         for (std::int32_t kx = ky > 0 ? -half_x : 1; kx <= half_x; ++kx) {
-            const W w = weight(kx, ky);
-            if (w == W(0)) continue;
+            const double w = weight(kx, ky);
+            if (w == 0.0) continue;
             row_total += w;
             waves(ky, kx < 0 ? static_cast<Index>(columns) + kx : kx) =
-                std::sqrt(w) * normals_of_wave<W>(options.seed, kx, ky);
+                std::sqrt(w) * normals_of_wave<double>(options.seed, kx, ky);
         }
         total += row_total;
     }
-    require(total > W(0), "longest_wavelength", options.longest_wavelength,
+    require(total > 0.0, "longest_wavelength", options.longest_wavelength,
             "so far above the shortest that a whole wave of the period lies between them");
 
     const auto heights = heights_of_waves(std::move(waves), half_y + 1);
-    W square = total;
+    double square = total;
     if (options.exact_rms) {
         square = 0;
         for (Index j = 0; j < heights.rows(); ++j) square += heights.row(j).square().mean();
-        square /= static_cast<W>(rows);
+        square /= static_cast<double>(rows);
     }
-    return {(heights * (static_cast<W>(options.rms) / std::sqrt(square))).template cast<T>(), dx, dy};
+    return {(heights * (static_cast<double>(options.rms) / std::sqrt(square))).template cast<T>(), dx, dy};
 }
 
 }  // namespace parts

@@ -17,10 +17,11 @@
 ///             (tests/synthetic/weierstrass_mandelbrot_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/fractal.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -110,7 +111,7 @@ public:
     [[nodiscard]] T structure_function(T lag) const {
         T sum = 0;
         for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {
-            const T sine = std::sin(numbers::pi_v<T> * static_cast<T>(std::fmod(lag / term->wavelength, 1.0L)));
+            const T sine = std::sin(std::numbers::pi_v<T> * static_cast<T>(std::fmod(lag / term->wavelength, 1.0L)));
             sum += 2 * term->amplitude * term->amplitude * sine * sine;
         }
         return sum;
@@ -134,7 +135,7 @@ private:
     static T cosine(std::uint64_t turn) {
         // signed fraction in [-1/2, 1/2): the argument of cos stays in its most accurate range
         const auto half_turns = static_cast<T>(static_cast<std::int64_t>(turn)) * T(0x1p-63L);
-        return std::cos(numbers::pi_v<T> * half_turns);
+        return std::cos(std::numbers::pi_v<T> * half_turns);
     }
     std::vector<Term> terms_;
 };

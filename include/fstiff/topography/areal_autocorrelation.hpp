@@ -16,9 +16,10 @@
 /// Accuracy    A 1e-13 of A(0) = 1, r 1e-12 of the lag (tests/topography/areal_autocorrelation_test.cpp)
 
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/topography/height_map.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -249,7 +250,7 @@ template <Real T>
     TextureParameters<T> result;
     bool all_end = true;
     for (int k = 0; k < directions; ++k) {
-        const T phi = numbers::pi_v<T> * static_cast<T>(k) / directions;
+        const T phi = std::numbers::pi_v<T> * static_cast<T>(k) / directions;
         const auto ray = rays.in_direction(phi);
         if (ray.ends && (!result.shortest || ray.length < *result.shortest)) {
             result.shortest = ray.length;

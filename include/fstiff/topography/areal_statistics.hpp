@@ -51,20 +51,19 @@ struct DifferenceSums {
 /// Means of the squares along x (\p right 1) or y (\p down 1), in the unit of \p heights.
 /// \throws domain_error without three neighbours.
 template <Real T>
-DifferenceSums<math::Accumulator<T>> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights,
-                                                      Eigen::Index down, Eigen::Index right) {
-    using S = math::Accumulator<T>;
-    DifferenceSums<S> d;
+DifferenceSums<double> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights, Eigen::Index down,
+                                        Eigen::Index right) {
+    DifferenceSums<double> d;
     const auto height = [&](Eigen::Index j, Eigen::Index i) { return heights.of(map.heights(j, i)); };
     for (Eigen::Index j = 0; j + down < map.rows(); ++j) {
-        S first = 0, second = 0;
+        double first = 0, second = 0;
         for (Eigen::Index i = 0; i + right < map.columns(); ++i) {
-            const S a = height(j, i), b = height(j + down, i + right);
+            const double a = height(j, i), b = height(j + down, i + right);
             if (std::isnan(a) || std::isnan(b)) continue;
             first += (b - a) * (b - a);
             ++d.pairs;
             if (j + 2 * down >= map.rows() || i + 2 * right >= map.columns()) continue;
-            const S c = height(j + 2 * down, i + 2 * right);
+            const double c = height(j + 2 * down, i + 2 * right);
             if (std::isnan(c)) continue;
             second += ((c - b) - (b - a)) * ((c - b) - (b - a));
             ++d.triples;
@@ -75,8 +74,8 @@ DifferenceSums<math::Accumulator<T>> mean_differences(const HeightMap<T>& map, c
     if (d.triples == 0)
         throw domain_error(std::string("map has 0 triples of neighbouring points along ") + (right ? "x" : "y") +
                            ": must be at least 1");
-    d.first /= static_cast<S>(d.pairs);
-    d.second /= static_cast<S>(d.triples);
+    d.first /= static_cast<double>(d.pairs);
+    d.second /= static_cast<double>(d.triples);
     return d;
 }
 
@@ -100,7 +99,6 @@ void visit_inner_points(const HeightMap<T>& map, const MapBlock& block, const Us
 /// Statistics of \p map, about its mean. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
-    using S = math::Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
     const Index rows = map.rows(), columns = map.columns();
@@ -109,21 +107,21 @@ template <Real T>
 
     const MapHeights<T> heights(map);
     const T unit = heights.unit;
-    const S mean = heights.mean, variance = heights.variance;
+    const double mean = heights.mean, variance = heights.variance;
     const auto height = [&](Index j, Index i) { return heights.of(z(j, i)); };
 
     const auto x = mean_differences(map, heights, 0, 1), y = mean_differences(map, heights, 1, 0);
-    const S slope_x = unit / static_cast<S>(map.dx), slope_y = unit / static_cast<S>(map.dy);
-    const S m2_x = x.first * slope_x * slope_x, m2_y = y.first * slope_y * slope_y;
-    const S bend_x = slope_x / static_cast<S>(map.dx), bend_y = slope_y / static_cast<S>(map.dy);
-    const S m4_x = x.second * bend_x * bend_x, m4_y = y.second * bend_y * bend_y;
+    const double slope_x = unit / static_cast<double>(map.dx), slope_y = unit / static_cast<double>(map.dy);
+    const double m2_x = x.first * slope_x * slope_x, m2_y = y.first * slope_y * slope_y;
+    const double bend_x = slope_x / static_cast<double>(map.dx), bend_y = slope_y / static_cast<double>(map.dy);
+    const double m4_x = x.second * bend_x * bend_x, m4_y = y.second * bend_y * bend_y;
 
-    S curvature = 0, summit_height = 0;
+    double curvature = 0, summit_height = 0;
     visit_inner_points(map, {0, rows, 0, columns}, [&](Index j, Index i, bool summit) {
         ++result.inner;
         if (!summit) return;
         ++result.summits;
-        const S here = height(j, i);
+        const double here = height(j, i);
         curvature += ((here - height(j, i - 1)) + (here - height(j, i + 1))) * bend_x +
                      ((here - height(j - 1, i)) + (here - height(j + 1, i))) * bend_y;
         summit_height += here - mean;
@@ -140,18 +138,18 @@ template <Real T>
     result.m4 = static_cast<T>((m4_x + m4_y) / 2);
     result.rms_gradient = static_cast<T>(std::sqrt(m2_x + m2_y));
     // formed from rms values, so that no power exceeds the range of numbers
-    const S root = std::sqrt(variance) * unit * std::sqrt((m4_x + m4_y) / 2) / ((m2_x + m2_y) / 2);
+    const double root = std::sqrt(variance) * unit * std::sqrt((m4_x + m4_y) / 2) / ((m2_x + m2_y) / 2);
     result.nayak = static_cast<T>(root * root);
     for (const T value : {result.m0, result.m2, result.m4, result.nayak})
         require(value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)(),
                 "moment of the map", value,
                 "of normal size: heights or spacings are too large or too small, or the map is a plane");
     if (result.inner > 0)
-        result.summit_density = static_cast<T>(static_cast<S>(result.summits) / static_cast<S>(result.inner) /
-                                               static_cast<S>(map.dx) / static_cast<S>(map.dy));
+        result.summit_density = static_cast<T>(static_cast<double>(result.summits) / static_cast<double>(result.inner) /
+                                               static_cast<double>(map.dx) / static_cast<double>(map.dy));
     if (result.summits > 0) {
-        result.summit_curvature = static_cast<T>(curvature / 2 / static_cast<S>(result.summits));
-        result.summit_height = static_cast<T>(summit_height / static_cast<S>(result.summits) * unit);
+        result.summit_curvature = static_cast<T>(curvature / 2 / static_cast<double>(result.summits));
+        result.summit_height = static_cast<T>(summit_height / static_cast<double>(result.summits) * unit);
     }
     return result;
 }
@@ -183,20 +181,19 @@ namespace parts {
 /// Mean area of the cells over dx dy, minus 1.
 template <Real T>
 [[nodiscard]] std::optional<T> developed_area_ratio(const HeightMap<T>& map) {
-    using S = math::Accumulator<T>;
     const auto& z = map.heights;
-    const S dx = static_cast<S>(map.dx), dy = static_cast<S>(map.dy);
-    S all = 0;
+    const double dx = static_cast<double>(map.dx), dy = static_cast<double>(map.dy);
+    double all = 0;
     std::size_t cells = 0;
     for (Eigen::Index j = 0; j + 1 < map.rows(); ++j) {
-        S row = 0;
+        double row = 0;
         for (Eigen::Index i = 0; i + 1 < map.columns(); ++i) {
-            const S a = static_cast<S>(z(j, i)), b = static_cast<S>(z(j, i + 1));
-            const S c = static_cast<S>(z(j + 1, i)), d = static_cast<S>(z(j + 1, i + 1));
+            const double a = static_cast<double>(z(j, i)), b = static_cast<double>(z(j, i + 1));
+            const double c = static_cast<double>(z(j + 1, i)), d = static_cast<double>(z(j + 1, i + 1));
             if (std::isnan(a + b + c + d)) continue;
-            const S top = (b - a) / dx, bottom = (d - c) / dx, left = (c - a) / dy, right = (d - b) / dy;
-            const auto excess = [](S x, S y) {  // sqrt(1 + x^2 + y^2) - 1, to its last digit
-                const S square = x * x + y * y;
+            const double top = (b - a) / dx, bottom = (d - c) / dx, left = (c - a) / dy, right = (d - b) / dy;
+            const auto excess = [](double x, double y) {  // sqrt(1 + x^2 + y^2) - 1, to its last digit
+                const double square = x * x + y * y;
                 return square / (1 + std::sqrt(1 + square));
             };
             row += (excess(top, left) + excess(top, right) + excess(bottom, left) + excess(bottom, right)) / 4;
@@ -205,7 +202,7 @@ template <Real T>
         all += row;
     }
     if (cells == 0) return {};
-    return static_cast<T>(all / static_cast<S>(cells));
+    return static_cast<T>(all / static_cast<double>(cells));
 }
 
 }  // namespace parts
@@ -213,15 +210,14 @@ template <Real T>
 /// Roughness parameters of \p map with the statistics \p known. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const parts::ArealStatistics<T>& known) {
-    using S = math::Accumulator<T>;
     map.validate();
     const parts::MapHeights<T> heights(map);
     const auto mean_of = [&](const auto& term) {
         return parts::mean_over_points(map, [&](T z) { return term(heights.of(z) - heights.mean); });
     };
-    const S unit = static_cast<S>(heights.unit), variance = heights.variance;
-    S high = -std::numeric_limits<S>::infinity(), low = -high;
-    const S deviation = mean_of([&](S z) {
+    const double unit = static_cast<double>(heights.unit), variance = heights.variance;
+    double high = -std::numeric_limits<double>::infinity(), low = -high;
+    const double deviation = mean_of([&](double z) {
         high = (std::max)(high, z);
         low = (std::min)(low, z);
         return std::abs(z);
@@ -229,8 +225,8 @@ template <Real T>
     ArealParameters<T> result;
     result.mean_deviation = static_cast<T>(deviation * unit);
     result.rms_height = known.rms_height;
-    result.skewness = static_cast<T>(mean_of([](S z) { return z * z * z; }) / (variance * std::sqrt(variance)));
-    result.kurtosis = static_cast<T>(mean_of([](S z) { return z * z * z * z; }) / (variance * variance));
+    result.skewness = static_cast<T>(mean_of([](double z) { return z * z * z; }) / (variance * std::sqrt(variance)));
+    result.kurtosis = static_cast<T>(mean_of([](double z) { return z * z * z * z; }) / (variance * variance));
     result.max_peak_height = static_cast<T>(high * unit);
     result.max_pit_depth = static_cast<T>(-low * unit);
     result.max_height = static_cast<T>((high - low) * unit);

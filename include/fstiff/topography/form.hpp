@@ -75,14 +75,13 @@ Eigen::Array<S, 1, Eigen::Dynamic> existing(const HeightMap<T>& map, Eigen::Inde
 /// Means of f_s f_t over the points that exist; row by row, because v is constant along a row.
 template <Real T, class Polynomials>
 auto normal_matrix(const HeightMap<T>& map, const Polynomials& px, const Polynomials& py, Eigen::Index degree) {
-    using S = math::Accumulator<T>;
     using Index = Eigen::Index;
     const Index terms = (degree + 1) * (degree + 2) / 2;
-    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> normal =
-        Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(terms, terms);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> normal =
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>::Zero(terms, terms);
     for (Index j = 0; j < map.rows(); ++j) {
-        Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
-        const auto exists = existing<S>(map, j);
+        Eigen::Matrix<double, 4, 4> products;  // of the polynomials along this row
+        const auto exists = existing<double>(map, j);
         for (Index a = 0; a <= degree; ++a)
             for (Index b = 0; b <= a; ++b)
                 products(a, b) = products(b, a) = (exists.transpose() * px.col(a) * px.col(b)).sum();
@@ -90,15 +89,14 @@ auto normal_matrix(const HeightMap<T>& map, const Polynomials& px, const Polynom
             each_term(degree, [&](Index t, Index m, Index n) { normal(s, t) += products(k, m) * py(j, l) * py(j, n); });
         });
     }
-    normal /= static_cast<S>(map.present());
+    normal /= static_cast<double>(map.present());
     return normal;
 }
 
 /// \p map without the \p form. \throws domain_error for a map out of range, or whose points do not determine the form.
 template <Real T>
 [[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
-    using S = math::Accumulator<T>;
-    using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1>;
     using Index = Eigen::Index;
     map.validate();
     if (form == MapForm::none) return map;
@@ -107,40 +105,40 @@ template <Real T>
     if (map.present() < terms)
         throw domain_error("map of which " + std::to_string(map.present()) + " points exist: must be at least " +
                            terms_shown + " to remove this form");
-    const auto px = legendre_of_side<S>(map.columns()), py = legendre_of_side<S>(map.rows());
+    const auto px = legendre_of_side<double>(map.columns()), py = legendre_of_side<double>(map.rows());
     // so that no sum exceeds the range of numbers
-    const S unit =
-        math::power_of_two_below(static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
+    const double unit =
+        math::power_of_two_below(static_cast<double>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
     const auto each_term = [&](const auto& use) { parts::each_term(degree, use); };
-    using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>() / unit;
+    using Array = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Array z = map.heights.isNaN().select(T(0), map.heights).template cast<double>() / unit;
     // for a map of 1e5 points a side with all points in two neighbouring rows: 1e-10
-    const math::PivotedQr<S> solver(normal_matrix(map, px, py, degree), S(1e-12));
+    const math::PivotedQr<double> solver(normal_matrix(map, px, py, degree), 1e-12);
     if (solver.rank() < terms)
         throw domain_error("map whose points determine " + std::to_string(solver.rank()) + " of the " + terms_shown +
                            " terms of this form: must be spread over more rows and columns");
     for (int pass = 0; pass < 3; ++pass) {
         Vector moments = Vector::Zero(terms);
         for (Index j = 0; j < map.rows(); ++j) {
-            Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
+            Eigen::Matrix<double, 4, 1> along = Eigen::Matrix<double, 4, 1>::Zero();
             for (Index k = 0; k <= degree; ++k) along[k] = (z.row(j).transpose() * px.col(k)).sum();
             each_term([&](Index t, Index k, Index l) { moments[t] += along[k] * py(j, l); });
         }
-        const Vector c = solver.solve(moments / static_cast<S>(map.present()));
+        const Vector c = solver.solve(moments / static_cast<double>(map.present()));
         for (Index j = 0; j < map.rows(); ++j) {
-            Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
+            Eigen::Matrix<double, 4, 1> along = Eigen::Matrix<double, 4, 1>::Zero();
             each_term([&](Index t, Index k, Index l) { along[k] += c[t] * py(j, l); });
-            const auto exists = existing<S>(map, j);
+            const auto exists = existing<double>(map, j);
             for (Index k = degree; k >= 0; --k) z.row(j) -= along[k] * (px.col(k).transpose() * exists);
         }
     }
     for (Index j = 0; j < map.rows(); ++j)
         for (Index i = 0; i < map.columns(); ++i)
-            z(j, i) = std::isnan(map.heights(j, i)) ? static_cast<S>(map.heights(j, i)) : z(j, i) * unit;
+            z(j, i) = std::isnan(map.heights(j, i)) ? static_cast<double>(map.heights(j, i)) : z(j, i) * unit;
     HeightMap<T> result;
     result.dx = map.dx;
     result.dy = map.dy;
-    if constexpr (std::is_same_v<S, T>)
+    if constexpr (std::is_same_v<double, T>)
         result.heights = std::move(z);
     else
         result.heights = z.template cast<T>();

@@ -47,25 +47,22 @@ void require_cut_off(const HeightMap<T>& map, T cutoff) {
 
 /// Weights along x and along y.
 template <Real T>
-[[nodiscard]] std::pair<math::GaussianSmoother<math::Accumulator<T>>, math::GaussianSmoother<math::Accumulator<T>>>
-smoothers(const HeightMap<T>& map, T cutoff) {
-    using F = math::Accumulator<T>;
+[[nodiscard]] std::pair<math::GaussianSmoother<double>, math::GaussianSmoother<double>> smoothers(
+    const HeightMap<T>& map, T cutoff) {
     const auto along = [&](Eigen::Index points, T step) {
-        return math::GaussianSmoother<F>(static_cast<std::size_t>(points),
-                                         static_cast<F>(cutoff) / static_cast<F>(step));
+        return math::GaussianSmoother<double>(static_cast<std::size_t>(points),
+                                              static_cast<double>(cutoff) / static_cast<double>(step));
     };
     return {along(map.columns(), map.dx), along(map.rows(), map.dy)};
 }
 
 /// Heights relative to their mean; 0 where a point is missing.
 template <Real T>
-[[nodiscard]] FilteredHeights<math::Accumulator<T>> present_or_zero(const HeightMap<T>& map,
-                                                                    const MapHeights<T>& heights) {
-    using F = math::Accumulator<T>;
-    FilteredHeights<F> z(map.rows(), map.columns());
+[[nodiscard]] FilteredHeights<double> present_or_zero(const HeightMap<T>& map, const MapHeights<T>& heights) {
+    FilteredHeights<double> z(map.rows(), map.columns());
     for (Eigen::Index k = 0; k < map.size(); ++k) {
         const T height = map.heights.data()[k];
-        z.data()[k] = std::isnan(height) ? F(0) : static_cast<F>(heights.of(height) - heights.mean);
+        z.data()[k] = std::isnan(height) ? 0.0 : static_cast<double>(heights.of(height) - heights.mean);
     }
     return z;
 }
@@ -73,23 +70,23 @@ template <Real T>
 /// \p map without its short waves. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
 [[nodiscard]] HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
-    using F = math::Accumulator<T>;
     require_cut_off(map, cutoff);
     const MapHeights<T> heights(map);
     auto along = smoothers(map, cutoff);
-    FilteredHeights<F> z = present_or_zero(map, heights);
+    FilteredHeights<double> z = present_or_zero(map, heights);
     smooth_both_ways(z.data(), map, along);
     if (map.present() == map.size()) {  // the weights are a product as well
-        std::vector<F> of_x(static_cast<std::size_t>(map.columns()), F(1)),
-            of_y(static_cast<std::size_t>(map.rows()), F(1));
+        std::vector<double> of_x(static_cast<std::size_t>(map.columns()), 1.0),
+            of_y(static_cast<std::size_t>(map.rows()), 1.0);
         along.first(of_x);
         along.second(of_y);
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 z(j, i) /= of_x[static_cast<std::size_t>(i)] * of_y[static_cast<std::size_t>(j)];
     } else {
-        FilteredHeights<F> weights =
-            map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<F>();
+        FilteredHeights<double> weights = map.heights.isNaN()
+                                              .select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns()))
+                                              .template cast<double>();
         smooth_both_ways(weights.data(), map, along);
         z /= weights;  // of a missing point it may be 0/0, and is not used
     }
@@ -101,7 +98,7 @@ template <Real T>
         return std::isnan(before) ? before
                                   : static_cast<T>((z.data()[k] + heights.mean) * heights.unit + heights.datum);
     };
-    if constexpr (std::is_same_v<F, T>) {  // into the memory of the sums
+    if constexpr (std::is_same_v<double, T>) {  // into the memory of the sums
         for (Eigen::Index k = 0; k < map.size(); ++k) z.data()[k] = height(k);
         low.heights = std::move(z);
     } else {
@@ -122,21 +119,20 @@ template <Real T>
 /// Long waves of \p map. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
 [[nodiscard]] math::RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) {
-    using F = math::Accumulator<T>;
     require_cut_off(map, cutoff);
     const MapHeights<T> scaled(map);
     auto along = smoothers(map, cutoff);
     const auto exists = [&](std::size_t k) { return !std::isnan(map.heights.data()[k]); };
     const auto z = present_or_zero(map, scaled);
-    std::vector<F> sums, weights;
-    const auto sum = [&](const std::vector<F>& delta, const std::vector<F>& weighted) {
+    std::vector<double> sums, weights;
+    const auto sum = [&](const std::vector<double>& delta, const std::vector<double>& weighted) {
         weights = delta, sums = weighted;
         smooth_both_ways(sums.data(), map, along);
         smooth_both_ways(weights.data(), map, along);
     };
     const auto found = math::robust_means(
-        std::vector<F>(z.data(), z.data() + z.size()), F(0.01), exists, sum, [&](std::size_t k) { return weights[k]; },
-        [&](std::size_t k) { return sums[k] / weights[k]; });
+        std::vector<double>(z.data(), z.data() + z.size()), 0.01, exists, sum,
+        [&](std::size_t k) { return weights[k]; }, [&](std::size_t k) { return sums[k] / weights[k]; });
     math::RobustWaviness<HeightMap<T>> result{map, found.left_out, found.iterations, found.converged};
     for (std::size_t k = 0; k < found.waviness.size(); ++k)
         if (exists(k))

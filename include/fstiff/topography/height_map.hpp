@@ -113,11 +113,11 @@ namespace parts {
 /// Mean of the heights that exist [m]. \throws domain_error when there is none.
 template <Real T>
 [[nodiscard]] T mean_height(const HeightMap<T>& map) {
-    math::CompensatedSum<math::Accumulator<T>> sum;
+    math::CompensatedSum<double> sum;
     for (Eigen::Index k = 0; k < map.size(); ++k)
         if (!std::isnan(map.heights.data()[k])) sum.add(map.heights.data()[k]);
     if (map.present() == 0) throw domain_error("map of which 0 points exist: must be at least 1");
-    return static_cast<T>(sum.value() / static_cast<math::Accumulator<T>>(map.present()));
+    return static_cast<T>(sum.value() / static_cast<double>(map.present()));
 }
 
 template <Real T>
@@ -134,24 +134,23 @@ T height_scale(const HeightMap<T>& map) {
 
 /// Mean of \p term(height) over the points that exist, with one sum per row so that rounding does not accumulate.
 template <Real T, class Term>
-math::Accumulator<T> mean_over_points(const HeightMap<T>& map, const Term& term) {
-    math::Accumulator<T> sum = 0;
+double mean_over_points(const HeightMap<T>& map, const Term& term) {
+    double sum = 0;
     for (Eigen::Index j = 0; j < map.rows(); ++j) {
-        math::Accumulator<T> row = 0;
+        double row = 0;
         for (const T z : map.heights.row(j))
             if (!std::isnan(z)) row += term(z);
         sum += row;
     }
-    return sum / static_cast<math::Accumulator<T>>(map.present());
+    return sum / static_cast<double>(map.present());
 }
 
 /// Heights of a map relative to one of its points, in a unit: removes an offset before anything is squared.
 template <Real T>
 struct MapHeights {
-    using S = math::Accumulator<T>;
     T datum{}, unit{};
-    S mean{};      // [unit] above the datum
-    S variance{};  // [unit^2]
+    double mean{};      // [unit] above the datum
+    double variance{};  // [unit^2]
 
     explicit MapHeights(const HeightMap<T>& map) : unit(height_scale(map)) {
         for (Eigen::Index k = map.size(); k-- > 0;)
@@ -162,7 +161,7 @@ struct MapHeights {
         mean = mean_over_points(map, [&](T z) { return of(z); });
         variance = mean_over_points(map, [&](T z) { return (of(z) - mean) * (of(z) - mean); });
     }
-    S of(T z) const { return (static_cast<S>(z) - datum) / unit; }
+    double of(T z) const { return (static_cast<double>(z) - datum) / unit; }
 };
 
 }  // namespace parts

@@ -97,8 +97,6 @@ private:
 template <Real T>
 class IslandForest {
 public:
-    using S = math::Accumulator<T>;
-
     /// \p datum is the zero of the sums of mean heights. With \p quick, a point that changes no height leaves their sum
     /// unchanged; else its island is subtracted and added again, with its rounding.
     IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum, bool quick)
@@ -135,7 +133,7 @@ public:
         }
         const std::int32_t j = point / columns_, i = point - j * columns_;
         unsigned char border = i == 0 || j == 0 || i + 1 == columns_ || j + 1 == rows_ ? 1 : 0;
-        S sum = twice_mean_ ? static_cast<S>(z_[point]) - datum_ : S(0);
+        double sum = twice_mean_ ? static_cast<double>(z_[point]) - datum_ : 0.0;
         for (std::size_t k = 0; k < met.count; ++k) {
             if (drop_border_) border |= at_border_[at(met.root[k])];
             if (twice_mean_) sum += sum_[at(met.root[k])];
@@ -148,10 +146,12 @@ public:
         account(highest, 1);
     }
 
-    const IslandTotal<S>& total() const { return total_; }
-    const std::vector<IslandTotal<S>>& tile_totals() const { return tile_totals_; }
+    const IslandTotal<double>& total() const { return total_; }
+    const std::vector<IslandTotal<double>>& tile_totals() const { return tile_totals_; }
     /// Height from which the totals count at \p level.
-    S reference(T level) const { return twice_mean_ ? 2 * (static_cast<S>(level) - datum_) : static_cast<S>(level); }
+    double reference(T level) const {
+        return twice_mean_ ? 2 * (static_cast<double>(level) - datum_) : static_cast<double>(level);
+    }
 
 private:
     // parent_: for a root, minus its number of points
@@ -206,7 +206,8 @@ private:
     void account(std::int32_t root, int sign) {
         const std::int64_t points = -static_cast<std::int64_t>(parent_[at(root)]);
         if (static_cast<std::size_t>(points) < min_points_ || (drop_border_ && at_border_[at(root)] != 0)) return;
-        const S height = twice_mean_ ? 2 * sum_[at(root)] / static_cast<S>(points) : static_cast<S>(z_[root]);
+        const double height =
+            twice_mean_ ? 2 * sum_[at(root)] / static_cast<double>(points) : static_cast<double>(z_[root]);
         total_.add(sign, points, height);
         if (tile_totals_.size() > 1) tile_totals_[tile_(root)].add(sign, points, height);
     }
@@ -216,13 +217,13 @@ private:
     bool eight_, drop_border_, twice_mean_;
     bool all_count_;  // every island does, its height is that of its root, and that need not be summed anew
     std::size_t min_points_;
-    S datum_;
+    double datum_;
     std::vector<std::int32_t> parent_;
     std::vector<unsigned char> at_border_;
-    std::vector<S> sum_;
+    std::vector<double> sum_;
     TileGrid tile_;
-    IslandTotal<S> total_;
-    std::vector<IslandTotal<S>> tile_totals_;
+    IslandTotal<double> total_;
+    std::vector<IslandTotal<double>> tile_totals_;
 };
 
 }  // namespace parts

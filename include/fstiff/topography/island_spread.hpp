@@ -60,32 +60,33 @@ struct TileTotal {
 /// all tiles at the highest level, then at the next.
 template <Real T>
 void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
-                    const std::vector<TileTotal<math::Accumulator<T>>>& lines, const std::vector<std::size_t>& held,
-                    const std::vector<math::Accumulator<T>>& area, const IslandSpread& spread) {
-    using S = math::Accumulator<T>;
+                    const std::vector<TileTotal<double>>& lines, const std::vector<std::size_t>& held,
+                    const std::vector<double>& area, const IslandSpread& spread) {
     // relative to the values of the whole map, so that no square exceeds the range of numbers
-    const S whole_density = static_cast<S>(result.islands) / static_cast<S>(map.present());
-    const S cell = static_cast<S>(map.dx) * static_cast<S>(map.dy);
+    const double whole_density = static_cast<double>(result.islands) / static_cast<double>(map.present());
+    const double cell = static_cast<double>(map.dx) * static_cast<double>(map.dy);
     math::BlockDraw draw(held.size(), 1, spread.seed);
     std::vector<std::size_t> drawn(held.size());
-    S d1 = 0, r1 = 0, dd = 0, rr = 0, dr = 0;
+    double d1 = 0, r1 = 0, dd = 0, rr = 0, dr = 0;
     std::size_t count = 0;
     for (std::size_t sample = 0; sample < spread.resamples; ++sample) {
         if (spread.progress) spread.progress("resamples", sample, spread.resamples);
-        S points = 0;
+        double points = 0;
         for (std::size_t& tile : drawn) {
             tile = held[draw()];
             points += area[tile];
         }
-        TileTotal<S> best;
+        TileTotal<double> best;
         for (std::size_t level = 0; level < lines.size(); level += area.size()) {
-            TileTotal<S> sum;
+            TileTotal<double> sum;
             for (const std::size_t tile : drawn) sum.add(lines[level + tile]);
             if (sum.islands > best.islands) best = sum;
         }
-        if (!(best.height > S(0))) continue;  // skips draws without islands
-        const S d = best.islands / points / whole_density - 1;
-        const S r = best.points * cell / (2 * numbers::pi_v<S> * best.height) / static_cast<S>(result.radius) - 1;
+        if (!(best.height > 0.0)) continue;  // skips draws without islands
+        const double d = best.islands / points / whole_density - 1;
+        const double r =
+            best.points * cell / (2 * std::numbers::pi * best.height) / static_cast<double>(result.radius) -
+            1;
         d1 += d;
         r1 += r;
         dd += d * d;
@@ -94,15 +95,15 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
         ++count;
     }
     if (count < 2) return;
-    const S n = static_cast<S>(count), tiles = static_cast<S>(held.size());
-    const S small_sample = tiles / (tiles - 1) / (n - 1);
-    const S variance_d = (std::max)(S(0), (dd - d1 * d1 / n) * small_sample);
-    const S variance_r = (std::max)(S(0), (rr - r1 * r1 / n) * small_sample);
+    const double n = static_cast<double>(count), tiles = static_cast<double>(held.size());
+    const double small_sample = tiles / (tiles - 1) / (n - 1);
+    const double variance_d = (std::max)(0.0, (dd - d1 * d1 / n) * small_sample);
+    const double variance_r = (std::max)(0.0, (rr - r1 * r1 / n) * small_sample);
     result.density_error = static_cast<T>(std::sqrt(variance_d)) * result.density;
     result.radius_error = static_cast<T>(std::sqrt(variance_r)) * result.radius;
-    if (variance_d > S(0) && variance_r > S(0))
+    if (variance_d > 0.0 && variance_r > 0.0)
         result.correlation = static_cast<T>(
-            std::clamp((dr - d1 * r1 / n) * small_sample / std::sqrt(variance_d) / std::sqrt(variance_r), S(-1), S(1)));
+            std::clamp((dr - d1 * r1 / n) * small_sample / std::sqrt(variance_d) / std::sqrt(variance_r), -1.0, 1.0));
 }
 
 }  // namespace parts
@@ -113,14 +114,13 @@ template <Real T>
 [[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,
                                                               const IslandOptions<T>& options = {},
                                                               const parts::IslandSpread& spread = {}) {
-    using S = math::Accumulator<T>;
     constexpr std::size_t max_lines = std::size_t(1) << 22;
     require(spread.tiles >= 1 && spread.tiles <= 32, "tiles a side", spread.tiles, "between 1 and 32");
     require(spread.tiles == 1 || (spread.resamples >= 2 && spread.resamples <= 100000), "resamples", spread.resamples,
             "between 2 and 100000");
     const std::size_t all_tiles = spread.tiles * spread.tiles;
 
-    std::vector<parts::TileTotal<S>> lines;  // all tiles of the highest level, then of the next
+    std::vector<parts::TileTotal<double>> lines;  // all tiles of the highest level, then of the next
     RepresentativeIslands<T> result;
     result.curve =
         detail::sweep_islands(map, options, spread.tiles, [&](T level, const parts::IslandForest<T>& forest) {
@@ -128,8 +128,8 @@ template <Real T>
             if (lines.size() + all_tiles > max_lines)
                 throw domain_error(
                     "levels times tiles of the spread: must be at most 2^22; take 1 tile or fewer levels");
-            for (const parts::IslandTotal<S>& tile : forest.tile_totals())
-                lines.push_back({static_cast<S>(tile.islands), static_cast<S>(tile.points),
+            for (const parts::IslandTotal<double>& tile : forest.tile_totals())
+                lines.push_back({static_cast<double>(tile.islands), static_cast<double>(tile.points),
                                  tile.height_above(forest.reference(level))});
         });
     const IslandCurve<T>& curve = result.curve;
@@ -144,12 +144,12 @@ template <Real T>
     if (all_tiles == 1) return result;
 
     const parts::TileGrid tile(map.rows(), map.columns(), spread.tiles);
-    std::vector<S> area(all_tiles, S(0));  // in points
+    std::vector<double> area(all_tiles, 0.0);  // in points
     for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
         if (!std::isnan(map.heights.data()[p])) area[tile(p)] += 1;
     std::vector<std::size_t> held;  // tiles that hold points
     for (std::size_t t = 0; t < all_tiles; ++t)
-        if (area[t] > S(0)) held.push_back(t);
+        if (area[t] > 0.0) held.push_back(t);
     require(held.size() >= 2, "tiles that hold points", held.size(), "at least 2 for a spread");
     result.tiles = held.size();
     result.seed = spread.seed;

@@ -15,12 +15,12 @@
 /// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness (tests/topography/islands_test.cpp).
 ///             Greatest density of narrow Gaussian bands 1.02 to 1.08 of (2 pi)^(-3/2) e^(-1/2) m2/m0
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
 
 #include <bit>
 #include <cstring>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -157,30 +157,25 @@ struct IslandPoint {
     std::int32_t index;
 };
 
-/// Sorts the highest first, equal ones in their order: radix sort of 11 bits a pass; std::stable_sort for long double.
+/// Sorts the highest first, equal ones in their order: radix sort of 11 bits a pass.
 template <Real T>
 void sort_from_the_highest(std::vector<IslandPoint<T>>& points) {
-    if constexpr (std::numeric_limits<T>::is_iec559 && (sizeof(T) == 4 || sizeof(T) == 8)) {
-        using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-        constexpr int width = 8 * static_cast<int>(sizeof(T)), digit = 11;
-        constexpr Bits sign = Bits(1) << (width - 1), mask = (Bits(1) << digit) - 1;
-        const auto key = [](T height) -> Bits {                    // falls as the height rises
-            const Bits bits = std::bit_cast<Bits>(height + T(0));  // -0 becomes +0
-            return (bits & sign) != 0 ? bits : ~(bits | sign);
-        };
-        std::vector<IslandPoint<T>> other(points.size());
-        std::vector<std::size_t> start(std::size_t(mask) + 1);
-        for (int shift = 0; shift < width; shift += digit) {
-            std::fill(start.begin(), start.end(), std::size_t(0));
-            for (const IslandPoint<T>& point : points) ++start[key(point.height) >> shift & mask];
-            std::size_t sum = 0;
-            for (std::size_t& count : start) sum += std::exchange(count, sum);
-            for (const IslandPoint<T>& point : points) other[start[key(point.height) >> shift & mask]++] = point;
-            points.swap(other);
-        }
-    } else {
-        std::stable_sort(points.begin(), points.end(),
-                         [](const IslandPoint<T>& a, const IslandPoint<T>& b) { return a.height > b.height; });
+    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    constexpr int width = 8 * static_cast<int>(sizeof(T)), digit = 11;
+    constexpr Bits sign = Bits(1) << (width - 1), mask = (Bits(1) << digit) - 1;
+    const auto key = [](T height) -> Bits {                    // falls as the height rises
+        const Bits bits = std::bit_cast<Bits>(height + T(0));  // -0 becomes +0
+        return (bits & sign) != 0 ? bits : ~(bits | sign);
+    };
+    std::vector<IslandPoint<T>> other(points.size());
+    std::vector<std::size_t> start(std::size_t(mask) + 1);
+    for (int shift = 0; shift < width; shift += digit) {
+        std::fill(start.begin(), start.end(), std::size_t(0));
+        for (const IslandPoint<T>& point : points) ++start[key(point.height) >> shift & mask];
+        std::size_t sum = 0;
+        for (std::size_t& count : start) sum += std::exchange(count, sum);
+        for (const IslandPoint<T>& point : points) other[start[key(point.height) >> shift & mask]++] = point;
+        points.swap(other);
     }
 }
 
@@ -230,7 +225,7 @@ void add_level(IslandCurve<T>& curve, T level, T bearing_area, const parts::Isla
         const auto islands = static_cast<S>(total.islands);
         area = static_cast<T>(static_cast<S>(total.points) / islands) * cell;
         height = static_cast<T>((std::max)(S(0), total.height_above(reference) / islands));
-        radius = height > T(0) ? area / (2 * numbers::pi_v<T> * height) : T(0);
+        radius = height > T(0) ? area / (2 * std::numbers::pi_v<T> * height) : T(0);
         require(radius <= (std::numeric_limits<T>::max)(), "mean island height", height,
                 "larger: the radius leaves the range of numbers");
     }
@@ -247,7 +242,6 @@ void add_level(IslandCurve<T>& curve, T level, T bearing_area, const parts::Isla
 template <Real T, class Record>
 IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
                              const Record& record) {
-    using S = math::Accumulator<T>;
     const parts::HeightRange<T> range = checked_range(map, options);
     const auto present = static_cast<std::size_t>(range.present);
     std::vector<T> levels = options.levels;
@@ -293,7 +287,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
         if (options.progress) options.progress("islands", above, present);
         raise_to(k);
         add_level(curve, level, static_cast<T>(above) / static_cast<T>(present), forest.total(),
-                  static_cast<S>(forest.reference(level)), cell);
+                  static_cast<double>(forest.reference(level)), cell);
         record(level, forest);
     }
     return curve;

@@ -14,9 +14,10 @@
 /// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -56,7 +57,7 @@ public:
         line_.resize(points);
         if (edges == Edges::mirrored)
             for (std::size_t k = 0; k <= points / 2; ++k)
-                turn_.push_back(std::polar(T(1), -numbers::pi_v<T> * T(k) / (2 * T(points))));
+                turn_.push_back(std::polar(T(1), -std::numbers::pi_v<T> * T(k) / (2 * T(points))));
     }
 
     /// Wave number of coefficient \p k, in units of 2 pi/L.
@@ -125,7 +126,7 @@ public:
         im_.resize(points * width);
         if (edges == Edges::mirrored)
             for (std::size_t k = 0; k <= points / 2; ++k)
-                turn_.push_back(std::polar(T(1), -numbers::pi_v<T> * T(k) / (2 * T(points))));
+                turn_.push_back(std::polar(T(1), -std::numbers::pi_v<T> * T(k) / (2 * T(points))));
     }
 
     /// Reads \p count lines; number i of line l is \p from[i step + l jump].

@@ -13,23 +13,23 @@
 /// Accuracy    256 x 256 points, H 0.8: 15 % of a noise of 3 % of sigma; without noise below 1.5 % of sigma
 ///             (tests/topography/map_noise_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace fstiff::inline v0_1::parts {
 
 /// Rms height [m] of the white noise in a map with the steps \p dx, \p dy and the spectrum \p spectrum.
 template <Real T>
 [[nodiscard]] T white_noise(const SpectrumShells<T>& spectrum, std::type_identity_t<T> dx, std::type_identity_t<T> dy) {
-    const T x = numbers::pi_v<T> / dx, y = numbers::pi_v<T> / dy, top = (std::min)(x, y);
+    const T x = std::numbers::pi_v<T> / dx, y = std::numbers::pi_v<T> / dy, top = (std::min)(x, y);
     const T width = std::hypot(x, y) / static_cast<T>(spectrum.shells.size());
     std::array<T, 3> level{}, count{};  // of h^2 if all waves of the map had what those of the place have
     for (const auto& shell : spectrum.shells) {
-        const T q = shell.q2_h2 / shell.q_h2, share = numbers::pi_v<T> * q * width / (2 * x * y);
+        const T q = shell.q2_h2 / shell.q_h2, share = std::numbers::pi_v<T> * q * width / (2 * x * y);
         for (std::size_t i = 0; i < 3; ++i)
             if (const T place = q / std::ldexp(top, static_cast<int>(i) - 2); place > T(0.8) && place <= T(1))
                 level[i] += shell.q_h2 * shell.q_h2 / shell.q2_h2 / share, ++count[i];
@@ -43,7 +43,7 @@ template <Real T>
 /// Rms gradient of white noise of the rms height \p noise [m] in a map with the steps \p dx, \p dy.
 template <Real T>
 [[nodiscard]] T gradient_of_noise(T noise, std::type_identity_t<T> dx, std::type_identity_t<T> dy) {
-    return noise * numbers::pi_v<T> * std::hypot(1 / dx, 1 / dy) / std::sqrt(T(3));
+    return noise * std::numbers::pi_v<T> * std::hypot(1 / dx, 1 / dy) / std::sqrt(T(3));
 }
 
 }  // namespace fstiff::inline v0_1::parts

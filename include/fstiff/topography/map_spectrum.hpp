@@ -16,11 +16,12 @@
 /// Valid       maps of at least 4 x 4 points, none missing; remove the form first
 /// Accuracy    1e-13 of the sum, 1e-11 of a shell, 1e-12 of C (tests/topography/map_spectrum_test.cpp)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/spectrum_window.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/line_transform.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -72,8 +73,8 @@ struct ShellGrid {
     explicit ShellGrid(const HeightMap<T>& map, Edges edges = Edges::periodic) {
         map.validate(4);
         map.require_whole("before its spectrum is taken");
-        unit_x = 2 * numbers::pi_v<T> / (T(map.columns()) * map.dx);
-        unit_y = 2 * numbers::pi_v<T> / (T(map.rows()) * map.dy);
+        unit_x = 2 * std::numbers::pi_v<T> / (T(map.columns()) * map.dx);
+        unit_y = 2 * std::numbers::pi_v<T> / (T(map.rows()) * map.dy);
         width = (std::min)(unit_x, unit_y) / (edges == Edges::mirrored ? 2 : 1);
     }
     /// |q| of the wave k along x, l along y, in units of 2 pi over the sides.

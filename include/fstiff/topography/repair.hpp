@@ -90,11 +90,10 @@ math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool 
 /// Calls \p visit(place, 1/step^2 over 1/dx^2) for the neighbours of point \p at along its sides.
 template <Real T, class Visit>
 void visit_sides(const HeightMap<T>& map, Eigen::Index at, const Visit& visit) {
-    using F = math::Accumulator<T>;
-    const F across = static_cast<F>(map.dx) / map.dy * (static_cast<F>(map.dx) / map.dy);
+    const double across = static_cast<double>(map.dx) / map.dy * (static_cast<double>(map.dx) / map.dy);
     const Eigen::Index columns = map.columns(), j = at / columns, i = at % columns;
-    if (i > 0) visit(at - 1, F(1));
-    if (i + 1 < columns) visit(at + 1, F(1));
+    if (i > 0) visit(at - 1, 1.0);
+    if (i + 1 < columns) visit(at + 1, 1.0);
     if (j > 0) visit(at - columns, across);
     if (j + 1 < map.rows()) visit(at + columns, across);
 }
@@ -108,7 +107,7 @@ struct Holes {
 
     explicit Holes(const HeightMap<T>& map) : number(static_cast<std::size_t>(map.size()), -1) {
         std::vector<Eigen::Index> stack;
-        const auto find = [&](Eigen::Index at, math::Accumulator<T>) {
+        const auto find = [&](Eigen::Index at, double) {
             if (!std::isnan(map.heights.data()[at]) || number[static_cast<std::size_t>(at)] >= 0) return;
             number[static_cast<std::size_t>(at)] = 0;
             stack.push_back(at);
@@ -130,7 +129,6 @@ struct Holes {
 /// Fills the missing points of \p map. \throws domain_error where every point is missing.
 template <Real T>
 math::Repair fill_missing(HeightMap<T>& map) {
-    using F = math::Accumulator<T>;
     using Index = Eigen::Index;
     require(map.present() > 0, "points that exist", 0, "at least 1 to fill the others");
     const parts::Holes<T> holes(map);
@@ -138,11 +136,11 @@ math::Repair fill_missing(HeightMap<T>& map) {
     const auto size = static_cast<Index>(holes.points.size());
     if (size < 1) return repair;
     const MapHeights<T> scaled(map);
-    std::vector<Eigen::Triplet<F>> entries;
-    Eigen::Matrix<F, Eigen::Dynamic, 1> right = Eigen::Matrix<F, Eigen::Dynamic, 1>::Zero(size);
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::Matrix<double, Eigen::Dynamic, 1> right = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(size);
     for (Index n = 0; n < size; ++n) {
-        F own = 0;
-        visit_sides(map, holes.points[static_cast<std::size_t>(n)], [&](Index other, F weight) {
+        double own = 0;
+        visit_sides(map, holes.points[static_cast<std::size_t>(n)], [&](Index other, double weight) {
             own += weight;
             if (const int m = holes.number[static_cast<std::size_t>(other)]; m >= 0)
                 entries.emplace_back(static_cast<int>(n), m, -weight);
@@ -151,10 +149,10 @@ math::Repair fill_missing(HeightMap<T>& map) {
         });
         entries.emplace_back(static_cast<int>(n), static_cast<int>(n), own);
     }
-    Eigen::SparseMatrix<F> matrix(size, size);
+    Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<F>> solver(matrix);
-    const Eigen::Matrix<F, Eigen::Dynamic, 1> heights = solver.solve(right);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const Eigen::Matrix<double, Eigen::Dynamic, 1> heights = solver.solve(right);
     for (Index n = 0; n < size; ++n)
         map.heights.data()[holes.points[static_cast<std::size_t>(n)]] =
             static_cast<T>((heights[n] + scaled.mean) * scaled.unit + scaled.datum);

@@ -17,10 +17,10 @@
 /// Accuracy    spring_interface_ulps, both directions and any z1/z2 (tests/ultrasound/spring_interface_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
 #include <complex>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -53,7 +53,7 @@ namespace parts {
 template <Real T>
 [[nodiscard]] T angular_frequency(T frequency) {
     require_positive("frequency", frequency);
-    return 2 * numbers::pi_v<T> * frequency;
+    return 2 * std::numbers::pi_v<T> * frequency;
 }
 
 }  // namespace parts
