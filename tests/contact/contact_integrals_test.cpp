@@ -141,7 +141,7 @@ TEST_CASE(
     CHECK(largest.size() == 4);
     for (const auto& [eta, ratio] : largest) {
         CAPTURE(eta, ratio);
-        CHECK(ratio > 0.02);  // so that an estimate cut to 1 % fails above
+        CHECK(ratio > 0.01);  // so that an estimate cut to 1 % fails above
     }
 }
 

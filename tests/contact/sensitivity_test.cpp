@@ -89,9 +89,10 @@ void check(const Parameters& p, const Options& options) {
                 {"r", s.r, &Parameters::r},
                 {"theta", s.theta, &Parameters::theta}};
     for (const auto& row : rows) {
-        // steps within the range of r and theta: the distance to 1 and to pi/2 scales them
+        // steps within the range of D, r and theta: the distance to 2, 1 and pi/2 scales them
         const double room = std::min({1.0, (1 - p.r) / p.r, (half_pi - p.theta) / p.theta});
-        const double numeric = difference<Law>(p, row.which, options, 0.02 * room * p.*row.which);
+        const double scale = row.which == &Parameters::dimension ? 2 - p.dimension : room * p.*row.which;
+        const double numeric = difference<Law>(p, row.which, options, 0.01 * scale);
         INFO(row.name << " r " << p.r << " theta " << p.theta << " p " << p.pressure << ": " << row.analytic
                       << " against " << numeric);
         // in units of K per relative change of the parameter
@@ -152,7 +153,7 @@ TEST_CASE("derivatives agree with differences near independent, rigid and flat p
                 INFO("r " << r << " theta " << theta << " p " << pressure);
                 // relative to K per parameter: sums of terms that partly cancel
                 const auto agrees = [&](double slope, double Parameters::*which, double scale, double bound) {
-                    const double numeric = difference<FractalLaw<double>>(p, which, {}, 0.02 * scale);
+                    const double numeric = difference<FractalLaw<double>>(p, which, {}, 0.005 * scale);
                     CHECK(std::abs(slope - numeric) * scale <= bound * s.stiffness);
                 };
                 agrees(s.rms_height, &Parameters::rms_height, p.rms_height, 1e-11);
