@@ -85,8 +85,7 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
         if (!(best.height > 0.0)) continue;  // skips draws without islands
         const double d = best.islands / points / whole_density - 1;
         const double r =
-            best.points * cell / (2 * std::numbers::pi * best.height) / static_cast<double>(result.radius) -
-            1;
+            best.points * cell / (2 * std::numbers::pi * best.height) / static_cast<double>(result.radius) - 1;
         d1 += d;
         r1 += r;
         dd += d * d;
