@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The files of tools/make_surface_samples.py: their contents, and changes by a test.
-#include "io/reading.hpp"
+#include "io/readers.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -43,7 +43,44 @@ inline std::string put(std::string bytes, std::size_t place, const std::string& 
     return bytes.replace(place, field.size(), field);
 }
 
-/// \p map holds the heights of a sample times \p unit, and NaN at row 1, column 2 where a point is \p missing.
+/// The reader of a form, with the options of a file that states too little.
+struct FormReader {
+    fstiff::io::SurfaceFormat format;
+    fstiff::io::SurfaceOptions options{};
+
+    fstiff::io::Reading operator()(const std::string& bytes) const { return (*this)(bytes, options); }
+    fstiff::io::Reading operator()(const std::string& bytes, const fstiff::io::SurfaceOptions& given) const {
+        return fstiff::io::detail::reader_of(format).read(bytes, "file", given);
+    }
+    [[nodiscard]] bool begins(const std::string& bytes) const {
+        return fstiff::io::detail::reader_of(format).begins(bytes);
+    }
+};
+
+/// The reader of any file.
+struct FileReader {
+    fstiff::io::Surface operator()(const std::string& bytes, const fstiff::io::SurfaceOptions& options = {}) const {
+        return fstiff::io::read_surface(bytes, "file", options);
+    }
+};
+
+/// The refusals of a reader.
+template <class Reader>
+class RefusalOf {
+public:
+    explicit RefusalOf(Reader reader) : reader_(std::move(reader)) {}
+    std::string operator()(const std::string& bytes) const {
+        return refusal([&] { (void)reader_(bytes); });
+    }
+    std::string operator()(const std::string& bytes, const fstiff::io::SurfaceOptions& options) const {
+        return refusal([&] { (void)reader_(bytes, options); });
+    }
+
+private:
+    Reader reader_;
+};
+
+/// \p found holds the heights of a sample times \p unit, and NaN at row 1, column 2 where a point is \p missing.
 inline void check_sample(const fstiff::io::Reading& found, double dx, double dy, double unit, bool missing) {
     REQUIRE(found.map.rows == 3);
     REQUIRE(found.map.columns == 4);
@@ -59,28 +96,6 @@ inline void check_sample(const fstiff::io::Reading& found, double dx, double dy,
                 CHECK(ulps(found.map.at(row, column), static_cast<double>(10 * row + column * column) * unit) <= 2);
         }
     CHECK(found.record.warnings.empty());
-}
-
-/// Every beginning of \p bytes is refused with a sentence by \p call(bytes).
-template <class Call>
-void check_cut(const std::string& bytes, const Call& call) {
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-        CAPTURE(size);
-        const std::string said = refusal([&] { (void)call(bytes.substr(0, size)); });
-        REQUIRE(!said.empty());
-        REQUIRE(said.find('\n') == std::string::npos);
-    }
-}
-
-/// \p bytes is known as \p format, and read so.
-inline void check_known(const std::string& bytes, fstiff::io::SurfaceFormat format,
-                        const fstiff::io::SurfaceOptions& options = {}) {
-    CHECK(fstiff::io::form_of_first_bytes(bytes) == format);
-    std::istringstream input(bytes);
-    const fstiff::io::Surface found = fstiff::io::read_surface(input, "file", options);
-    CHECK(found.record.format == format);
-    CHECK(found.map().rows() == 3);
-    CHECK(!refusal([&] { (void)fstiff::io::read_surface(bytes, "file", {.dx = 1.0}); }).empty());
 }
 
 }  // namespace test
