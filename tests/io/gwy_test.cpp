@@ -5,6 +5,7 @@ namespace gwy_test {
 
 using namespace fstiff;
 using namespace std::string_literals;
+using test::bytes_of;
 using test::contains;
 using test::little;
 
@@ -14,7 +15,6 @@ const test::FormReader read{io::SurfaceFormat::gwy};
 const test::RefusalOf refusal(read);
 
 // the parts of a file, as its description lays them out
-std::string real(double value) { return little(std::bit_cast<std::int64_t>(value), 8); }
 std::string part(const std::string& name, char type, const std::string& value) { return name + '\0' + type + value; }
 std::string object(const std::string& name, const std::string& content) {
     return name + '\0' + little(static_cast<std::int64_t>(content.size()), 4) + content;
@@ -22,7 +22,7 @@ std::string object(const std::string& name, const std::string& content) {
 std::string unit(const std::string& text) { return object("GwySIUnit", part("unitstr", 's', text + '\0')); }
 std::string array(const std::vector<double>& values) {
     std::string bytes = little(static_cast<std::int64_t>(values.size()), 4);
-    for (const double value : values) bytes += real(value);
+    for (const double value : values) bytes += bytes_of(value);
     return bytes;
 }
 
@@ -36,8 +36,9 @@ struct Field {
 
     std::string bytes() const {
         return object("GwyDataField", part("xres", 'i', little(columns, 4)) + part("yres", 'i', little(rows, 4)) +
-                                          part("xoff", 'd', real(1)) + part("xreal", 'd', real(width)) +
-                                          part("yreal", 'd', real(height)) + part("si_unit_xy", 'o', unit(lateral)) +
+                                          part("xoff", 'd', bytes_of(1.0)) + part("xreal", 'd', bytes_of(width)) +
+                                          part("yreal", 'd', bytes_of(height)) +
+                                          part("si_unit_xy", 'o', unit(lateral)) +
                                           part("si_unit_z", 'o', unit(vertical)) + part("data", 'D', array(values)));
     }
 };
@@ -51,7 +52,7 @@ std::string file(const std::string& content) { return "GWYP" + object("GwyContai
 
 TEST_CASE("A channel of Gwyddion is read among components of every type, which are left out") {
     const std::string others = part("/flag", 'b', "\1") + part("/letter", 'c', "x") + part("/n", 'i', little(7, 4)) +
-                               part("/long", 'q', little(7, 8)) + part("/x", 'd', real(7)) +
+                               part("/long", 'q', little(7, 8)) + part("/x", 'd', bytes_of(7.0)) +
                                part("/t", 's', "text\0"s) + part("/letters", 'C', little(3, 4) + "abc") +
                                part("/ns", 'I', little(1, 4) + little(7, 4)) +
                                part("/longs", 'Q', little(1, 4) + little(7, 8)) + part("/xs", 'D', array({1, 2})) +

@@ -27,7 +27,7 @@ TEST_CASE("A map of MetroPro is numbers times wavelength and factors after its i
     std::string padded = whole;  // the elder magic numbers have the short header, the newest has a long one
     padded.insert(834, std::string(4096 - 834, '\0'));
     test::check_sample(read(put(put(padded, 3, "\x71"), 6, big(4096, 4))), double(0.5e-6F), double(0.5e-6F),
-                       step * wavelength, true);
+                       step * wavelength, 1);
     CHECK(read(whole + "more").record.said("trailer") == "4 bytes, not read");
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/samples.hpp"
 
-#include <algorithm>
-#include <cstring>
-
 namespace npy_test {
 
 using namespace fstiff;
@@ -31,25 +28,7 @@ std::string header(const std::string& type, const std::string& shape = "(2, 3)",
 template <class T>
 std::string bytes_of(std::initializer_list<double> values, bool big = false) {
     std::string all;
-    for (const double value : values) {
-        const T number = static_cast<T>(value);
-        std::uint64_t bits = 0;
-        if constexpr (std::is_floating_point_v<T>) {
-            if constexpr (sizeof(T) == 4) {
-                std::uint32_t half = 0;
-                std::memcpy(&half, &number, 4);
-                bits = half;
-            } else {
-                std::memcpy(&bits, &number, 8);
-            }
-        } else {
-            bits = static_cast<std::uint64_t>(number);
-        }
-        std::string one;
-        for (std::size_t i = 0; i < sizeof(T); ++i, bits /= 256) one += static_cast<char>(bits % 256);
-        if (big) std::reverse(one.begin(), one.end());
-        all += one;
-    }
+    for (const double value : values) all += test::bytes_of(static_cast<T>(value), big);
     return all;
 }
 

@@ -19,7 +19,7 @@ struct Sample {
     const char* file;
     std::size_t trailer = 0;  // bytes at its end that may be missing
     double dx = 0, dy = 0, unit = 0;
-    bool missing = true;
+    std::size_t missing = 1;
 };
 
 constexpr double nominal = double(0.5e-6F), opd_step = double(0.5e-3F) * 1e-3;
@@ -32,13 +32,13 @@ constexpr Sample samples[] = {
     {SurfaceFormat::gwy, "gwy/profile.gwy"},
     {SurfaceFormat::metropro, "metropro/map.dat", 0, nominal, nominal, 2.0 * 0.5 / 32768 * nominal},
     {SurfaceFormat::netcdf, "netcdf/map.nc", 0, 0.5e-6, 0.25e-6, 1e-6},
-    {SurfaceFormat::netcdf, "netcdf/profile.nc", 80},  // the positions are not read
+    {SurfaceFormat::netcdf, "netcdf/profile.nc", 80, 0.5e-6, 0.5e-6, 1e-6, 0},  // the positions are not read
     {SurfaceFormat::npy, "npy/fortran.npy"},
     {SurfaceFormat::npy, "npy/map-f4-big.npy"},
     {SurfaceFormat::opd, "opd/map.opd", 0, opd_step, opd_step / 2, 75e-9},
     {SurfaceFormat::opd, "opd/real.opd", 0, opd_step, opd_step / 2, 75e-9},
     {SurfaceFormat::opdx, "opdx/map.opdx", 5, 0.5e-6, 0.25e-6, 2e-9},  // the end of the items
-    {SurfaceFormat::opdx, "opdx/profile.opdx", 5},
+    {SurfaceFormat::opdx, "opdx/profile.opdx", 5, 0.5e-6, 0.5e-6, 2e-9, 0},
     {SurfaceFormat::plu, "plu/map.plu", 44, 0.5e-6, 0.25e-6, 1e-6},  // the lowest, the highest and a picture
     {SurfaceFormat::plux, "plux/map.plux", 0, 0.5e-6, 0.25e-6, 1e-6},
     {SurfaceFormat::sdf, "sdf/binary-bcr.sdf"},
@@ -46,13 +46,13 @@ constexpr Sample samples[] = {
     {SurfaceFormat::sdf, "sdf/text-1.sdf", 5},    // a line end, and the last asterisk
     {SurfaceFormat::smd, "smd/profile.smd", 13},  // the check sum
     {SurfaceFormat::smd, "smd/profile.prf", 7},   // the last two words
-    {SurfaceFormat::stl, "stl/map.stl"},
-    {SurfaceFormat::stl, "stl/text.stl", 7},  // after endsolid
+    {SurfaceFormat::stl, "stl/map.stl", 0, 0.5e-6, 0.25e-6, 1e-6, 2},
+    {SurfaceFormat::stl, "stl/text.stl", 7, 0.5e-6, 0.25e-6, 1e-6, 2},  // after endsolid
     {SurfaceFormat::sur, "sur/comment.sur"},
     {SurfaceFormat::sur, "sur/compressed-32-three-streams.sur"},
     {SurfaceFormat::sur, "sur/profile.pro"},
-    {SurfaceFormat::vk4, "vk4/map.vk4", 0, 0.5e-6, 0.25e-6, 1e-10, false},
-    {SurfaceFormat::vk4, "vk4/map.vk6", 0, 0.5e-6, 0.25e-6, 1e-10, false},
+    {SurfaceFormat::vk4, "vk4/map.vk4", 0, 0.5e-6, 0.25e-6, 1e-10, 0},
+    {SurfaceFormat::vk4, "vk4/map.vk6", 0, 0.5e-6, 0.25e-6, 1e-10, 0},
     {SurfaceFormat::x3p, "x3p/mask.x3p"},
     {SurfaceFormat::x3p, "x3p/stored.x3p"},
 };

@@ -1,30 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/samples.hpp"
 
-#include <cstring>
-
 namespace sdf_test {
 
 using namespace fstiff;
+using test::bytes_of;
 using test::contains;
 
 namespace {
 
 const test::FormReader read{io::SurfaceFormat::sdf};
 const test::RefusalOf refusal(read);
-
-/// The bytes of a number, the least significant first, by the remainders of its division by 256.
-template <class T>
-std::string bytes_of(T number) {
-    std::uint64_t bits = 0;
-    if constexpr (std::is_floating_point_v<T>)
-        std::memcpy(&bits, &number, sizeof number);
-    else
-        bits = static_cast<std::uint64_t>(number);
-    std::string bytes;
-    for (std::size_t i = 0; i < sizeof(T); ++i, bits /= 256) bytes += static_cast<char>(bits % 256);
-    return bytes;
-}
 
 struct Header {
     std::string version = "bISO-1.0";

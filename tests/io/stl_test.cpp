@@ -18,25 +18,10 @@ constexpr std::size_t place(std::size_t triangle, std::size_t corner) { return 8
 
 }  // namespace
 
-TEST_CASE("Triangles over a grid are a map, binary and text, whose points without a corner are missing") {
-    for (const char* name : {"stl/map.stl", "stl/text.stl"}) {
-        CAPTURE(name);
-        const std::string whole = test::sample(name);
-        const io::Reading found = read(whole);
-        REQUIRE(found.map.rows == 3);
-        REQUIRE(found.map.columns == 4);
-        CHECK(test::ulps(found.map.dx, 0.5e-6) <= 1);
-        CHECK(test::ulps(found.map.dy, 0.25e-6) <= 1);
-        for (std::size_t row = 0; row < 3; ++row)
-            for (std::size_t column = 0; column < 4; ++column)
-                if ((row == 1 && column == 2) || (row == 0 && column == 3))
-                    CHECK(std::isnan(found.map.at(row, column)));
-                else
-                    CHECK(test::ulps(found.map.at(row, column),
-                                     static_cast<double>(10 * row + column * column) * 1e-6) <= 1);
-        CHECK(contains(test::refusal([&] { (void)io::read_surface(whole, "file"); }),
+TEST_CASE("Triangles without a unit are refused with the option that states it") {
+    for (const char* name : {"stl/map.stl", "stl/text.stl"})
+        CHECK(contains(refusal(test::sample(name), {}),
                        "states no unit and none is given; must be given as units = \"mm\""));
-    }
 }
 
 TEST_CASE("Triangles that are no height over x and y are refused in words") {

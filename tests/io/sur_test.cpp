@@ -3,8 +3,6 @@
 
 #include "support/samples.hpp"
 
-#include <algorithm>
-#include <cstring>
 #include <functional>
 
 namespace sur_test {
@@ -25,20 +23,12 @@ struct File {
     std::vector<int> numbers{-5, 2, 3, 4, 1000, 6};
 
     std::string number(std::int64_t value, std::size_t size) const {
-        std::string bytes;
-        auto rest = static_cast<std::uint64_t>(value);
-        for (std::size_t i = 0; i < size; ++i, rest /= 256) bytes += static_cast<char>(rest % 256);
-        if (order != 0) std::reverse(bytes.begin(), bytes.end());
-        return bytes;
+        return order == 0 ? test::little(value, size) : test::big(value, size);
     }
     std::string bytes() const {
         std::string all(512, ' ');
         const auto put = [&](std::size_t at, const std::string& field) { all.replace(at, field.size(), field); };
-        const auto real = [&](std::size_t at, float value) {
-            std::uint32_t image = 0;
-            std::memcpy(&image, &value, 4);
-            put(at, number(image, 4));
-        };
+        const auto real = [&](std::size_t at, float value) { put(at, test::bytes_of(value, order != 0)); };
         put(0, "DIGITAL SURF");
         put(12, number(order, 2));
         put(14, number(objects, 2));

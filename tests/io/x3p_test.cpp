@@ -2,7 +2,6 @@
 #include "support/samples.hpp"
 #include "support/zip.hpp"
 
-#include <cstring>
 #include <sstream>
 
 namespace x3p_test {
@@ -20,12 +19,7 @@ int height(int k) { return (7 * k) % 20 - 3; }
 template <class T>
 std::string heights() {
     std::string bytes;
-    for (int k = 0; k < columns * rows; ++k) {
-        const T value = static_cast<T>(height(k));
-        char raw[sizeof(T)];
-        std::memcpy(raw, &value, sizeof(T));  // the tests run on little-endian machines
-        bytes.append(raw, sizeof(T));
-    }
+    for (int k = 0; k < columns * rows; ++k) bytes += test::bytes_of(static_cast<T>(height(k)));
     return bytes;
 }
 
