@@ -190,6 +190,8 @@ TEST_CASE("formats lists every form that --input-format takes") {
     const auto text = test::run_fstiff("formats"), list = test::run_fstiff("formats --format csv"),
                json = test::run_fstiff("formats --format json");
     CHECK(list.status == 0);
+    CHECK(test::contains(text.out, "The first nineteen are") ==
+          (fstiff::names<fstiff::io::SurfaceFormat>.size() == 20));
     for (const std::string_view name : fstiff::parts::choices<fstiff::io::SurfaceFormat>()) {
         if (name == "auto") continue;
         INFO(name);

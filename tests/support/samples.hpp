@@ -90,8 +90,8 @@ private:
     Reader reader_;
 };
 
-/// \p found holds the heights of a sample times \p unit: a map whose row 1, column 2 and row 0, column 3 are the \p missing
-/// points, or a profile of its first row.
+/// \p found holds the heights of a sample times \p unit: a map whose \p missing points are row 1, column 2 and row 0,
+/// column 3, or a profile of its first row.
 inline void check_sample(const fstiff::io::Reading& found, double dx, double dy, double unit, std::size_t missing) {
     const auto& map = found.map;
     const bool is_map = map.rows == 3 && map.columns == 4;
