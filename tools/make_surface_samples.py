@@ -6,7 +6,7 @@
     tools/make_surface_samples.py --check    compares them with those that are there
 
 Every file is a map of 3 rows and 4 columns, height (row, column) = 10 row + column^2 in units of the form, from the
-top; row 1, column 2 is missing where the form has missing points. The heads of src/io/*.hpp have the layouts."""
+top; row 1, column 2 is missing where the form has missing points. The heads of src/io/*.cpp have the layouts."""
 import io
 import pathlib
 import struct

@@ -1,5 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/al3d.hpp"
+/// \file
+/// Reads maps of Alicona (.al3d).
+///
+/// "AliconaImaging", NUL, CR LF, and tags of 52 bytes, each a key (20 characters), a value (30) and CR LF. The first
+/// are Version and TagCount, the number of those that follow. Of them are used
+///
+///     Cols, Rows, PixelSizeXMeter, PixelSizeYMeter [m], DepthImageOffset, InvalidPixelValue
+///
+/// The heights in m begin at byte DepthImageOffset, row after row as float32, the least significant byte first,
+/// each row filled up to a multiple of 8 bytes. Missing points are NaN or within 1.5e-7 of InvalidPixelValue.
+///
+/// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence), whose map of a measured file is the same
+/// Units       map in m
+/// Valid       2 points a side at least, or one row; heights that vary
+/// Accuracy    the float32 of the file (tests/io/al3d_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/file_bytes.hpp"
 
@@ -7,11 +23,11 @@
 
 #include <map>
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
+
+bool is_al3d(std::string_view bytes) { return bytes.starts_with(std::string_view("AliconaImaging\0\r\n", 17)); }
 
 class Al3dReader {
 public:
@@ -87,10 +103,11 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+extern constexpr Reader al3d_reader{.format = SurfaceFormat::al3d,
+                                    .endings = ".al3d",
+                                    .holds = "map of Alicona",
+                                    .recognised = "its first bytes, AliconaImaging",
+                                    .begins = is_al3d,
+                                    .read = read_by<Al3dReader>};
 
-bool is_al3d(std::string_view bytes) { return bytes.starts_with(std::string_view("AliconaImaging\0\r\n", 17)); }
-
-Reading read_al3d(std::string_view bytes, std::string_view name) { return detail::Al3dReader(bytes, name).read(); }
-
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::inline v0_1::io::detail

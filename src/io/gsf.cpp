@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/gsf.hpp"
+/// \file
+/// Reads the simple field of Gwyddion (.gsf).
+///
+/// The line "Gwyddion Simple Field 1.0", lines "key = value", one to four NUL bytes up to a multiple of 4 bytes, and
+/// the heights, row after row from the top, as float32, least significant byte first. NaN is a missing point. XRes and
+/// YRes are the columns and rows, XReal and YReal the width and the height in XYUnits, and the heights are in ZUnits.
+/// The description lets XReal, YReal and the units be left out; here they must be stated, for nothing is guessed.
+///
+///     dx = XReal / XRes,    dy = YReal / YRes
+///
+/// Reference   Gwyddion user guide, "Gwyddion Simple Field" (file formats). Deviation: units with a prefix (um) are
+///             read.
+/// Units       map in m
+/// Valid       2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
+/// Accuracy    number times unit, rounded once (tests/io/gsf_test.cpp)
 
-namespace fstiff::inline v0_1::io {
+#include "io/readers.hpp"
 
-bool is_gsf(std::string_view bytes) { return bytes.starts_with("Gwyddion Simple Field 1."); }
+#include "io/binary_numbers.hpp"
+#include "io/lines.hpp"
 
-namespace detail {
+#include <fstiff/io/quantity.hpp>
+
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -27,6 +44,8 @@ Record record_of(const GsfHeader& file, const RawMap& map) {
     record.say_trailer(file.trailer);
     return record;
 }
+
+bool is_gsf(std::string_view bytes) { return bytes.starts_with("Gwyddion Simple Field 1."); }
 
 class GsfReader {
 public:
@@ -130,8 +149,13 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+extern constexpr Reader gsf_reader{
+    .format = SurfaceFormat::gsf,
+    .endings = ".gsf",
+    .holds = "Gwyddion simple field, with XReal, YReal and units of length",
+    .recognised = "its first bytes",
+    .begins = is_gsf,
+    .read = read_by<GsfReader>,
+    .may_begin = [](std::string_view bytes) { return bytes.starts_with("Gwyddion Simple Field"); }};
 
-Reading read_gsf(std::string_view bytes, std::string_view name) { return detail::GsfReader(bytes, name).read(); }
-
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::inline v0_1::io::detail

@@ -3,7 +3,8 @@
 
 #include "io/binary_numbers.hpp"
 #include "io/number.hpp"
-#include "io/stl.hpp"
+#include "io/readers.hpp"
+#include "io/utf16.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -124,11 +125,19 @@ KnownBinary known_by_content(std::string_view bytes) {
 
 }  // namespace
 
+std::string readable_forms() {
+    std::string forms = "text (a profile, a matrix, or x, y, z)";
+    for (const Reader* reader : readers())
+        if (reader->begins)
+            for (const char c : " " + std::string(reader->endings)) forms += c == ' ' ? ", " : std::string(1, c);
+    return forms;
+}
+
 std::string known_binary_refusal(std::string_view bytes) {
     const auto refusal = [](const KnownBinary& known, const char* what) {
         return known.name.empty() ? std::string()
                                   : "is " + (what + std::string(known.name)) + ", which is not read; must be " +
-                                        std::string(readable_forms) + ": " + std::string(known.way);
+                                        readable_forms() + ": " + std::string(known.way);
     };
     const bool has_nul = bytes.find('\0') != std::string_view::npos;
     for (const KnownBinary& known : known_binaries)
@@ -146,11 +155,10 @@ std::string known_binary_refusal(std::string_view bytes) {
 }
 
 bool may_hold_nul_bytes(std::string_view bytes) {
-    for (const std::string_view first : {"PK", "\x93NUMPY", "Gwyddion Simple Field", "GWYP", "DIGITAL SURF",
-                                         "DSCOMPRESSED", "ISO 5436", "\xFF\xFE", "\xFE\xFF"})
-        if (bytes.starts_with(first)) return true;
-    if (form_of_first_bytes(bytes) != SurfaceFormat::automatic || may_be_stl(bytes)) return true;
-    return bytes.size() > 4 && (bytes.substr(1, 3) == "ISO" || bytes.substr(1, 3) == "BCR");
+    const auto may_begin = [&](const Reader* reader) {
+        return (reader->begins && reader->begins(bytes)) || (reader->may_begin && reader->may_begin(bytes));
+    };
+    return is_utf16(bytes) || std::any_of(readers().begin(), readers().end(), may_begin);
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -12,10 +12,8 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
-/// Formats that fstiff reads, for messages.
-inline constexpr std::string_view readable_forms =
-    "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, .npy, .gsf, .gwy, .sur, .smd, MetroPro .dat, "
-    ".vk4, .opd, .opdx, .al3d, .plu, .plux, .nc or .stl";
+/// The endings of the forms that fstiff reads, for messages.
+std::string readable_forms();
 
 /// "is binary: a PNG picture, which is not read; must be ..."; empty when the first bytes are of no format that is
 /// known here.

@@ -22,7 +22,7 @@ namespace {
     const std::string known = known_binary_refusal(bytes);
     if (!known.empty()) refuse_file(name, {known});
     refuse_file(name, {"is binary, or UTF-16 without its byte order mark (it holds NUL bytes); must be ",
-                       readable_forms, "; text in UTF-8, UTF-16 with a byte order mark, or an 8-bit code page"});
+                       readable_forms(), "; text in UTF-8, UTF-16 with a byte order mark, or an 8-bit code page"});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "io/map_text.hpp"
 
 #include "io/matrix_unit.hpp"
+#include "io/readers.hpp"
 #include "io/thousands.hpp"
 
 namespace fstiff::inline v0_1::io {
@@ -360,5 +361,24 @@ private:
 Reading read_map(detail::MapTable table, SurfaceFormat form, const SurfaceOptions& options) {
     return detail::MapTextReader(std::move(table), form, options).read();
 }
+
+namespace detail {
+
+extern constexpr Reader triples_reader{.format = SurfaceFormat::triples,
+                                       .endings = ".xyz .csv .txt ...",
+                                       .holds = "text: x, y, z in a line",
+                                       .recognised = "three columns that fill a rectangular grid",
+                                       .asks_for = "--units without a header that has them",
+                                       .options = "units missing thousands channel"};
+
+extern constexpr Reader matrix_reader{
+    .format = SurfaceFormat::matrix,
+    .endings = ".txt .asc .csv ...",
+    .holds = "text: a row of the map in a line; exports of Gwyddion in any language, Keyence, SPIP, ESRI",
+    .recognised = "four columns and more, or a size in the header or by --dx or --width",
+    .asks_for = "--units, and --dx or --width, without a header that has them",
+    .options = "units dx dy width height missing thousands channel"};
+
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1::io

@@ -32,4 +32,10 @@ namespace fstiff::inline v0_1::io {
 /// \throws domain_error naming file, line, value and what is allowed.
 [[nodiscard]] Reading read_map(detail::MapTable table, SurfaceFormat form, const SurfaceOptions& options);
 
+/// Whether \p line is the first of an export of Wyko (io/wyko_text.cpp).
+[[nodiscard]] bool is_wyko_text(std::string_view line);
+/// \throws domain_error naming file, line, value and what is allowed.
+[[nodiscard]] Reading read_wyko_text(std::vector<detail::Line> lines, const std::string& name,
+                                     const SurfaceOptions& options);
+
 }  // namespace fstiff::inline v0_1::io

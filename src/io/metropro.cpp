@@ -1,11 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/metropro.hpp"
+/// \file
+/// Reads maps of Zygo MetroPro (.dat).
+///
+/// A header of 834 or 4096 bytes, frames of intensities (uint16), and the heights row after row as int32, all the most
+/// significant byte first. Fields of the header that are used, by byte offset:
+///
+///     0   88 1B 03 6F, 70, or 71 (hex)     68  columns, rows of the heights (uint16)    184 step of x and y [m]
+///     6   bytes of the header (uint32):    164 scale factor S of the interferometer     218 phase resolution: 0, 1, 2
+///         4096 after 71,  else 834         168 wavelength lambda [m]                    232 sign: 0, or turned over
+///     52  columns, rows, frames of the     176 obliquity factor O (float32 all three)
+///         intensities (uint16)
+///
+///     height = number S O lambda / R,     R = 4096, 32768, 131072 by the phase resolution
+///
+/// Numbers of 2147483640 and more are missing points.
+///
+/// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence), whose maps of a measured file are the same
+/// Units       map in m
+/// Valid       2 points a side at least, or one row; heights that vary; files with a step of x and y
+/// Accuracy    five roundings, and those of float32 in the file (tests/io/metropro_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/file_bytes.hpp"
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -38,17 +57,12 @@ Record record_of(const FileBytes& file, const RawMap& map, double step, std::siz
     return record;
 }
 
-}  // namespace
-
-}  // namespace detail
-
 bool is_metropro(std::string_view bytes) {
-    return bytes.size() > 3 && bytes.starts_with(detail::metropro_magic) && bytes[3] >= '\x6F' && bytes[3] <= '\x71';
+    return bytes.size() > 3 && bytes.starts_with(metropro_magic) && bytes[3] >= '\x6F' && bytes[3] <= '\x71';
 }
 
-Reading read_metropro(std::string_view bytes, std::string_view name) {
-    using namespace detail;
-    const FileBytes file(bytes, std::string(name), true);
+Reading read_metropro(std::string_view bytes, const std::string& name, const SurfaceOptions&) {
+    const FileBytes file(bytes, name, true);
     if (!is_metropro(bytes)) refuse_file(file.name(), {"does not begin as a file of Zygo MetroPro; must begin so"});
     (void)file.at(0, metropro_short, "its header");
     const std::uint64_t header = bytes[3] == '\x71' ? metropro_long : metropro_short;
@@ -74,4 +88,13 @@ Reading read_metropro(std::string_view bytes, std::string_view name) {
     return {std::move(map), std::move(record)};
 }
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace
+
+extern constexpr Reader metropro_reader{.format = SurfaceFormat::metropro,
+                                        .endings = ".dat",
+                                        .holds = "map of Zygo MetroPro",
+                                        .recognised = "its first bytes",
+                                        .begins = is_metropro,
+                                        .read = read_metropro};
+
+}  // namespace fstiff::inline v0_1::io::detail

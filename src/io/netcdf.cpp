@@ -1,5 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/netcdf.hpp"
+/// \file
+/// Reads maps and profiles of contact.engineering (.nc) in the classic form of NetCDF.
+///
+/// "CDF" and 1, 2 or 5, then dimensions, attributes and variables, the most significant byte first; a count is of 4
+/// bytes, of 8 in form 5. Of the file are used
+///
+///     heights    variable over (x, y), or over (x): float32, float64 or integers, in its attribute unit
+///     x, y       variables with the attributes length, the size of the map, and unit; all units are the same
+///     mask       variable as heights, whose numbers other than 0 mark missing points
+///
+///     dx = length of x / points of x
+///
+/// NaN and the attribute _FillValue of heights are missing points too. Rows are the index y.
+///
+/// Reference   The NetCDF Classic Format Specification (Unidata); names as in SurfaceTopography 1.27.1 (MIT licence)
+/// Units       map in m
+/// Valid       2 points a side at least, or one profile; heights that vary; no records; at most 100000
+///             entries; NetCDF 4, which is HDF5, and profiles of unequal steps are refused
+/// Accuracy    number times unit, rounded once (tests/io/netcdf_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/file_bytes.hpp"
 
@@ -7,9 +27,7 @@
 
 #include <map>
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -232,20 +250,24 @@ private:
     std::string units_;
 };
 
-}  // namespace
-
-}  // namespace detail
-
 bool is_netcdf(std::string_view bytes) {
     return bytes.size() > 3 && bytes.starts_with("CDF") && (bytes[3] == 1 || bytes[3] == 2 || bytes[3] == 5);
 }
 
-Reading read_netcdf(std::string_view bytes, std::string_view name) {
-    const detail::FileBytes file(bytes, std::string(name), true);
+Reading read_netcdf(std::string_view bytes, const std::string& name, const SurfaceOptions&) {
+    const FileBytes file(bytes, name, true);
     if (!is_netcdf(bytes))
-        detail::refuse_file(file.name(),
-                            {"does not begin as a classic NetCDF file; must begin with CDF and 1, 2 or 5"});
-    return detail::NetcdfReader(file).read();
+        refuse_file(file.name(), {"does not begin as a classic NetCDF file; must begin with CDF and 1, 2 or 5"});
+    return NetcdfReader(file).read();
 }
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace
+
+extern constexpr Reader netcdf_reader{.format = SurfaceFormat::netcdf,
+                                      .endings = ".nc",
+                                      .holds = "surface of contact.engineering, classic NetCDF",
+                                      .recognised = "its first bytes, CDF",
+                                      .begins = is_netcdf,
+                                      .read = read_netcdf};
+
+}  // namespace fstiff::inline v0_1::io::detail

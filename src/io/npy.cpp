@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/npy.hpp"
+/// \file
+/// Reads an array of NumPy (.npy): one dimension is a profile, two are a map, whose rows are the first index.
+///
+/// A magic string, the version (2 bytes), the length of the header (2 bytes, 4 from version 2.0, least significant
+/// first), the header, a dictionary such as {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }, and the
+/// numbers. The reader takes integers (i1, i2, i4, i8, u1, u2, u4, u8) and floating-point numbers (f4, f8) of either
+/// byte order, in the order of C or of Fortran. The file holds neither units nor steps: they are given. NaN is a
+/// missing point, and so are the numbers that the options name. Sizes are compared with the bytes that are there before
+/// memory is taken.
+///
+/// Reference   NumPy manual, numpy.lib.format (format versions 1.0, 2.0, 3.0)
+/// Units       map in m; SurfaceOptions::units are the file's
+/// Valid       2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
+/// Accuracy    number times unit, rounded once (tests/io/npy_test.cpp)
 
-namespace fstiff::inline v0_1::io {
+#include "io/readers.hpp"
 
-bool is_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
+#include "io/binary_numbers.hpp"
+#include "io/header.hpp"
+#include "io/missing_values.hpp"
 
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -31,6 +46,8 @@ Record record_of(const NpyHeader& file, const RawMap& map) {
     record.resolution = file.resolution;
     return record;
 }
+
+bool is_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
 
 class NpyReader {
 public:
@@ -236,10 +253,14 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+extern constexpr Reader npy_reader{
+    .format = SurfaceFormat::npy,
+    .endings = ".npy",
+    .holds = "NumPy array of integers or floating point: one dimension is a profile, two are a map",
+    .recognised = "its first bytes, \\x93NUMPY",
+    .asks_for = "--units, and --spacing of a profile, --dx or --width of a map",
+    .options = "units spacing dx dy width height missing",
+    .begins = is_npy,
+    .read = read_by<NpyReader>};
 
-Reading read_npy(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
-    return detail::NpyReader(bytes, name, options).read();
-}
-
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::inline v0_1::io::detail

@@ -1,11 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/opd.hpp"
+/// \file
+/// Reads maps of Wyko and Bruker Vision (.opd).
+///
+/// Two bytes (1, 0) and a directory of 24 bytes a block, the first of which is the directory itself; the blocks follow
+/// in that order. The least significant byte comes first.
+///
+///     0   name (16 characters)      18  bytes of the block (int32; nothing follows where it is below 1)
+///     16  type (int16)              22  attribute (uint16)
+///
+/// A block of type 3 is an array: columns, rows, bytes of a number (uint16), then the numbers column after column, each
+/// from the bottom: int16 or float32. The first of the arrays RAW_DATA, "RAW DATA", OPD, Raw and SAMPLE_DATA is read,
+/// with the blocks
+///
+///     Wavelength lambda [nm], Mult M (1 where there is none), Pixel_size dx [mm], Aspect a (1 where there is none)
+///
+///     height = number lambda / M,     dy = a dx
+///
+/// Missing points are int16 of 32766 and more, float32 of 1e38 and more, and NaN.
+///
+/// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence), whose maps of three measured files are the same
+/// Units       map in m, rows from the top
+/// Valid       2 points a side at least, or one row; heights that vary
+/// Accuracy    five roundings, and those of float32 in the file (tests/io/opd_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/file_bytes.hpp"
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -41,6 +63,8 @@ Record record_of(const OpdHeader& file, const RawMap& map) {
     record.resolution = file.bits == 16 ? file.step : 0;
     return record;
 }
+
+bool is_opd(std::string_view bytes) { return bytes.starts_with(std::string_view("\x01\0Directory", 11)); }
 
 class OpdReader {
 public:
@@ -151,10 +175,11 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+extern constexpr Reader opd_reader{.format = SurfaceFormat::opd,
+                                   .endings = ".opd",
+                                   .holds = "map of Wyko and Bruker Vision",
+                                   .recognised = "its first bytes",
+                                   .begins = is_opd,
+                                   .read = read_by<OpdReader>};
 
-bool is_opd(std::string_view bytes) { return bytes.starts_with(std::string_view("\x01\0Directory", 11)); }
-
-Reading read_opd(std::string_view bytes, std::string_view name) { return detail::OpdReader(bytes, name).read(); }
-
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::inline v0_1::io::detail

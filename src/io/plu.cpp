@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/plu.hpp"
+/// \file
+/// Reads maps of Sensofar and Leica DCM (.plu, .apx).
+///
+/// A header of 500 bytes without a mark of its own, and layers of heights, the least significant byte first. Fields
+/// of the header that are used, by byte offset:
+///
+///     0    date and time as text ("Fri Mar 10 16:35:59 2023")    428  type of the measurement (uint32): 3 is a map
+///     388  rows, columns (uint32)                                489  layers (uint8)
+///     404  steps of x and y [um] (float32)                       492  pictures after each layer (uint8)
+///
+/// A layer is rows, columns (uint32), the heights in um row after row as float32, the lowest and the highest of them
+/// (float32), and the pictures of 3 bytes a point. 1000001 marks a missing point. The first layer is read.
+///
+/// A file is known by its date and by counts that agree with each other.
+///
+/// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence), whose maps of two measured files are the same
+/// Units       map in m
+/// Valid       2 points a side at least, or one row; heights that vary; no profiles and other measurements
+/// Accuracy    the float32 of the file times 1e-6, rounded once (tests/io/plu_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/file_bytes.hpp"
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -22,12 +40,7 @@ Record record_of(const FileBytes& file, const RawMap& map, std::uint64_t layers)
     return record;
 }
 
-}  // namespace
-
-}  // namespace detail
-
 bool is_plu(std::string_view bytes) {
-    using namespace detail;
     if (bytes.size() < plu_header) return false;
     const std::string_view date = bytes.substr(0, (std::min<std::size_t>)(bytes.find('\0'), 128));
     const auto number = [&](std::size_t place) { return unsigned_at(bytes.substr(place, 4), false); };
@@ -36,9 +49,8 @@ bool is_plu(std::string_view bytes) {
            number(392) > 0 && number(428) <= 16 && number(440) <= 1000;
 }
 
-Reading read_plu(std::string_view bytes, std::string_view name) {
-    using namespace detail;
-    const FileBytes file(bytes, std::string(name));
+Reading read_plu(std::string_view bytes, const std::string& name, const SurfaceOptions&) {
+    const FileBytes file(bytes, name);
     (void)file.at(0, plu_header, "its header");
     if (!is_plu(bytes))
         refuse_file(file.name(), {"does not begin as a file of Sensofar (.plu); must begin with a date and counts"});
@@ -61,4 +73,13 @@ Reading read_plu(std::string_view bytes, std::string_view name) {
     return {std::move(map), std::move(record)};
 }
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace
+
+extern constexpr Reader plu_reader{.format = SurfaceFormat::plu,
+                                   .endings = ".plu .apx",
+                                   .holds = "map of Sensofar and Leica DCM",
+                                   .recognised = "the date and the counts in its header",
+                                   .begins = is_plu,
+                                   .read = read_plu};
+
+}  // namespace fstiff::inline v0_1::io::detail

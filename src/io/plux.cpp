@@ -1,6 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/plux.hpp"
+/// \file
+/// Reads maps of Sensofar (.plux): a zip archive of index.xml and layers. Needs what X3P needs.
+///
+/// Elements of index.xml that are used, below its root:
+///
+///     GENERAL/IMAGE_SIZE_X, IMAGE_SIZE_Y  columns, rows        LAYER_0/FILENAME_Z  the file of the heights
+///     GENERAL/FOV_X, FOV_Y                steps of x and y [um]
+///
+/// The heights in um are stored row after row as float32, the least significant byte first. NaN is a missing point. The
+/// first layer is read, the record lists the others.
+///
+/// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence)
+/// Units       map in m
+/// Valid       2 points a side at least, or one row; heights that vary; files up to 2^30 bytes
+/// Accuracy    the float32 of the file times 1e-6, rounded once (tests/io/plux_test.cpp)
 
+#include "io/readers.hpp"
+#ifdef FSTIFF_HAS_X3P
 #include "io/file_bytes.hpp"
 #include "io/zip_archive.hpp"
 
@@ -8,16 +24,14 @@
 
 #include <pugixml.hpp>
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
 class PluxReader {
 public:
-    PluxReader(std::string_view bytes, std::string name, const X3pLimits& limits)
-        : name_(std::move(name)), archive_(bytes, name_, limits) {}
+    PluxReader(std::string_view bytes, const std::string& name, const SurfaceOptions& options)
+        : name_(name), archive_(bytes, name_, options.x3p_limits) {}
 
     Reading read() {
         const auto index = archive_.find("index.xml");
@@ -97,18 +111,30 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+}  // namespace fstiff::inline v0_1::io::detail
+#endif
 
-std::string zip_entry(std::string_view bytes, const std::string& name, std::string_view entry,
-                      const X3pLimits& limits) {
-    const detail::ZipArchive archive(bytes, name, limits);
-    const auto found = archive.find(entry);
-    if (!found) detail::refuse_file(name, {"holds no ", detail::shown_cell(entry), "; must hold it in its archive"});
-    return archive.content(*found);
+namespace fstiff::inline v0_1::io::detail {
+
+namespace {
+
+/// Whether the end of a zip archive, which lists its files, names index.xml and no main.xml.
+bool is_plux(std::string_view bytes) {
+    const std::string_view list = bytes.substr(bytes.size() - (std::min<std::size_t>)(bytes.size(), 1 << 16));
+    return bytes.starts_with("PK\3\4") && list.find("index.xml") < list.size() && list.find("main.xml") >= list.size();
 }
 
-Reading read_plux(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
-    return detail::PluxReader(bytes, std::string(name), options.x3p_limits).read();
-}
+}  // namespace
 
-}  // namespace fstiff::inline v0_1::io
+extern constexpr Reader plux_reader{
+    .format = SurfaceFormat::plux,
+    .endings = ".plux",
+    .holds = "map of Sensofar, where fstiff reads X3P",
+    .recognised = "its first bytes, those of a ZIP archive, and its index.xml",
+    .begins = is_plux,
+#ifdef FSTIFF_HAS_X3P
+    .read = read_by<PluxReader>,
+#endif
+};
+
+}  // namespace fstiff::inline v0_1::io::detail

@@ -2,6 +2,7 @@
 #include "io/profile_text.hpp"
 
 #include "io/ambiguous_signs.hpp"
+#include "io/readers.hpp"
 #include "io/thousands.hpp"
 #include "io/unequal_steps.hpp"
 
@@ -374,5 +375,16 @@ private:
 Reading read_profile(detail::NumberTable table, const std::string& name, const SurfaceOptions& options) {
     return detail::ProfileTextReader(std::move(table), name, options).read();
 }
+
+namespace detail {
+
+extern constexpr Reader profile_reader{.format = SurfaceFormat::profile,
+                                       .endings = ".csv .txt .dat .asc ...",
+                                       .holds = "text: heights, or position and height in a line",
+                                       .recognised = "one or two columns, or --spacing or --column",
+                                       .asks_for = "--units without a header that has them; --spacing of heights",
+                                       .options = "units spacing column x-column missing thousands resample channel"};
+
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1::io

@@ -1,12 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/sdf.hpp"
+/// \file
+/// Reads surface data files (SDF), text and binary.
+///
+/// The reader takes the versions ISO-1.0, ISO-2.0 and their forerunner BCR-1.0, with all eight data types, and files
+/// with another maker for ISO, such as NIST-1.0, as ISO. It ignores the trailer; rows keep the order of the file.
+/// Heights are number times Zscale. Missing points are "BAD" (or "NaN") in text, infinity in binary files, and there,
+/// as in the text of BCR-1.0, the numbers that the version reserves:
+///
+///     type        ISO                        BCR
+///     integers    least (unsigned: largest)  largest
+///     reals       least, or NaN              1.7e308 (float: 3.4e38) and above, or NaN
+///
+/// The binary header is of 81 bytes, little-endian on every host: version (8), manufacturer (10), dates (2 x 12),
+/// NumPoints and NumProfiles (2 bytes each; 4 in version 2.0), Xscale, Yscale, Zscale, Zresolution (8 each),
+/// Compression, DataType, CheckType (1 each). Sizes are compared with the bytes that are there before memory is taken.
+///
+/// Reference   ISO 25178-71:2017 (versions 1.0, 2.0); K. J. Stout et al., EUR 15178 EN (1993) (BCR). Deviation: text
+///             with a data type of integers may hold decimal fractions.
+/// Units       map in m; the scales of the file are in m
+/// Valid       2 points a side at least, or one profile (dy = dx where its Yscale is 0), of heights that vary; no
+///             compression; files up to 2^30 bytes; the check sum is not verified
+/// Accuracy    the product with Zscale is rounded once (tests/io/sdf_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/binary_numbers.hpp"
+#include "io/lines.hpp"
 #include "io/number_table.hpp"
 
-namespace fstiff::inline v0_1::io {
+#include <fstiff/io/quantity.hpp>
 
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -48,6 +72,23 @@ Record record_of(const SdfHeader& file, const RawMap& map) {
     const bool counted = file.binary && file.data_type != 3 && file.data_type != 7;
     record.resolution = counted ? file.z_scale : 0;
     return record;
+}
+
+bool is_sdf(std::string_view bytes) {
+    if (bytes.size() < 8 || std::string_view("aAbB").find(bytes[0]) == std::string_view::npos) return false;
+    const std::size_t length = version_length(bytes);
+    const std::string_view version = bytes.substr(1, length);
+    if (version == "ISO-1.0" || version == "ISO-2.0" || version == "BCR-1.0") return true;
+    const bool text = bytes[0] == 'a' || bytes[0] == 'A';
+    if (!text) return length == 7 && bytes.size() > 80 && (version.ends_with("1.0") || version.ends_with("2.0"));
+    // another maker: what follows must be the header of this form
+    const std::string head = lower_case(bytes.substr(0, 4096));
+    return length > 0 && head.find("numpoints") != std::string::npos && head.find("zscale") != std::string::npos;
+}
+
+/// Whether they are of a version that may not be read.
+bool may_be_sdf(std::string_view bytes) {
+    return bytes.size() > 4 && (bytes.substr(1, 3) == "ISO" || bytes.substr(1, 3) == "BCR");
 }
 
 class SdfReader {
@@ -287,22 +328,13 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+extern constexpr Reader sdf_reader{.format = SurfaceFormat::sdf,
+                                   .endings = ".sdf",
+                                   .holds = "ISO 25178-71, text or binary",
+                                   .recognised = "its first bytes, such as aISO-1.0 or bISO-1.0",
+                                   .begins = is_sdf,
+                                   .read = read_by<SdfReader>,
+                                   .mark = 8,
+                                   .may_begin = may_be_sdf};
 
-bool is_sdf(std::string_view bytes) {
-    if (bytes.size() < 8 || std::string_view("aAbB").find(bytes[0]) == std::string_view::npos) return false;
-    const std::size_t length = detail::version_length(bytes);
-    const std::string_view version = bytes.substr(1, length);
-    if (version == "ISO-1.0" || version == "ISO-2.0" || version == "BCR-1.0") return true;
-    const bool text = bytes[0] == 'a' || bytes[0] == 'A';
-    if (!text) return length == 7 && bytes.size() > 80 && (version.ends_with("1.0") || version.ends_with("2.0"));
-    // another maker: what follows must be the header of this form
-    const std::string head = detail::lower_case(bytes.substr(0, 4096));
-    return length > 0 && head.find("numpoints") != std::string::npos && head.find("zscale") != std::string::npos;
-}
-
-Reading read_sdf(std::string_view bytes, std::string_view name) {
-    return detail::SdfReader(bytes, std::string(name)).read();
-}
-
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::inline v0_1::io::detail

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/stl.hpp"
+/// \file
+/// Reads maps that are triangles (.stl), binary and text: a height over x and y.
+///
+/// Binary are 80 bytes, the number of triangles (uint32), and of each triangle its normal, its three corners (x, y, z;
+/// float32) and two bytes more, the least significant byte first. Text is "solid", then of each triangle
+///
+///     facet normal n n n   outer loop   vertex x y z   vertex x y z   vertex x y z   endloop   endfacet
+///
+/// The corners must lie on a regular grid of x and y, one height to a point, and each triangle within one cell of it.
+/// Points of the grid without a corner are missing. Closed bodies, walls and other meshes are refused. Normals and
+/// colours are not read.
+///
+/// Reference   3D Systems, StereoLithography Interface Specification (1989), as published by many
+/// Units       map in m; the file states none, so that an option must
+/// Valid       2 points a side at least; heights that vary; rows from the lowest y
+/// Accuracy    the number of the file times the unit, rounded once (tests/io/stl_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/column_titles.hpp"
 #include "io/file_bytes.hpp"
 #include "io/option_names.hpp"
 #include "io/regular_grid.hpp"
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -154,12 +169,7 @@ void fill(RawMap& map, const StlCorners& corners, const Grid& grid, double unit,
     }
 }
 
-}  // namespace
-
-}  // namespace detail
-
 bool may_be_stl(std::string_view bytes) {
-    using namespace detail;
     const std::uint64_t triangles = stl_count(bytes);
     if (triangles < 2 || bytes.size() < stl_head + stl_triangle) return false;
     const std::uint64_t whole = stl_head + stl_triangle * triangles;
@@ -169,14 +179,12 @@ bool may_be_stl(std::string_view bytes) {
 }
 
 bool is_stl(std::string_view bytes) {
-    using namespace detail;
     if (may_be_stl(bytes)) return bytes.size() == stl_head + stl_triangle * stl_count(bytes);
     return bytes.starts_with("solid") && bytes.substr(0, 4096).find("facet") != std::string_view::npos;
 }
 
-Reading read_stl(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
-    using namespace detail;
-    const FileBytes file(bytes, std::string(name));
+Reading read_stl(std::string_view bytes, const std::string& name, const SurfaceOptions& options) {
+    const FileBytes file(bytes, name);
     const bool text = bytes.starts_with("solid") && !may_be_stl(bytes);
     const StlCorners corners = text ? text_corners(bytes, file.name()) : binary_corners(file);
     const auto units = given_units(options.units, 1, file.name(), "one unit of x, y and heights, such as \"mm\"");
@@ -198,4 +206,17 @@ Reading read_stl(std::string_view bytes, std::string_view name, const SurfaceOpt
     return {std::move(map), std::move(record)};
 }
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace
+
+extern constexpr Reader stl_reader{.format = SurfaceFormat::stl,
+                                   .endings = ".stl",
+                                   .holds = "triangles over a grid of x and y, binary or text",
+                                   .recognised = "its size, or its first words, solid and facet",
+                                   .asks_for = "--units",
+                                   .options = "units",
+                                   .begins = is_stl,
+                                   .read = read_stl,
+                                   .mark = 0,
+                                   .may_begin = may_be_stl};
+
+}  // namespace fstiff::inline v0_1::io::detail

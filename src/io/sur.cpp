@@ -1,13 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/sur.hpp"
+/// \file
+/// Reads surfaces and profiles of Digital Surf (.sur, .pro), compressed or not.
+///
+/// A header of 512 bytes, a comment, a private zone, and the heights row after row as integers of 16 or 32 bits. Fields
+/// of the header that are used, by byte offset:
+///
+///     0   "DIGITAL SURF", or       86  non-measured points are marked     120  steps of x, y, z (float32)
+///         "DSCOMPRESSED"           98  bits of a height                   180  their units (3 x 16 characters)
+///     12  0: least significant     100 lowest number                      290  1, 2, 3: inverted
+///         byte first, 257: last    108 points of a row                    334  bytes of the comment
+///     14  objects in the file      112 rows                               336  bytes of the private zone
+///     18  1 profile, 2 surface
+///
+/// The heights of a compressed file are zlib streams after a table: their count, then of each its bytes when inflated
+/// and when deflated (uint32). Together they hold the heights as in the other form.
+///
+/// Heights are number times step of z; the offset of the axis, a constant, is not added. Where missing points are
+/// marked, the lowest number less 2 marks them. A file that states an inversion is read as stored, with
+/// a warning.
+///
+/// Reference   the header of the formats SUR and PRO of Digital Surf, as the open reader of Gwyddion lays it out; files
+///             of both forms from an open program are read (tests/data), none from MountainsMap
+/// Units       map in m
+/// Valid       one object; 2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
+/// Accuracy    number times step times unit: two roundings (tests/io/sur_test.cpp)
 
-#include "io/inflate.hpp"
+#include "io/readers.hpp"
 
-namespace fstiff::inline v0_1::io {
+#include "io/binary_numbers.hpp"
+#include "io/lines.hpp"
+#include "io/unpack.hpp"
 
-bool is_sur(std::string_view bytes) { return bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED"); }
+#include <fstiff/io/quantity.hpp>
 
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -46,6 +72,8 @@ Record record_of(const SurHeader& file, const RawMap& map) {
     record.resolution = std::abs(file.step);
     return record;
 }
+
+bool is_sur(std::string_view bytes) { return bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED"); }
 
 class SurReader {
 public:
@@ -195,18 +223,22 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+Reading read_sur(std::string_view bytes, const std::string& name, const Inflate& inflate) {
+    return SurReader(bytes, name, inflate).read();
+}
 
-Inflate inflate_where_built() {
+extern constexpr Reader sur_reader{
+    .format = SurfaceFormat::sur,
+    .endings = ".sur .pro",
+    .holds = "Digital Surf of 16 or 32 bits, one object, compressed where fstiff was built with zlib",
+    .recognised = "its first bytes, DIGITAL SURF or DSCOMPRESSED",
+    .begins = is_sur,
+    .read = [](std::string_view bytes, const std::string& name, const SurfaceOptions&) {
 #ifdef FSTIFF_HAS_ZLIB
-    return inflate_zlib;
+        return read_sur(bytes, name, inflate_zlib);
 #else
-    return {};
+        return read_sur(bytes, name);
 #endif
-}
+    }};
 
-Reading read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate) {
-    return detail::SurReader(bytes, name, inflate).read();
-}
-
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::inline v0_1::io::detail

@@ -1,27 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/surface_file.hpp>
 
-#include "io/al3d.hpp"
-#include "io/gsf.hpp"
-#include "io/gwy.hpp"
 #include "io/map_text.hpp"
-#include "io/metropro.hpp"
-#include "io/netcdf.hpp"
-#include "io/npy.hpp"
-#include "io/opd.hpp"
-#include "io/opdx.hpp"
-#include "io/plu.hpp"
-#include "io/plux.hpp"
 #include "io/profile_text.hpp"
-#include "io/sdf.hpp"
-#include "io/smd.hpp"
-#include "io/stl.hpp"
-#include "io/sur.hpp"
+#include "io/readers.hpp"
 #include "io/text_blocks.hpp"
 #include "io/thousands.hpp"
-#include "io/vk4.hpp"
-#include "io/wyko_text.hpp"
-#include "io/x3p.hpp"
 
 #include <tuple>
 
@@ -33,34 +17,24 @@ namespace {
 
 /// Refuses the options that \p format has no use for.
 void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name) {
-    const bool profile = format == SurfaceFormat::profile;
-    const bool matrix = format == SurfaceFormat::matrix;
-    const bool text = profile || matrix || format == SurfaceFormat::triples;
-    const bool bare = format == SurfaceFormat::npy;  // states neither units nor steps
-    const std::pair<const char*, bool> useless[] = {
-        {"units", !options.units.empty() && !text && !bare && format != SurfaceFormat::stl},
-        {"spacing", options.spacing && !profile && !bare},
-        {"column", options.column != 0 && !profile},
-        {"x-column", options.x_column != 0 && !profile},
-        {"dx", options.dx && !matrix && !bare},
-        {"dy", options.dy && !matrix && !bare},
-        {"width", options.width && !matrix && !bare},
-        {"height", options.height && !matrix && !bare},
-        {"missing", !options.missing.empty() && !text && !bare},
-        {"thousands", !options.thousands.empty() && !text},
-        {"resample", options.resample && !profile},
-        {"channel", !options.channel.empty() && !text && format != SurfaceFormat::gwy},
-        {"x3p-increment", options.x3p_increment != X3pIncrement::apply && format != SurfaceFormat::x3p}};
-    for (const auto& [option, refused] : useless)
-        if (refused)
+    const std::string useful = " " + std::string(reader_of(format).options) + " ";
+    const std::pair<std::string_view, bool> given[] = {{"units", !options.units.empty()},
+                                                       {"spacing", options.spacing.has_value()},
+                                                       {"column", options.column != 0},
+                                                       {"x-column", options.x_column != 0},
+                                                       {"dx", options.dx.has_value()},
+                                                       {"dy", options.dy.has_value()},
+                                                       {"width", options.width.has_value()},
+                                                       {"height", options.height.has_value()},
+                                                       {"missing", !options.missing.empty()},
+                                                       {"thousands", !options.thousands.empty()},
+                                                       {"resample", options.resample},
+                                                       {"channel", !options.channel.empty()},
+                                                       {"x3p-increment", options.x3p_increment != X3pIncrement::apply}};
+    for (const auto& [option, is_given] : given)
+        if (is_given && useful.find(" " + std::string(option) + " ") == std::string::npos)
             refuse_file(name, {"is read as ", surface_format_name(format), ", which has no use for ", option,
                                "; must not be given, or ", options.names.format, " must be another"});
-}
-
-/// Whether the end of the zip archive \p bytes, which lists its files, names index.xml and no main.xml.
-bool is_plux(std::string_view bytes) {
-    const std::string_view list = bytes.substr(bytes.size() - (std::min<std::size_t>)(bytes.size(), 1 << 16));
-    return list.find("index.xml") != std::string_view::npos && list.find("main.xml") == std::string_view::npos;
 }
 
 /// The form of a text, and why.
@@ -123,31 +97,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
 
 }  // namespace detail
 
-SurfaceFormat form_of_first_bytes(std::string_view bytes) {
-    if (is_sdf(bytes)) return SurfaceFormat::sdf;
-    if (bytes.starts_with("PK\3\4")) return detail::is_plux(bytes) ? SurfaceFormat::plux : SurfaceFormat::x3p;
-    if (is_npy(bytes)) return SurfaceFormat::npy;
-    if (is_gsf(bytes)) return SurfaceFormat::gsf;
-    if (is_gwy(bytes)) return SurfaceFormat::gwy;
-    if (is_smd(bytes)) return SurfaceFormat::smd;
-    if (is_sur(bytes)) return SurfaceFormat::sur;
-    if (is_metropro(bytes)) return SurfaceFormat::metropro;
-    if (is_vk4(bytes)) return SurfaceFormat::vk4;
-    if (is_opd(bytes)) return SurfaceFormat::opd;
-    if (is_netcdf(bytes)) return SurfaceFormat::netcdf;
-    if (is_opdx(bytes)) return SurfaceFormat::opdx;
-    if (is_al3d(bytes)) return SurfaceFormat::al3d;
-    if (is_plu(bytes)) return SurfaceFormat::plu;
-    return is_stl(bytes) ? SurfaceFormat::stl : SurfaceFormat::automatic;
-}
-
-bool reads_x3p() {
-#ifdef FSTIFF_HAS_X3P
-    return true;
-#else
-    return false;
-#endif
-}
+bool reads_x3p() { return detail::reader_of(SurfaceFormat::x3p).read != nullptr; }
 
 bool reads_compressed_sur() {
 #ifdef FSTIFF_HAS_ZLIB
@@ -206,56 +156,33 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
     return found;
 }
 
-/// Reads bytes of the form \p format, which is a zip archive or may hold one.
-Reading read_packed(SurfaceFormat format, std::string_view bytes, const std::string& name,
-                    [[maybe_unused]] const SurfaceOptions& options) {
-#ifdef FSTIFF_HAS_X3P
-    if (format == SurfaceFormat::x3p) return read_x3p(bytes, name, options);
-    if (format == SurfaceFormat::plux) return read_plux(bytes, name, options);
-    return read_vk4(bytes, name, [&](std::string_view archive, const std::string& called, std::string_view entry) {
-        return zip_entry(archive, called, entry, options.x3p_limits);
-    });
-#else
-    if (format == SurfaceFormat::vk4) return read_vk4(bytes, name);
-    refuse_file(name, {"is ", format == SurfaceFormat::x3p ? "X3P" : "a Sensofar file (.plux)",
-                       ", which this program was built without; must be another form"});
-#endif
-}
-
 /// Warns of a second file of the same form after the first one, which begins with the same bytes.
-void warn_of_second_file(SurfaceFormat format, std::string_view bytes, Record& record) {
-    constexpr std::size_t same = 12;
+void warn_of_second_file(const Reader& reader, std::string_view bytes, Record& record) {
     std::size_t place = std::string_view::npos;
     if (bytes.starts_with("PK\3\4")) {  // after the end of an archive
         const std::size_t end = bytes.find("PK\5\6");
         if (end < bytes.size()) place = bytes.find("PK\3\4", end);
-    } else if (format != SurfaceFormat::stl && bytes.size() > same) {
-        place = bytes.find(bytes.substr(0, format == SurfaceFormat::sdf ? 8 : same), same);
+    } else if (reader.mark > 0 && bytes.size() > reader.mark) {
+        place = bytes.find(bytes.substr(0, reader.mark), reader.mark);
     }
-    if (place < bytes.size() && form_of_first_bytes(bytes.substr(place)) == format)
-        record.warnings.push_back("the file holds a second one of the form " + std::string(name_of(format)) +
+    if (place < bytes.size() && form_of_first_bytes(bytes.substr(place)) == reader.format)
+        record.warnings.push_back("the file holds a second one of the form " + std::string(name_of(reader.format)) +
                                   " from byte " + std::to_string(place) + " on, which is not read");
 }
 
-/// Reads bytes of the form \p format, which is not a table of numbers.
-Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
+/// Reads bytes of a form that has a reader of its own.
+Reading read_binary(const Reader& reader, std::string_view bytes, const std::string& name,
                     const SurfaceOptions& options) {
-    switch (format) {
-        case SurfaceFormat::sdf: return read_sdf(bytes, name);
-        case SurfaceFormat::npy: return read_npy(bytes, name, options);
-        case SurfaceFormat::gsf: return read_gsf(bytes, name);
-        case SurfaceFormat::gwy: return read_gwy(bytes, name, options.channel);
-        case SurfaceFormat::smd: return read_smd(bytes, name);
-        case SurfaceFormat::sur: return read_sur(bytes, name, inflate_where_built());
-        case SurfaceFormat::metropro: return read_metropro(bytes, name);
-        case SurfaceFormat::opd: return read_opd(bytes, name);
-        case SurfaceFormat::al3d: return read_al3d(bytes, name);
-        case SurfaceFormat::plu: return read_plu(bytes, name);
-        case SurfaceFormat::netcdf: return read_netcdf(bytes, name);
-        case SurfaceFormat::opdx: return read_opdx(bytes, name);
-        case SurfaceFormat::stl: return read_stl(bytes, name, options);
-        default: return read_packed(format, bytes, name, options);
-    }
+    // an archive of something else is named by its reader
+    if (reader.format != SurfaceFormat::x3p || bytes.find("main.xml") < bytes.size())
+        check_options(reader.format, options, name);
+    if (!reader.read)
+        refuse_file(name, {"is of the form ", name_of(reader.format),
+                           ", which this program was built without; must be another form"});
+    Reading found = reader.read(bytes, name, options);
+    warn_of_second_file(reader, bytes, found.record);
+    if (found.map.rows == 1) parts::located({.file = name}, [&] { validate_map(found.map, 16); });
+    return found;
 }
 
 }  // namespace
@@ -267,26 +194,15 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
         if (record.format != SurfaceFormat::automatic) record.format_from = "the first bytes";
     }
     Reading found;
-    switch (record.format) {
-        case SurfaceFormat::automatic:
-        case SurfaceFormat::profile:
-        case SurfaceFormat::triples:
-        case SurfaceFormat::matrix: {
-            const bool utf16 = is_utf16(bytes);
-            const std::string text =
-                without_thousands(text_of(std::move(bytes), record.name, "numbers, or a file of another form"),
-                                  options.thousands, record.name);
-            found = read_text(record, text, options);
-            if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
-            break;
-        }
-        default:
-            // an archive of something else is named by its reader
-            if (record.format != SurfaceFormat::x3p || bytes.find("main.xml") < bytes.size())
-                check_options(record.format, options, record.name);
-            found = read_binary(record.format, bytes, record.name, options);
-            warn_of_second_file(record.format, bytes, found.record);
-            if (found.map.rows == 1) parts::located({.file = record.name}, [&] { validate_map(found.map, 16); });
+    if (record.format != SurfaceFormat::automatic && reader_of(record.format).begins) {
+        found = read_binary(reader_of(record.format), bytes, record.name, options);
+    } else {
+        const bool utf16 = is_utf16(bytes);
+        const std::string text =
+            without_thousands(text_of(std::move(bytes), record.name, "numbers, or a file of another form"),
+                              options.thousands, record.name);
+        found = read_text(record, text, options);
+        if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
     }
     record.details = found.record.sentences();
     record.warnings = std::move(found.record.warnings);

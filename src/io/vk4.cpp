@@ -1,11 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/vk4.hpp"
+/// \file
+/// Reads maps of Keyence VK microscopes (.vk3, .vk4, .vk6, .vk7).
+///
+/// "VK3_" or "VK4_", and a table of places in the file (uint32, the least significant byte first), of which are used:
+///
+///     12  of the settings                            36, 40, 44  of up to three images of heights, 0: none
+///
+/// The settings have at their bytes 168 and 172 the steps of x and y, at 176 that of the heights, as uint32 in pm. An
+/// image has at its bytes 0 columns, 4 rows, 8 bits of a height (8, 16, 32), 12 compression (0: none), 16 bytes of the
+/// heights, and from 796 on, after a palette, the heights row after row as unsigned integers.
+///
+///     height = number times step of the heights
+///
+/// The first image is read, the record lists the others. Missing points are not marked in these files.
+///
+/// A .vk6 or .vk7 begins with "VK6" or "VK7" and a picture (a NUL byte distinguishes it from text); its end is a zip
+/// archive with a .vk4 as its file Vk4File.
+///
+/// Reference   layout as in SurfaceTopography 1.27.1 (MIT licence)
+/// Units       map in m
+/// Valid       2 points a side at least, or one row; heights that vary; .vk6 and .vk7 where X3P is read
+/// Accuracy    number times step, rounded twice (tests/io/vk4_test.cpp)
+
+#include "io/readers.hpp"
 
 #include "io/file_bytes.hpp"
+#include "io/unpack.hpp"
+#ifdef FSTIFF_HAS_X3P
+#include "io/zip_archive.hpp"
+#endif
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -79,28 +104,40 @@ Reading read_vk4_image(const FileBytes& file, VkHeader header) {
 
 bool holds_vk4(std::string_view bytes) { return bytes.starts_with("VK4_") || bytes.starts_with("VK3_"); }
 
-}  // namespace
-
-}  // namespace detail
-
 bool is_vk4(std::string_view bytes) {
     const bool packed = bytes.starts_with("VK6") || bytes.starts_with("VK7");
-    return detail::holds_vk4(bytes) || (packed && bytes.substr(0, 64).find('\0') != std::string_view::npos);
+    return holds_vk4(bytes) || (packed && bytes.substr(0, 64).find('\0') != std::string_view::npos);
 }
 
-Reading read_vk4(std::string_view bytes, std::string_view name, const Unzip& unzip) {
-    using namespace detail;
-    const std::string file_name(name);
-    if (!is_vk4(bytes)) refuse_file(file_name, {"does not begin as a file of Keyence VK; must begin with VK3_ to VK7"});
+}  // namespace
+
+Reading read_vk4(std::string_view bytes, const std::string& name, const Unzip& unzip) {
+    if (!is_vk4(bytes)) refuse_file(name, {"does not begin as a file of Keyence VK; must begin with VK3_ to VK7"});
     const std::string form(bytes.substr(0, 3));
-    if (holds_vk4(bytes)) return read_vk4_image(FileBytes(bytes, file_name), {.form = form});
+    if (holds_vk4(bytes)) return read_vk4_image(FileBytes(bytes, name), {.form = form});
     if (!unzip)
-        refuse_file(file_name, {"is Keyence ", form,
-                                ", which this program was built without (it needs what X3P needs); "
-                                "must be saved as VK4"});
-    const std::string inner = unzip(archive_at_end(FileBytes(bytes, file_name)), file_name, "Vk4File");
-    if (!holds_vk4(inner)) refuse_file(file_name, {"holds a Vk4File that does not begin with VK4_; must begin so"});
-    return read_vk4_image(FileBytes(inner, file_name), {.form = form});
+        refuse_file(name, {"is Keyence ", form,
+                           ", which this program was built without (it needs what X3P needs); "
+                           "must be saved as VK4"});
+    const std::string inner = unzip(archive_at_end(FileBytes(bytes, name)), "Vk4File");
+    if (!holds_vk4(inner)) refuse_file(name, {"holds a Vk4File that does not begin with VK4_; must begin so"});
+    return read_vk4_image(FileBytes(inner, name), {.form = form});
 }
 
-}  // namespace fstiff::inline v0_1::io
+extern constexpr Reader vk4_reader{
+    .format = SurfaceFormat::vk4,
+    .endings = ".vk3 .vk4 .vk6 .vk7",
+    .holds = "map of Keyence VK; .vk6 and .vk7 where fstiff reads X3P",
+    .recognised = "its first bytes, VK3_ to VK7",
+    .begins = is_vk4,
+    .read = [](std::string_view bytes, const std::string& name, [[maybe_unused]] const SurfaceOptions& options) {
+#ifdef FSTIFF_HAS_X3P
+        return read_vk4(bytes, name, [&](std::string_view archive, std::string_view entry) {
+            return ZipArchive(archive, name, options.x3p_limits).content_of(entry);
+        });
+#else
+        return read_vk4(bytes, name);
+#endif
+    }};
+
+}  // namespace fstiff::inline v0_1::io::detail

@@ -1,6 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/x3p.hpp"
+/// \file
+/// Reads X3P files: a zip archive of main.xml and the heights. Needs zlib and pugixml.
+///
+/// main.xml may lie in a folder of the archive, and its root element in any namespace or in none; other files are left
+/// alone. Heights are number times increment plus offset, of the types I (int16), L (int32), F and D, from a file
+/// or from the list in main.xml. Missing points are NaN, an empty Datum, or not set in the mask of valid points (one
+/// bit a point, the least significant first). Rows keep the order of the file.
+///
+/// Names in the archive are compared, never used as paths. Sizes are compared with the limits and with what main.xml
+/// declares before anything is inflated. The CRC of each file is verified, MD5 sums are not.
+///
+/// Reference   ISO 25178-72:2017 (ISO 5436-2). Refused: absolute x or y axes, layers (SizeZ > 1), point clouds.
+/// Units       map in m, as the increments of the file
+/// Valid       2 points a side at least, or one profile (dy = dx where the file states none), of heights that vary;
+///             files up to 2^30 bytes
+/// Accuracy    number times increment, plus offset where there is one, each rounded once (tests/io/x3p_test.cpp)
 
+#include "io/readers.hpp"
+#ifdef FSTIFF_HAS_X3P
 #include "io/binary_numbers.hpp"
 #include "io/option_names.hpp"
 #include "io/zip_archive.hpp"
@@ -9,9 +26,7 @@
 
 #include <pugixml.hpp>
 
-namespace fstiff::inline v0_1::io {
-
-namespace detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -65,8 +80,8 @@ Record record_of(const X3pHeader& file, const RawMap& map, const OptionNames& na
 
 class X3pReader {
 public:
-    X3pReader(std::string_view bytes, std::string name, const SurfaceOptions& options)
-        : name_(std::move(name)), archive_(bytes, name_, options.x3p_limits), options_(options) {}
+    X3pReader(std::string_view bytes, const std::string& name, const SurfaceOptions& options)
+        : name_(name), archive_(bytes, name_, options.x3p_limits), options_(options) {}
 
     Reading read() {
         find_main();
@@ -319,10 +334,29 @@ private:
 
 }  // namespace
 
-}  // namespace detail
+}  // namespace fstiff::inline v0_1::io::detail
+#endif
 
-Reading read_x3p(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
-    return detail::X3pReader(bytes, std::string(name), options).read();
+namespace fstiff::inline v0_1::io::detail {
+
+namespace {
+
+/// Whether a zip archive begins so, other than one of Sensofar.
+bool is_x3p(std::string_view bytes) {
+    return bytes.starts_with("PK\3\4") && !reader_of(SurfaceFormat::plux).begins(bytes);
 }
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace
+
+extern constexpr Reader x3p_reader{.format = SurfaceFormat::x3p,
+                                   .endings = ".x3p",
+                                   .holds = "ISO 25178-72, where fstiff was built with zlib and pugixml",
+                                   .recognised = "its first bytes, those of a ZIP archive",
+                                   .options = "x3p-increment",
+                                   .begins = is_x3p,
+#ifdef FSTIFF_HAS_X3P
+                                   .read = read_by<X3pReader>,
+#endif
+                                   .may_begin = [](std::string_view bytes) { return bytes.starts_with("PK"); }};
+
+}  // namespace fstiff::inline v0_1::io::detail

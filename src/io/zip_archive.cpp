@@ -198,4 +198,10 @@ std::string ZipArchive::content(std::size_t index) const {
     return text;
 }
 
+std::string ZipArchive::content_of(std::string_view entry) const {
+    const auto index = find(entry);
+    if (!index) refuse_file(name_, {"holds no ", shown_cell(entry), "; must hold it in its archive"});
+    return content(*index);
+}
+
 }  // namespace fstiff::inline v0_1::io::detail

@@ -36,6 +36,8 @@ public:
     std::size_t size(std::size_t index) const;
 
     std::string content(std::size_t index) const;
+    /// That of the file \p entry. \throws domain_error without one.
+    std::string content_of(std::string_view entry) const;
 
 private:
     /// Entry of the directory for one file.

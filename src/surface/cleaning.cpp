@@ -3,7 +3,7 @@
 
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
-#include "io/npy.hpp"
+#include "io/readers.hpp"
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/measured/prepare.hpp>
@@ -60,12 +60,12 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
 /// Zeros and ones of a text, one row a line, or of a .npy.
 HeightMap<double>::Array read_mask(const std::string& file) {
     const std::string bytes = read_all(file), name = display_name(file);
-    if (io::is_npy(bytes)) {
+    if (const io::detail::Reader& npy = io::detail::reader_of(io::SurfaceFormat::npy); npy.begins(bytes)) {
         io::SurfaceOptions how;
         how.dx = how.dy = how.spacing = 1;
         how.units = "m";
         how.missing = "none";
-        const io::RawMap read = io::read_npy(bytes, name, how).map;
+        const io::RawMap read = npy.read(bytes, name, how).map;
         return Eigen::Map<const HeightMap<double>::Array>(read.heights.data(), static_cast<Eigen::Index>(read.rows),
                                                           static_cast<Eigen::Index>(read.columns));
     }

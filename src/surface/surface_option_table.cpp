@@ -24,6 +24,12 @@ std::vector<std::string_view> words_of_form(SurfaceKind kind) {
     return words;
 }
 
+/// ", profile, triples, ... or opdx": all but auto.
+std::string forms() {
+    std::string text = parts::choices_text<io::SurfaceFormat>().substr(name_of(io::SurfaceFormat::automatic).size());
+    return text.replace(text.rfind(", "), 2, " or ");
+}
+
 namespace of_surface {
 
 using enum OptionGroup;
@@ -33,9 +39,7 @@ using Of = SurfaceOptions;
 // clang-format off
 constexpr SurfaceOptionRow rows[] = {
     {"format", file, &Of::format, always,
-     "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd, "
-     "metropro, vk4, opd, al3d, plu, plux, stl, netcdf or opdx",
-     {.flag = "input-format", .json = "input_format"}},
+     "form of the file: auto (default)", {.flag = "input-format", .json = "input_format", .more_help = forms}},
     {"units", file, &Of::units, always,
      "units of lengths and heights in a text, .npy or .stl file, such as um,nm, or one for both; they replace "
      "those of the file"},
@@ -134,7 +138,8 @@ Field SurfaceOptionRow::field_for(SurfaceKind kind) const {
                of_map = kind == SurfaceKind::map && !more.help_of_map.empty();
     Field field{.help = std::string(of_profile ? more.help_of_profile
                                     : of_map   ? more.help_of_map
-                                               : help),
+                                               : help) +
+                        (more.more_help ? more.more_help() : ""),
                 .low = static_cast<double>(more.low),
                 .high = static_cast<double>(more.high),
                 .form = more.form};

@@ -54,6 +54,7 @@ struct SurfaceOptionRow {
         request::Form form = request::Form::plain;
         std::vector<std::string_view> (*words)(SurfaceKind) = nullptr;  ///< of a text: those of the command line
         std::string_view flag{}, json{};  ///< its names on the command line and in documents, where they are others
+        std::string (*more_help)() = nullptr;  ///< the end of its help, where it is a list
     } more{};
 
     [[nodiscard]] std::string flag_name() const;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns that number the points, by eye; and profiles with and without such a column, which must be the same.
 #include "io/column_titles.hpp"
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace column_titles_test {
 
@@ -33,12 +30,8 @@ std::string rows(const std::string& head, const Number& number, const std::strin
 std::string counted(const std::string& head, int first = 1) {
     return rows(head, [first](int i) { return std::to_string(i + first) + ";"; });
 }
-io::Surface read(const std::string& text, const io::SurfaceOptions& options = {}) {
-    return io::read_surface(text, "file", options);
-}
-std::string refusal(const std::string& text, const io::SurfaceOptions& options = {}) {
-    return test::refusal([&] { (void)read(text, options); });
-}
+constexpr test::FileReader read{};
+const test::RefusalOf refusal(read);
 
 }  // namespace
 

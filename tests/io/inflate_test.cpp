@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/inflate.hpp"
+#include "io/unpack.hpp"
 
 #include "support/catch.hpp"
 
@@ -17,7 +17,7 @@ const std::string stored = "\x78\x01\x01\x03\x00\xFC\xFF"s + "abc" + "\x02\x4D\x
 
 std::string inflated(const std::string& stream, std::size_t size) {
     std::string out(size, '?');
-    return io::inflate_zlib(stream, out) ? out : "refused";
+    return io::detail::inflate_zlib(stream, out) ? out : "refused";
 }
 
 }  // namespace

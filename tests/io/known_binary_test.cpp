@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Binary files are called by their names; endless ones are refused at their first block.
-#include <fstiff/io/surface_file.hpp>
-
 #include "io/lines.hpp"
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace known_binary_test {
 
@@ -13,9 +10,7 @@ using namespace std::string_literals;
 
 namespace {
 
-std::string refusal(const std::string& bytes) {
-    return test::refusal([&] { (void)io::read_surface(bytes, "file"); });
-}
+const test::RefusalOf refusal{test::FileReader()};
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
@@ -35,8 +30,7 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
         INFO(name);
         CHECK(has(refusal(bytes), name));
         CHECK(has(refusal(bytes), "is binary: "));
-        CHECK(
-            has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, "));
+        CHECK(has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), .sdf, .x3p, .npy, "));
     }
     CHECK(has(refusal("1 2\n\0"s), "holds NUL bytes"));
     const std::pair<std::string, const char*> others[] = {{"Binary TrueMap Data File v2.0\r\n\0"s, ".tmd"},

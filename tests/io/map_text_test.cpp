@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 #include "support/surfaces.hpp"
 
 #include <functional>
@@ -15,12 +12,8 @@ using io::SurfaceOptions;
 
 namespace {
 
-io::Surface read(const std::string& text, const SurfaceOptions& options = {}) {
-    return io::read_surface(text, "file.txt", options);
-}
-std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
-    return test::refusal([&] { (void)read(text, options); });
-}
+constexpr test::FileReader read{};
+const test::RefusalOf refusal(read);
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 constexpr int columns = 5, rows = 4;

@@ -4,8 +4,7 @@
 #include <fstiff/io/surface_file.hpp>
 #include "io/map_text.hpp"
 
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace matrix_axes_test {
 
@@ -37,12 +36,8 @@ std::string with_commas(std::string text) {
     std::replace(text.begin(), text.end(), '.', ',');
     return text;
 }
-io::Surface read(const std::string& text, const io::SurfaceOptions& options = {}) {
-    return io::read_surface(text, "file", options);
-}
-std::string refusal(const std::string& text, const io::SurfaceOptions& options = {}) {
-    return test::refusal([&] { (void)read(text, options); });
-}
+constexpr test::FileReader read{};
+const test::RefusalOf refusal(read);
 void check(const io::Surface& found, double dx, double dy, double unit) {
     REQUIRE_FALSE(found.is_profile());
     REQUIRE(found.map().columns() == columns);

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/npy.hpp"
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
-
-#include <algorithm>
-#include <cstring>
+#include "support/samples.hpp"
 
 namespace npy_test {
 
 using namespace fstiff;
+using test::contains;
 using namespace std::string_literals;
 
 namespace {
 
-const io::SurfaceOptions given{.units = "nm", .dx = 1e-6, .dy = 2e-6};
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-io::Reading read(const std::string& bytes, const io::SurfaceOptions& options = given) {
-    return io::read_npy(bytes, "file.npy", options);
-}
-std::string refusal(const std::string& bytes, const io::SurfaceOptions& options = given) {
-    return test::refusal([&] { (void)read(bytes, options); });
-}
+const test::FormReader read{io::SurfaceFormat::npy, {.units = "nm", .dx = 1e-6, .dy = 2e-6}};
+const test::RefusalOf refusal(read);
 
 /// A file of version 1.0 with the header \p text, padded to a multiple of 64 bytes as NumPy does.
 std::string file(std::string text, const std::string& data, int version = 1) {
@@ -41,25 +28,7 @@ std::string header(const std::string& type, const std::string& shape = "(2, 3)",
 template <class T>
 std::string bytes_of(std::initializer_list<double> values, bool big = false) {
     std::string all;
-    for (const double value : values) {
-        const T number = static_cast<T>(value);
-        std::uint64_t bits = 0;
-        if constexpr (std::is_floating_point_v<T>) {
-            if constexpr (sizeof(T) == 4) {
-                std::uint32_t half = 0;
-                std::memcpy(&half, &number, 4);
-                bits = half;
-            } else {
-                std::memcpy(&bits, &number, 8);
-            }
-        } else {
-            bits = static_cast<std::uint64_t>(number);
-        }
-        std::string one;
-        for (std::size_t i = 0; i < sizeof(T); ++i, bits /= 256) one += static_cast<char>(bits % 256);
-        if (big) std::reverse(one.begin(), one.end());
-        all += one;
-    }
+    for (const double value : values) all += test::bytes_of(static_cast<T>(value), big);
     return all;
 }
 
@@ -77,7 +46,7 @@ TEST_CASE("The bytes that NumPy writes are read") {
     CHECK(found.map.at(1, 1) == 0.25 * 1e-9);
     CHECK(found.map.dx == 1e-6);
     CHECK(found.map.dy == 2e-6);
-    CHECK(has(found.record.said("form"), ">f4"));
+    CHECK(contains(found.record.said("form"), ">f4"));
     CHECK(found.record.resolution == 0);
 }
 
@@ -97,7 +66,7 @@ TEMPLATE_TEST_CASE("Numbers of every type, byte order and order of the indices a
     for (int row = 0; row < 2; ++row)
         for (int column = 0; column < 3; ++column) CHECK(found.map.at(row, column) == expected[row][column] * 1e-9);
     CHECK(found.record.resolution == (real ? 0 : 1e-9));
-    CHECK(has(found.record.sentences()[0], fortran ? "Fortran" : "order of C"));
+    CHECK(contains(found.record.sentences()[0], fortran ? "Fortran" : "order of C"));
 }
 
 TEST_CASE("One dimension, one row and one column are a profile of the spacing given") {
@@ -108,38 +77,39 @@ TEST_CASE("One dimension, one row and one column are a profile of the spacing gi
     REQUIRE(found.is_profile());
     CHECK(found.profile().spacing == 5e-7);
     CHECK(found.profile().heights[7] == 9 * 1e-6);
-    CHECK(has(refusal(bytes, {.units = "um"}), "states no steps and none are given; must be given as spacing"));
-    CHECK(has(refusal(bytes, {.units = "um", .spacing = 1e-6, .dx = 1e-6}), "holds a profile"));
-    CHECK(has(refusal(bytes, {.units = "um", .spacing = -1}), "spacing = -1"));
+    CHECK(contains(refusal(bytes, {.units = "um"}), "states no steps and none are given; must be given as spacing"));
+    CHECK(contains(refusal(bytes, {.units = "um", .spacing = 1e-6, .dx = 1e-6}), "holds a profile"));
+    CHECK(contains(refusal(bytes, {.units = "um", .spacing = -1}), "spacing = -1"));
 }
 
 TEST_CASE("Units and steps are asked for, and taken in one way only") {
     const std::string bytes = file(header("<f8"), bytes_of<double>({1, 2, 3, 4, 5, 6}));
-    CHECK(has(refusal(bytes, {.dx = 1e-6, .dy = 1e-6}), "states no unit of the heights"));
-    CHECK(has(refusal(bytes, {.units = "nm"}), "states no steps; must be given as dx and dy"));
-    CHECK(has(refusal(bytes, {.units = "nm", .dx = 1e-6, .dy = 1e-6, .width = 1e-6}), "dx and width are both given"));
-    CHECK(has(refusal(bytes, {.units = "nm", .spacing = 1e-6}), "holds a map"));
-    CHECK(has(refusal(bytes, {.units = "V", .dx = 1e-6, .dy = 1e-6}), "is not a unit of length"));
+    CHECK(contains(refusal(bytes, {.dx = 1e-6, .dy = 1e-6}), "states no unit of the heights"));
+    CHECK(contains(refusal(bytes, {.units = "nm"}), "states no steps; must be given as dx and dy"));
+    CHECK(contains(refusal(bytes, {.units = "nm", .dx = 1e-6, .dy = 1e-6, .width = 1e-6}),
+                   "dx and width are both given"));
+    CHECK(contains(refusal(bytes, {.units = "nm", .spacing = 1e-6}), "holds a map"));
+    CHECK(contains(refusal(bytes, {.units = "V", .dx = 1e-6, .dy = 1e-6}), "is not a unit of length"));
     const auto sized = read(bytes, {.units = "um,nm", .width = 3e-6, .height = 8e-6});
     CHECK(sized.map.dx == 3e-6 / 3);
     CHECK(sized.map.dy == 4e-6);
     CHECK(sized.map.at(1, 2) == 6 * 1e-9);
-    CHECK(has(test::refusal([&] { (void)io::read_surface(bytes, "file", {.column = 2}); }), "no use for column"));
+    CHECK(contains(test::refusal([&] { (void)io::read_surface(bytes, "file", {.column = 2}); }), "no use for column"));
 }
 
 TEST_CASE("Missing points are NaN, infinity and the number given, and a number that looks like one is refused") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
     CHECK(read(file(header("<f8"), bytes_of<double>({1, nan, 3, 4, 5, 6}))).record.missing == 1);
     const std::string marked = file(header("<i4"), bytes_of<std::int32_t>({1, -9999, 3, -9999, 5, 6}));
-    CHECK(has(refusal(marked), "must be given as missing"));
-    io::SurfaceOptions options = given;
+    CHECK(contains(refusal(marked), "must be given as missing"));
+    io::SurfaceOptions options = read.options;
     options.missing = "-9999";
     CHECK(read(marked, options).record.missing == 2);
     CHECK(std::isnan(read(marked, options).map.at(1, 0)));
     options.missing = "none";
     CHECK(read(marked, options).record.missing == 0);
     CHECK(std::isnan(read(file(header("<f8"), bytes_of<double>({1, 2, 3, 4, -infinite, 6}))).map.at(1, 1)));
-    CHECK(has(refusal(file(header("<f8"), bytes_of<double>({1, 1, 1, 1, 1, 1}))), "constant height"));
+    CHECK(contains(refusal(file(header("<f8"), bytes_of<double>({1, 1, 1, 1, 1, 1}))), "constant height"));
 }
 
 TEST_CASE("Headers of versions 2 and 3, keys in any order, and a trailer are read") {
@@ -147,25 +117,25 @@ TEST_CASE("Headers of versions 2 and 3, keys in any order, and a trailer are rea
     for (const int version : {2, 3}) CHECK(read(file(header("<f4"), data, version)).map.at(1, 2) == 6 * 1e-9);
     CHECK(read(file("{\"shape\":(2,3),\"fortran_order\":False,\"descr\":\"<f4\"}", data)).map.columns == 3);
     CHECK(read(file(header("<f4"), data + "more")).record.said("trailer") == "4 bytes, not read");
-    CHECK(has(refusal(file(header("<f4"), data, 4)), "version = 4: must be 1, 2 or 3"));
+    CHECK(contains(refusal(file(header("<f4"), data, 4)), "version = 4: must be 1, 2 or 3"));
 }
 
 TEST_CASE("Damaged headers are refused with the reason before memory is allocated") {
     const std::string data = bytes_of<double>({1, 2, 3, 4, 5, 6});
     for (const char* type : {"<f2", "<c8", "|S3", "|O", "<f16", "=f8", "|f8", "f8", "<i3", "", "<u8x"})
         CHECK(!refusal(file(header(type), data)).empty());
-    CHECK(has(refusal(file(header("<f2"), data)), "descr = \"<f2\""));
-    CHECK(has(refusal(file("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (6,), }", data)),
-              "goes wrong at"));
+    CHECK(contains(refusal(file(header("<f2"), data)), "descr = \"<f2\""));
+    CHECK(contains(refusal(file("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (6,), }", data)),
+                   "goes wrong at"));
     for (const char* shape : {"()", "(1, 2, 3)", "(0, 6)", "(6, 0)", "(1,)", "(-2, 3)", "(2.0, 3)", "2", "(2 3", "(,)",
                               "(4294967296, 2)", "(99999999999999999999, 2)"})
         CHECK(!refusal(file(header("<f8", shape), data)).empty());
-    CHECK(has(refusal(file(header("<f8", "(4294967295, 4294967295)"), data)),
-              "declares 4294967295 x 4294967295 numbers of 8 bytes, but holds 48"));
-    CHECK(has(refusal(file("{'descr': '<f8', 'shape': (2, 3)}", data)), "without descr, fortran_order or shape"));
-    CHECK(has(refusal(file("{'descr': '<f8', 'fortran_order': 1, 'shape': (2, 3)}", data)), "goes wrong at \"1,"));
-    CHECK(has(refusal(file("{'kind': 1}", data)), "goes wrong at \"kind\""));
-    CHECK(has(refusal("nothing"), "does not begin as an array"));
+    CHECK(contains(refusal(file(header("<f8", "(4294967295, 4294967295)"), data)),
+                   "declares 4294967295 x 4294967295 numbers of 8 bytes, but holds 48"));
+    CHECK(contains(refusal(file("{'descr': '<f8', 'shape': (2, 3)}", data)), "without descr, fortran_order or shape"));
+    CHECK(contains(refusal(file("{'descr': '<f8', 'fortran_order': 1, 'shape': (2, 3)}", data)), "goes wrong at \"1,"));
+    CHECK(contains(refusal(file("{'kind': 1}", data)), "goes wrong at \"kind\""));
+    CHECK(contains(refusal("nothing"), "does not begin as an array"));
 }
 
 TEST_CASE("Every array cut short is refused with a sentence, and every byte may be wrong") {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/plu.hpp"
-
 #include "support/samples.hpp"
 
 namespace plu_test {
@@ -12,22 +10,17 @@ using test::put;
 
 namespace {
 
-io::Reading read(const std::string& bytes) { return io::read_plu(bytes, "file.plu"); }
-std::string refusal(const std::string& bytes) {
-    return test::refusal([&] { (void)read(bytes); });
-}
+const test::FormReader read{io::SurfaceFormat::plu};
+const test::RefusalOf refusal(read);
 
 }  // namespace
 
 TEST_CASE("A map of Sensofar is float32 in micrometres, and is known by its date and counts") {
     const std::string whole = test::sample("plu/map.plu");
-    test::check_sample(read(whole), 0.5e-6, 0.25e-6, 1e-6, true);
-    test::check_known(whole, io::SurfaceFormat::plu);
-    test::check_cut(whole.substr(0, 556), read);  // the lowest, the highest and a picture follow
     CHECK(read(put(whole, 489, little(3, 1))).record.said("other layers") == "2, not read");
-    CHECK_FALSE(io::is_plu(whole.substr(0, 499)));
-    CHECK_FALSE(io::is_plu(std::string(600, '\0')));
-    CHECK_FALSE(io::is_plu(put(whole, 388, little(0, 4))));
+    CHECK_FALSE(read.begins(whole.substr(0, 499)));
+    CHECK_FALSE(read.begins(std::string(600, '\0')));
+    CHECK_FALSE(read.begins(put(whole, 388, little(0, 4))));
 }
 
 TEST_CASE("Files of Sensofar that cannot be meant are refused with field, value and range") {

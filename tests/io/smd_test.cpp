@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/smd.hpp"
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace smd_test {
 
 using namespace fstiff;
+using test::contains;
 using namespace std::string_literals;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-io::Reading read(const std::string& bytes) { return io::read_smd(bytes, "file.smd"); }
-std::string refusal(const std::string& bytes) {
-    return test::refusal([&] { (void)read(bytes); });
-}
+const test::FormReader read{io::SurfaceFormat::smd};
+const test::RefusalOf refusal(read);
 
 std::string lines(const char* end = "\r\n", int count = 20) {
     std::string text;
@@ -77,7 +71,7 @@ TEST_CASE("The elder form has the spacing among its remarks, and counts its heig
     Prf gauge;
     gauge.remarks += "MAP 2 CZ CX 1 1e-3\n";
     REQUIRE(read(gauge.bytes()).record.warnings.size() == 1);
-    CHECK(has(read(gauge.bytes()).record.warnings[0], "correction of its gauge"));
+    CHECK(contains(read(gauge.bytes()).record.warnings[0], "correction of its gauge"));
 }
 
 TEST_CASE("NUL bytes or blanks part the fields, and lines end in either way") {
@@ -93,7 +87,7 @@ TEST_CASE("NUL bytes or blanks part the fields, and lines end in either way") {
 
 TEST_CASE("A check sum is compared modulo 65535 and 65536, and one that fits neither is warned of") {
     CHECK(read(Smd{.sum = "17"}.bytes()).record.warnings.size() == 1);
-    CHECK(has(read(Smd{.sum = "17"}.bytes()).record.sentences().back(), "does not agree"));
+    CHECK(contains(read(Smd{.sum = "17"}.bytes()).record.sentences().back(), "does not agree"));
     CHECK(read(Smd{.sum = "none"}.bytes()).record.said("check sum").empty());
     const Smd longer{.remarks = std::string(2000, 'x') + "\r\n"};  // its sum is above 65536
     CHECK(read(longer.bytes()).record.said("check sum") == "agrees");
@@ -116,51 +110,33 @@ TEST_CASE("Words denote missing points of a profile in records") {
 }
 
 TEST_CASE("Profiles in records that cannot be meant are refused with line, value and range") {
-    CHECK(has(refusal("nothing"), "does not begin as a profile of ISO 5436-2"));
-    CHECK(has(refusal("ISO 5436\n"), "holds 0 whole records"));
-    CHECK(has(refusal(Smd{.form = "SUR"}.bytes()), "the form \"SUR\""));
-    CHECK(has(refusal(Smd{.x = "CX A 20 mm 1 D"}.bytes()), "line 3: states an axis of the kind \"A\"; must be I"));
-    CHECK(has(refusal(Smd{.z = "CZ R 20 um 1 D"}.bytes()), "line 4: states an axis of the kind \"R\"; must be A"));
-    CHECK(has(refusal(Smd{.z = "CY A 20 um 1 D"}.bytes()), "line 4: states an axis CY"));
-    CHECK(has(refusal(Smd{.z = "C A 20 um 1 D"}.bytes()), "states no axis CZ"));
-    CHECK(has(refusal(Smd{.z = "CX I 20 mm 1 D 1"}.bytes()), "states CX again"));
-    CHECK(has(refusal(Smd{.z = "CZ A 20 um"}.bytes()), "has 4 fields"));
-    CHECK(has(refusal(Smd{.z = "CZ A 2.5 um 1 D"}.bytes()), "\"2.5\" points; must be a whole number"));
-    CHECK(has(refusal(Smd{.z = "CZ A 4294967295 um 1 D"}.bytes()), "states 4294967295 points where CX has 20"));
-    CHECK(has(refusal(Smd{.z = "CZ A 20 V 1 D"}.bytes()), "\"V\" is not a unit of length"));
-    CHECK(has(refusal(Smd{.z = "CZ A 20 um 0 D"}.bytes()), "scale \"0\""));
-    CHECK(has(refusal(Smd{.z = "CZ A 20 um 1 X"}.bytes()), "type \"X\""));
-    CHECK(has(refusal(Smd{.x = "CX I 20 mm 1 D"}.bytes()), "states no increment"));
-    CHECK(has(refusal(Smd{.x = "CX I 20 mm 1 D -1"}.bytes()), "increment \"-1\""));
-    CHECK(has(refusal(Smd{.data = lines("\n", 19)}.bytes()), "states 20 points, but holds 19"));
-    CHECK(has(refusal(Smd{.data = "1 2\n" + lines("\n", 19)}.bytes()), "holds 2 numbers"));
-    CHECK(has(refusal(Smd{.data = "1e999\n" + lines("\n", 19)}.bytes()), "line 8: height \"1e999\""));
-    CHECK(has(refusal(Prf{.remarks = ""}.bytes()), "must have a line SPACING CX"));
-    CHECK(
-        has(refusal(Prf{.remarks = "SPACING CX 1\nSPACING CX 2\n"}.bytes()), "line 7: states the spacing of CX again"));
+    CHECK(contains(refusal("nothing"), "does not begin as a profile of ISO 5436-2"));
+    CHECK(contains(refusal("ISO 5436\n"), "holds 0 whole records"));
+    CHECK(contains(refusal(Smd{.form = "SUR"}.bytes()), "the form \"SUR\""));
+    CHECK(contains(refusal(Smd{.x = "CX A 20 mm 1 D"}.bytes()), "line 3: states an axis of the kind \"A\"; must be I"));
+    CHECK(contains(refusal(Smd{.z = "CZ R 20 um 1 D"}.bytes()), "line 4: states an axis of the kind \"R\"; must be A"));
+    CHECK(contains(refusal(Smd{.z = "CY A 20 um 1 D"}.bytes()), "line 4: states an axis CY"));
+    CHECK(contains(refusal(Smd{.z = "C A 20 um 1 D"}.bytes()), "states no axis CZ"));
+    CHECK(contains(refusal(Smd{.z = "CX I 20 mm 1 D 1"}.bytes()), "states CX again"));
+    CHECK(contains(refusal(Smd{.z = "CZ A 20 um"}.bytes()), "has 4 fields"));
+    CHECK(contains(refusal(Smd{.z = "CZ A 2.5 um 1 D"}.bytes()), "\"2.5\" points; must be a whole number"));
+    CHECK(contains(refusal(Smd{.z = "CZ A 4294967295 um 1 D"}.bytes()), "states 4294967295 points where CX has 20"));
+    CHECK(contains(refusal(Smd{.z = "CZ A 20 V 1 D"}.bytes()), "\"V\" is not a unit of length"));
+    CHECK(contains(refusal(Smd{.z = "CZ A 20 um 0 D"}.bytes()), "scale \"0\""));
+    CHECK(contains(refusal(Smd{.z = "CZ A 20 um 1 X"}.bytes()), "type \"X\""));
+    CHECK(contains(refusal(Smd{.x = "CX I 20 mm 1 D"}.bytes()), "states no increment"));
+    CHECK(contains(refusal(Smd{.x = "CX I 20 mm 1 D -1"}.bytes()), "increment \"-1\""));
+    CHECK(contains(refusal(Smd{.data = lines("\n", 19)}.bytes()), "states 20 points, but holds 19"));
+    CHECK(contains(refusal(Smd{.data = "1 2\n" + lines("\n", 19)}.bytes()), "holds 2 numbers"));
+    CHECK(contains(refusal(Smd{.data = "1e999\n" + lines("\n", 19)}.bytes()), "line 8: height \"1e999\""));
+    CHECK(contains(refusal(Prf{.remarks = ""}.bytes()), "must have a line SPACING CX"));
+    CHECK(contains(refusal(Prf{.remarks = "SPACING CX 1\nSPACING CX 2\n"}.bytes()),
+                   "line 7: states the spacing of CX again"));
 }
 
-TEST_CASE("Profiles in records are known by their first lines, and options are of no use") {
-    for (const std::string& bytes : {Smd{}.bytes(), Prf{}.bytes()}) {
-        const io::Surface found = io::read_surface(bytes, "file");
-        CHECK(found.record.format == io::SurfaceFormat::smd);
-        REQUIRE(found.is_profile());
-        CHECK(found.profile().size() == 20);
-        CHECK(has(test::refusal([&] { (void)io::read_surface(bytes, "file", {.units = "um"}); }), "no use for units"));
-    }
-    CHECK_FALSE(io::is_smd("1 2\n3 4\n5 6\n"));
-    CHECK_FALSE(io::is_smd("1 2\nPRF"));
-}
-
-TEST_CASE("Every profile in records that is cut short before its heights end is refused with a sentence") {
-    for (const std::string& whole : {Smd{}.bytes(), Prf{}.bytes()}) {
-        REQUIRE(refusal(whole).empty());
-        const std::size_t end = whole[0] == 'I' ? whole.rfind('\3', whole.rfind('\3') - 1) : whole.rfind("EOR") + 3;
-        for (std::size_t size = 0; size < end; ++size) {
-            CAPTURE(size);
-            REQUIRE(!refusal(whole.substr(0, size)).empty());
-        }
-    }
+TEST_CASE("Numbers and the word PRF alone are no profile in records") {
+    CHECK_FALSE(read.begins("1 2\n3 4\n5 6\n"));
+    CHECK_FALSE(read.begins("1 2\nPRF"));
 }
 
 }  // namespace smd_test

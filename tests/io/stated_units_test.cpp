@@ -3,8 +3,7 @@
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/io/units.hpp>
 
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace stated_units_test {
 
@@ -28,12 +27,8 @@ std::string matrix(const std::string& head) {
         for (int i = 0; i < 5; ++i) text += std::to_string(1 + (7 * (5 * j + i)) % 9) + (i < 4 ? "\t" : "\n");
     return text;
 }
-io::Surface read(const std::string& text, const SurfaceOptions& options = {}) {
-    return io::read_surface(text, "file", options);
-}
-std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
-    return test::refusal([&] { (void)read(text, options); });
-}
+constexpr test::FileReader read{};
+const test::RefusalOf refusal(read);
 void check_profile(const std::string& text, double lengths, double heights) {
     CAPTURE(text.substr(0, 40));
     const auto found = read(text).profile();

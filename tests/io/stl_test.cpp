@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/stl.hpp"
-
 #include "support/samples.hpp"
 
 namespace stl_test {
@@ -13,38 +11,17 @@ using test::replaced;
 
 namespace {
 
-io::Reading read(const std::string& bytes) { return io::read_stl(bytes, "file.stl", {.units = "um"}); }
-std::string refusal(const std::string& bytes) {
-    return test::refusal([&] { (void)read(bytes); });
-}
+const test::FormReader read{io::SurfaceFormat::stl, {.units = "um"}};
+const test::RefusalOf refusal(read);
 /// Position of corner \p corner of triangle \p triangle in a binary file.
 constexpr std::size_t place(std::size_t triangle, std::size_t corner) { return 84 + 50 * triangle + 12 + 12 * corner; }
 
 }  // namespace
 
-TEST_CASE("Triangles over a grid are a map, binary and text, whose points without a corner are missing") {
-    for (const char* name : {"stl/map.stl", "stl/text.stl"}) {
-        CAPTURE(name);
-        const std::string whole = test::sample(name);
-        const io::Reading found = read(whole);
-        REQUIRE(found.map.rows == 3);
-        REQUIRE(found.map.columns == 4);
-        CHECK(test::ulps(found.map.dx, 0.5e-6) <= 1);
-        CHECK(test::ulps(found.map.dy, 0.25e-6) <= 1);
-        for (std::size_t row = 0; row < 3; ++row)
-            for (std::size_t column = 0; column < 4; ++column)
-                if ((row == 1 && column == 2) || (row == 0 && column == 3))
-                    CHECK(std::isnan(found.map.at(row, column)));
-                else
-                    CHECK(test::ulps(found.map.at(row, column),
-                                     static_cast<double>(10 * row + column * column) * 1e-6) <= 1);
-        test::check_known(whole, io::SurfaceFormat::stl, {.units = "um"});
-        CHECK(contains(test::refusal([&] { (void)io::read_surface(whole, "file"); }),
+TEST_CASE("Triangles without a unit are refused with the option that states it") {
+    for (const char* name : {"stl/map.stl", "stl/text.stl"})
+        CHECK(contains(refusal(test::sample(name), {}),
                        "states no unit and none is given; must be given as units = \"mm\""));
-    }
-    test::check_cut(test::sample("stl/map.stl"), read);
-    const std::string text = test::sample("stl/text.stl");
-    test::check_cut(text.substr(0, text.find("endsolid") + 7), read);
 }
 
 TEST_CASE("Triangles that are no height over x and y are refused in words") {
@@ -61,15 +38,16 @@ TEST_CASE("Triangles that are no height over x and y are refused in words") {
     CHECK(contains(refusal(replaced(text, "endloop", "endloup")), "has \"endloup\" in triangle 1; must have endloop"));
     CHECK(contains(refusal(replaced(text, "vertex 0.5", "vertex 0,5")), "has \"0,5\" in triangle 1; must be a number"));
     CHECK(contains(refusal(replaced(text, "endsolid", "end")), "has \"end\" after 6 triangles; must have facet or"));
-    CHECK(contains(test::refusal([&] { (void)io::read_stl(whole, "file", {.units = "um,nm"}); }), "units = "));
+    CHECK(contains(refusal(whole, {.units = "um,nm"}), "units = "));
 }
 
 TEST_CASE("A stream may be triangles while it is not longer than they are") {
     const std::string whole = test::sample("stl/map.stl");
-    CHECK(io::may_be_stl(whole.substr(0, 200)));
-    CHECK_FALSE(io::is_stl(whole.substr(0, 200)));
-    CHECK_FALSE(io::may_be_stl(whole + "more"));
-    CHECK_FALSE(io::may_be_stl(std::string(70000, '\0')));
+    const auto may_begin = io::detail::reader_of(io::SurfaceFormat::stl).may_begin;
+    CHECK(may_begin(whole.substr(0, 200)));
+    CHECK_FALSE(read.begins(whole.substr(0, 200)));
+    CHECK_FALSE(may_begin(whole + "more"));
+    CHECK_FALSE(may_begin(std::string(70000, '\0')));
 }
 
 }  // namespace stl_test

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several tables of numbers in one text: which is read, and what stays one table.
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace text_blocks_test {
 
@@ -12,12 +9,8 @@ using io::SurfaceOptions;
 
 namespace {
 
-io::Surface read(const std::string& text, const SurfaceOptions& options = {}) {
-    return io::read_surface(text, "file", options);
-}
-std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
-    return test::refusal([&] { (void)read(text, options); });
-}
+constexpr test::FileReader read{};
+const test::RefusalOf refusal(read);
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 std::string said(const io::Surface& surface) {
     std::string all;

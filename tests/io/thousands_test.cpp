@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Separators of thousands. Truth: the heights that the texts are made of, whole nanometres without any separator.
 #include "io/thousands.hpp"
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 #include "support/surfaces.hpp"
 
 namespace thousands_test {
@@ -35,12 +32,8 @@ std::string profile(
     return text;
 }
 
-io::Surface read(const std::string& text, const SurfaceOptions& options = {}) {
-    return io::read_surface(text, "file", options);
-}
-std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
-    return test::refusal([&] { (void)read(text, options); });
-}
+constexpr test::FileReader read{};
+const test::RefusalOf refusal(read);
 
 void check_heights(const io::Surface& found, double unit = 1e-9) {
     REQUIRE(found.profile().size() == 40);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/utf16.hpp"
 
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace utf16_test {
 
@@ -34,9 +31,7 @@ std::string utf8(const std::string& bytes) {
     std::size_t wrong = 0;
     return io::detail::utf8_of_utf16(bytes, wrong).value_or("none " + std::to_string(wrong));
 }
-std::string refusal(const std::string& bytes) {
-    return test::refusal([&] { (void)io::read_surface(bytes, "file"); });
-}
+const test::RefusalOf refusal{test::FileReader()};
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reader returns the written data; data that a file cannot hold are refused.
 #include <fstiff/io/write.hpp>
-#include "io/sdf.hpp"
 
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
 #include "support/samples.hpp"
 
 #include <bit>
@@ -13,11 +10,11 @@
 namespace write_sdf_test {
 
 using namespace fstiff;
+using test::contains;
 
 namespace {
 
-io::Reading read(const std::string& bytes) { return io::read_sdf(bytes, "file.sdf"); }
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+const test::FormReader read{io::SurfaceFormat::sdf};
 
 }  // namespace
 
@@ -59,12 +56,12 @@ TEST_CASE("Data that a file cannot hold are not written") {
     const auto refused = [&](const io::SdfOptions& options) {
         return test::refusal([&] { io::write_sdf(output, map, options); });
     };
-    CHECK(has(refused({.manufacturer = "elevenchars"}), "at most 10"));
-    CHECK(has(refused({.date = "today"}), "12 digits"));
+    CHECK(contains(refused({.manufacturer = "elevenchars"}), "at most 10"));
+    CHECK(contains(refused({.date = "today"}), "12 digits"));
     map.heights(0, 0) = std::numeric_limits<double>::lowest();
-    CHECK(has(refused({}), "marks a missing point"));
+    CHECK(contains(refused({}), "marks a missing point"));
     map.heights(0, 0) = std::numeric_limits<double>::infinity();
-    CHECK(has(refused({}), "infinite"));
+    CHECK(contains(refused({}), "infinite"));
     CHECK(output.str().empty());
 }
 

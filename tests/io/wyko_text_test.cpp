@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exports of Wyko, written here: counts, a pixel in mm, heights in waves or nm.
-#include <fstiff/io/surface_file.hpp>
-
-#include "support/accuracy.hpp"
-#include "support/catch.hpp"
+#include "support/samples.hpp"
 
 namespace wyko_text_test {
 
@@ -12,12 +9,8 @@ using io::SurfaceOptions;
 
 namespace {
 
-io::Surface read(const std::string& text, const SurfaceOptions& options = {}) {
-    return io::read_surface(text, "file", options);
-}
-std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
-    return test::refusal([&] { (void)read(text, options); });
-}
+constexpr test::FileReader read{};
+const test::RefusalOf refusal(read);
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// 5 points along x and 4 along y: a line for each x.

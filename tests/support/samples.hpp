@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The files of tools/make_surface_samples.py: their contents, and changes by a test.
-#include "io/reading.hpp"
+#include "io/readers.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/files.hpp"
 #include "support/stored_archive.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cstring>
 
 namespace test {
 
@@ -19,6 +21,14 @@ inline std::string sample(const std::string& name) { return read(FSTIFF_TEST_DAT
 inline std::string big(std::int64_t value, std::size_t size) {
     const std::string bytes = little(value, size);
     return {bytes.rbegin(), bytes.rend()};
+}
+/// The bytes of \p number in memory, or in the other order where it is \p big.
+template <class T>
+std::string bytes_of(T number, bool big = false) {
+    std::string bytes(sizeof(T), '\0');
+    std::memcpy(bytes.data(), &number, sizeof(T));  // the tests run on little-endian machines
+    if (big) std::reverse(bytes.begin(), bytes.end());
+    return bytes;
 }
 inline std::string little(float value) { return little(std::bit_cast<std::int32_t>(value), 4); }
 inline std::string big(float value) { return big(std::bit_cast<std::int32_t>(value), 4); }
@@ -43,44 +53,61 @@ inline std::string put(std::string bytes, std::size_t place, const std::string& 
     return bytes.replace(place, field.size(), field);
 }
 
-/// \p map holds the heights of a sample times \p unit, and NaN at row 1, column 2 where a point is \p missing.
-inline void check_sample(const fstiff::io::Reading& found, double dx, double dy, double unit, bool missing) {
-    REQUIRE(found.map.rows == 3);
-    REQUIRE(found.map.columns == 4);
-    CHECK(ulps(found.map.dx, dx) <= 1);
-    CHECK(ulps(found.map.dy, dy) <= 1);
-    CHECK(found.record.missing == (missing ? 1U : 0U));
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 4; ++column) {
-            CAPTURE(row, column);
-            if (missing && row == 1 && column == 2)
-                CHECK(std::isnan(found.map.at(row, column)));
-            else
-                CHECK(ulps(found.map.at(row, column), static_cast<double>(10 * row + column * column) * unit) <= 2);
-        }
-    CHECK(found.record.warnings.empty());
-}
+/// The reader of a form, with the options of a file that states too little.
+struct FormReader {
+    fstiff::io::SurfaceFormat format;
+    fstiff::io::SurfaceOptions options{};
 
-/// Every beginning of \p bytes is refused with a sentence by \p call(bytes).
-template <class Call>
-void check_cut(const std::string& bytes, const Call& call) {
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-        CAPTURE(size);
-        const std::string said = refusal([&] { (void)call(bytes.substr(0, size)); });
-        REQUIRE(!said.empty());
-        REQUIRE(said.find('\n') == std::string::npos);
+    fstiff::io::Reading operator()(const std::string& bytes) const { return (*this)(bytes, options); }
+    fstiff::io::Reading operator()(const std::string& bytes, const fstiff::io::SurfaceOptions& given) const {
+        return fstiff::io::detail::reader_of(format).read(bytes, "file", given);
     }
-}
+    [[nodiscard]] bool begins(const std::string& bytes) const {
+        return fstiff::io::detail::reader_of(format).begins(bytes);
+    }
+};
 
-/// \p bytes is known as \p format, and read so.
-inline void check_known(const std::string& bytes, fstiff::io::SurfaceFormat format,
-                        const fstiff::io::SurfaceOptions& options = {}) {
-    CHECK(fstiff::io::form_of_first_bytes(bytes) == format);
-    std::istringstream input(bytes);
-    const fstiff::io::Surface found = fstiff::io::read_surface(input, "file", options);
-    CHECK(found.record.format == format);
-    CHECK(found.map().rows() == 3);
-    CHECK(!refusal([&] { (void)fstiff::io::read_surface(bytes, "file", {.dx = 1.0}); }).empty());
+/// The reader of any file.
+struct FileReader {
+    fstiff::io::Surface operator()(const std::string& bytes, const fstiff::io::SurfaceOptions& options = {}) const {
+        return fstiff::io::read_surface(bytes, "file", options);
+    }
+};
+
+/// The refusals of a reader.
+template <class Reader>
+class RefusalOf {
+public:
+    explicit RefusalOf(Reader reader) : reader_(std::move(reader)) {}
+    std::string operator()(const std::string& bytes) const {
+        return refusal([&] { (void)reader_(bytes); });
+    }
+    std::string operator()(const std::string& bytes, const fstiff::io::SurfaceOptions& options) const {
+        return refusal([&] { (void)reader_(bytes, options); });
+    }
+
+private:
+    Reader reader_;
+};
+
+/// \p found holds the heights of a sample times \p unit: a map whose \p missing points are row 1, column 2 and row 0,
+/// column 3, or a profile of its first row.
+inline void check_sample(const fstiff::io::Reading& found, double dx, double dy, double unit, std::size_t missing) {
+    const auto& map = found.map;
+    const bool is_map = map.rows == 3 && map.columns == 4;
+    REQUIRE((is_map || (map.rows == 1 && map.columns == 20)));
+    CHECK(ulps(map.dx, dx) <= 1);
+    CHECK(ulps(map.dy, dy) <= 1);
+    CHECK(found.record.missing == missing);
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        const std::size_t row = i / map.columns, column = i % map.columns;
+        CAPTURE(row, column);
+        if ((missing > 0 && row == 1 && column == 2) || (missing > 1 && row == 0 && column == 3))
+            CHECK(std::isnan(map.heights[i]));
+        else
+            CHECK(ulps(map.heights[i], static_cast<double>(10 * row + column * column) * unit) <= 2);
+    }
+    CHECK(found.record.warnings.empty());
 }
 
 }  // namespace test

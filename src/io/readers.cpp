@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/readers.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace fstiff::inline v0_1::io {
+
+namespace detail {
+
+extern const Reader profile_reader, triples_reader, matrix_reader, sdf_reader, x3p_reader, npy_reader, gsf_reader,
+    gwy_reader, sur_reader, smd_reader, metropro_reader, vk4_reader, opd_reader, al3d_reader, plu_reader, plux_reader,
+    stl_reader, netcdf_reader, opdx_reader;
+
+namespace {
+
+constexpr std::array all_readers{&profile_reader,  &triples_reader, &matrix_reader, &sdf_reader,  &x3p_reader,
+                                 &npy_reader,      &gsf_reader,     &gwy_reader,    &sur_reader,  &smd_reader,
+                                 &metropro_reader, &vk4_reader,     &opd_reader,    &al3d_reader, &plu_reader,
+                                 &plux_reader,     &stl_reader,     &netcdf_reader, &opdx_reader};
+static_assert(all_readers.size() + 1 == names<SurfaceFormat>.size(), "every form but automatic has a row");
+
+}  // namespace
+
+std::span<const Reader* const> readers() { return all_readers; }
+
+const Reader& reader_of(SurfaceFormat format) {
+    return **std::find_if(all_readers.begin(), all_readers.end(),
+                          [&](const Reader* reader) { return reader->format == format; });
+}
+
+}  // namespace detail
+
+SurfaceFormat form_of_first_bytes(std::string_view bytes) {
+    for (const bool marked : {true, false})  // a mark is surer than counts and words
+        for (const detail::Reader* reader : detail::readers())
+            if (reader->begins && (reader->mark > 0) == marked && reader->begins(bytes)) return reader->format;
+    return SurfaceFormat::automatic;
+}
+
+}  // namespace fstiff::inline v0_1::io
