@@ -32,7 +32,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, of the comment that opens a header, and of folders.
 FILE_LINES, FUNCTION_LINES, HEAD_LINES = 400, 60, 15
-TOTALS = {"include": 32015, "src without io": 18091, "tools": 3585}
+TOTALS = {"include": 32015, "src without io": 17968, "tools": 3585}
 
 
 def read(path):
