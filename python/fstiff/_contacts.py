@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from . import _core
-from ._results import Columns, draw, frame, html_of, numbers, shown, shown_rows, text_table, with_unit
+from ._results import Columns, Shown, draw, frame, numbers, shown, shown_rows, text_table, with_unit
 from ._surfaces import Measurement, measure, metres, warn_of_height
 
 if TYPE_CHECKING:
@@ -75,7 +75,12 @@ class Points(Columns):
         return f"<fstiff.Points of {self.law}: {self.pressure.size} points>\n{text_table(shown_rows(self, 6))}{missing}"
 
 
-class Contact:
+#: Arguments of Contact that are no numbers, and the numbers that are not of its surface.
+OTHERS = {"self", "law", "surface", "interaction"}
+OF_BODIES = {"effective_modulus", "poisson_ratio", "yield_strength", "hardness", "interaction_length"}
+
+
+class Contact(Shown):
     """A contact with one law, of plain numbers in SI units or of a measured surface. A length may be a text such as "0.8 um".
 
     law                 one of law_names()
@@ -121,33 +126,15 @@ class Contact:
         interaction: Literal["none", "effective_separation", "as_printed"] = "none",
         interaction_length: Length | None = None,
     ) -> None:
-        of_surface = {
-            "rms_height": rms_height,
-            "peak_radius": peak_radius,
-            "peak_density": peak_density,
-            "r": r,
-            "theta": theta,
-            "fractal_dimension": fractal_dimension,
-            "rms_gradient": rms_gradient,
-            "max_peak_height": max_peak_height,
-            "skewness": skewness,
-            "kurtosis": kurtosis,
-        }
-        of_bodies = {
-            "effective_modulus": effective_modulus,
-            "poisson_ratio": poisson_ratio,
-            "yield_strength": yield_strength,
-            "hardness": hardness,
-            "interaction_length": interaction_length,
-        }
-        known = [name for name, value in of_surface.items() if value is not None]
+        values = {name: value for name, value in locals().items() if name not in OTHERS and value is not None}
+        known = [name for name in values if name not in OF_BODIES]
         if surface is not None and known:
             raise ValueError(f"{known[0]}: must not be given with surface, which has it")
         follow = ("peak_radius", "peak_density") if law in ("hybrid", "persson") and rms_gradient is not None else ()
         missing = [name for name in ("rms_height", "peak_radius", "peak_density") if name not in (*known, *follow)]
         if surface is None and missing:
             raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface")
-        given = {name: _number(value, name) for name, value in {**of_surface, **of_bodies}.items() if value is not None}
+        given = {name: _number(value, name) for name, value in values.items()}
         if surface is not None and not isinstance(surface, Measurement):
             raise ValueError(f"surface: must be what measure() returned, not of type {type(surface).__name__}")
         measured = None if surface is None else surface._measured
@@ -215,9 +202,6 @@ class Contact:
     def __repr__(self) -> str:
         return f"<fstiff.Contact: {self.law} is {self._core.nature}>"
 
-    def _repr_html_(self) -> str:
-        return html_of(repr(self))
-
 
 def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurement | None) -> Contact:
     return Contact(law, surface=surface, interaction=interaction, **given)
@@ -244,16 +228,34 @@ def _list(quantities: Sequence[str] | None) -> list[str] | None:
     return None if quantities is None else list(quantities)
 
 
-class Law:
+class Path(NamedTuple):
+    """What Law.path() returns, in the shape of its steps."""
+
+    pressure: Numbers  #: p [Pa]
+    traction: Numbers  #: q, two numbers a step [Pa]
+    tangent: Numbers  #: d(p, q)/d(-separation, slip), three rows a step [Pa/m], for Newton's method
+    energy: float  #: stored in the tangential displacement at the end [J/m^2], in addition to Law.energy()
+    after: _core.Slip  #: memory of the contact at the end; it can be pickled
+
+
+class Law(Shown):
     """A tabulated law, made by Contact.tabulate() or Law.from_text(): p, K and their slopes in nanoseconds.
 
     Every method takes a number or an array and returns the like; `out`, an array for each result, is filled in place of a new
     one. An argument outside of the range raises ValueError unless
     the law goes on there (`outside`). A law can be pickled, but for one that goes on with the exact model.
+
+    pressures, separations   the least and the greatest of the table [Pa, m]
+    touch                    the separation of first touch [m]: the approach under p is touch - separation(p)
+    relative_error           the largest of the table, measured when it was made
+    stiffness_is_slope       whether K is the slope -dp/dd of the returned p; tangent_at_separation() returns that slope for every law
+    outside                  what the law does outside of its range
     """
 
     def __init__(self, made: _core.Law) -> None:
         self._core = made
+        self.pressures, self.separations, self.touch = made.pressures, made.separations, made.touch
+        self.relative_error, self.stiffness_is_slope, self.outside = made.relative_error, made.stiffness_is_slope, made.outside
 
     @classmethod
     def from_text(cls, text: str) -> Law:
@@ -329,6 +331,27 @@ class Law:
         """Loss [J/m^2] and loss factor of a cycle of tangential displacements between -`amplitude` and `amplitude` [m]; as first_slip() else."""
         return self._slipped(self._core.cycle, separation, amplitude, friction, ratio)
 
+    def path(
+        self, separation: npt.ArrayLike, slip: npt.ArrayLike, *, friction: float, ratio: float, before: _core.Slip | None = None
+    ) -> Path:
+        """State after each of a sequence of straight steps, to a separation and by a tangential `slip`, two numbers [m]; as first_slip() else.
+
+        `before` is the `after` of an earlier path, on which this one goes on; without it nothing has slipped at the first separation.
+        """
+        import numpy as np
+
+        slips = numbers(slip, "slip")
+        if not (slips.ndim and slips.shape[-1] == 2):
+            raise ValueError(f"slip: must have two numbers for each step, not the shape {slips.shape}")
+        steps = np.broadcast_shapes(np.shape(separation), slips.shape[:-1])
+        d = np.ascontiguousarray(np.broadcast_to(numbers(separation, "separation"), steps))
+        if before is None:
+            before = _core.Slip(d.flat[0] if d.size else 0.0)
+        of = (_number(friction, "friction"), _number(ratio, "ratio"))
+        p, q, tangent, after = self._core.path(*of, before, d, np.ascontiguousarray(np.broadcast_to(slips, (*steps, 2))))
+        energy = self._core.stored_energy(*of, after)
+        return Path(p.reshape(steps), q.reshape(*steps, 2), tangent.reshape(*steps, 3, 3), energy, after)
+
     def _slipped(
         self, call: Callable[..., Sequence[Numbers]], separation: npt.ArrayLike, slip: npt.ArrayLike, friction: float, ratio: float
     ) -> tuple[Numbers, Numbers]:
@@ -337,36 +360,6 @@ class Law:
         both = np.broadcast_arrays(numbers(separation, "separation"), numbers(slip, "slip"))
         first, second = call(_number(friction, "friction"), _number(ratio, "ratio"), *(np.ascontiguousarray(one) for one in both))
         return first.reshape(both[0].shape), second.reshape(both[0].shape)
-
-    @property
-    def touch(self) -> float:
-        """The separation of first touch [m]: the approach under p is touch - separation(p)."""
-        return self._core.touch
-
-    @property
-    def pressures(self) -> tuple[float, float]:
-        """The least and the greatest pressure of the table [Pa]."""
-        return self._core.pressures
-
-    @property
-    def separations(self) -> tuple[float, float]:
-        """The least and the greatest separation of the table [m]."""
-        return self._core.separations
-
-    @property
-    def relative_error(self) -> float:
-        """The largest relative error of the table, measured when it was made."""
-        return self._core.relative_error
-
-    @property
-    def stiffness_is_slope(self) -> bool:
-        """Whether K is the slope -dp/dd of the returned p; tangent_at_separation() returns that slope for every law."""
-        return self._core.stiffness_is_slope
-
-    @property
-    def outside(self) -> str:
-        """What the law does outside of its range."""
-        return self._core.outside
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws K over the pressures of the table; returns the axes."""
@@ -387,9 +380,6 @@ class Law:
     def __repr__(self) -> str:
         low, high = (with_unit(p, "Pa") for p in self.pressures)
         return f"<fstiff.Law of {low} to {high}, relative error {shown(self.relative_error, 2)}, outside: {self.outside}>"
-
-    def _repr_html_(self) -> str:
-        return html_of(repr(self))
 
 
 def _evaluated(

@@ -125,9 +125,8 @@ def ultrasound(
     impedance          of the body that the wave comes from [kg/(m^2 s)]; or its density [kg/m^3] and velocity of sound [m/s]
     impedance2 ...     of the body beyond; by default those of the first body
     """
-    own = {"stiffness": stiffness, "reflection_error": reflection_error, "frequency": frequency, "impedance": impedance}
-    own |= {"density": density, "velocity": velocity, "impedance2": impedance2, "density2": density2, "velocity2": velocity2}
-    if isinstance(reflection, Mapping):
-        return Ultrasound(_core.ultrasound(options_of(own), _curve(reflection)))
-    given = named(reflection, "reflection") if isinstance(reflection, (str, os.PathLike)) else reflection
-    return Ultrasound(_core.ultrasound(options_of({**own, "reflection": given}), None))
+    own = dict(locals())
+    curve = _curve(own.pop("reflection")) if isinstance(reflection, Mapping) else None
+    if isinstance(reflection, (str, os.PathLike)):
+        own["reflection"] = named(reflection, "reflection")
+    return Ultrasound(_core.ultrasound(options_of(own), curve))

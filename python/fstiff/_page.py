@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._errors import FileError
-from ._results import need_matplotlib
+from ._results import name_ticks, need_matplotlib
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -128,9 +128,7 @@ def drawn(picture: Picture) -> Figure:
                 label, low, high = panel.window
                 axes.axvspan(low, high, color="grey", alpha=0.2, lw=0, zorder=0, label=label)
             axes.set(**panel.axes)
-            for axis in (axes.xaxis, axes.yaxis):
-                if axis.get_scale() == "log":
-                    axis.set_major_formatter("{x:g}")
+            name_ticks(axes)
             axes.grid(True)
             axes.legend(fontsize="small")
     return made
@@ -154,13 +152,18 @@ def numbers(picture: Picture) -> str:
     return file.getvalue()
 
 
-def write(files: Mapping[Path, str]) -> None:
-    """Writes all files, or none where one of them was made by somebody else; the folders are made when missing."""
+def keep(*files: Path) -> None:
+    """Raises FileError where one of `files` is a folder, or was made by somebody else."""
     for file in files:
         if file.is_dir():
             raise FileError(f"{file}: is a folder")
         if file.exists() and MARK.encode() not in file.read_bytes()[:2000]:
             raise FileError(f"{file}: was not made by fstiff and is not replaced; move it away or choose another name")
+
+
+def write(files: Mapping[Path, str]) -> None:
+    """Writes all files, or none where keep() refuses one; the folders are made when missing."""
+    keep(*files)
     for file, text in files.items():
         partial = file.with_name(file.name + ".partial")
         try:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ._results import axes, draw, heading, with_unit
+from ._results import axes, draw, heading, unit_of, with_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,9 +55,8 @@ def draw_heights(ax: Axes | None, heights: Numbers, dx: float, dy: float) -> Axe
     import numpy as np
 
     ax = axes(ax)
-    by, unit = next((1 / size, name) for name, size in (("mm", 1e-3), ("µm", 1e-6)) if size < 0.2 * max(heights.shape) * dx or name == "µm")
-    spread = np.nanmax(heights) - np.nanmin(heights)
-    by_z, unit_z = (1e6, "µm") if spread > 1e-7 else (1e9, "nm")
+    unit, by = unit_of(np.arange(max(heights.shape)) * dx, "m")
+    unit_z, by_z = unit_of(heights, "m")
     ax.set_xlabel(f"x [{unit}]")
     if heights.ndim == 1:
         step = max(1, heights.size // 2000)
@@ -81,24 +80,30 @@ def draw_bearing(ax: Axes | None, heights: Numbers) -> Axes:
     ax = axes(ax)
     z = np.sort(heights[~np.isnan(heights)])[::-1]
     few = np.linspace(0, z.size - 1, min(z.size, 400)).astype(int)
-    ax.plot(100 * few / max(1, z.size - 1), z[few] * 1e6)
+    unit, by = unit_of(z, "m")
+    ax.plot(100 * few / max(1, z.size - 1), z[few] * by)
     ax.set_xlabel("bearing area [%]")
-    ax.set_ylabel("height [µm]")
+    ax.set_ylabel(f"height [{unit}]")
     ax.grid(True)
     return ax
 
 
 def draw_structure(ax: Axes | None, functions: Sequence[tuple[str, Mapping[str, Any]]]) -> Axes:
     """Draws structure functions; of those with a fit also the fitted curve and the window of the fit."""
+    import numpy as np
+
     ax = axes(ax)
+    (unit, by), (unit_y, by_y) = (
+        unit_of(np.concatenate([of[key] for _, of in functions]) if functions else [], si) for key, si in (("lag_m", "m"), ("value_m2", "m^2"))
+    )
     for name, of in functions:
-        (line,) = ax.loglog(of["lag_m"] * 1e6, of["value_m2"] * 1e12, ".", ms=3, label=name or None)
+        (line,) = ax.loglog(of["lag_m"] * by, of["value_m2"] * by_y, ".", ms=3, label=name or None)
         if "fitted_lag_m" in of:
             label = "D = " + with_unit(of["fractal_dimension"][0], "", 4, of["fractal_dimension"][1])
-            ax.plot(of["fitted_lag_m"] * 1e6, of["fitted_value_m2"] * 1e12, color=line.get_color(), label=label)
-            ax.axvspan(*(lag * 1e6 for lag in of["window_m"]), alpha=0.1, color=line.get_color(), lw=0)
-    ax.set_xlabel("lag [µm]")
-    ax.set_ylabel("structure function [µm²]")
+            ax.plot(of["fitted_lag_m"] * by, of["fitted_value_m2"] * by_y, color=line.get_color(), label=label)
+            ax.axvspan(*(lag * by for lag in of["window_m"]), alpha=0.1, color=line.get_color(), lw=0)
+    ax.set_xlabel(f"lag [{unit}]")
+    ax.set_ylabel(f"structure function [{unit_y}]")
     ax.grid(True)
     if len(functions) > 1 or any("fitted_lag_m" in of for _, of in functions):
         ax.legend(fontsize="small")
@@ -109,7 +114,8 @@ def draw_islands(ax: Axes | None, curve: Mapping[str, Any], key: str) -> Axes:
     """Draws the density of islands, or their radius, over the bearing area; a mark is at the densest level."""
     ax = axes(ax)
     share, at = 100 * curve["bearing_area"], int(curve["density_per_m2"].argmax())
-    factor, label = (1e-6, "islands [1/mm²]") if key == "density_per_m2" else (1e6, "radius of the mean island [µm]")
+    unit, factor = unit_of(curve[key], "/m^2" if key == "density_per_m2" else "m")
+    label = f"islands [1{unit}]" if key == "density_per_m2" else f"radius of the mean island [{unit}]"
     ax.plot(share, curve[key] * factor)
     ax.plot(share[at], curve[key][at] * factor, "o", ms=4)
     ax.set_ylim(0, 4 * curve[key][at] * factor if key == "radius_m" else None)  # that of the few islands at the bottom is of no use
@@ -126,17 +132,18 @@ def draw_spectrum(ax: Axes | None, columns: Mapping[str, Any], of: str) -> Axes:
     ax = axes(ax)
     (_, x), (key, y), *_ = columns.items()
     y = np.asarray(y, dtype=float)
+    unit, by = unit_of(x if of == "acf" else 2 * np.pi / x, "m")
     if of == "acf":
-        ax.plot(x * 1e6, y)
-        ax.set_xlabel("lag [µm]")
+        ax.plot(x * by, y)
+        ax.set_xlabel(f"lag [{unit}]")
         ax.set_ylabel("autocorrelation")
     else:
         bins = np.unique((np.log(x / x[0]) / np.log(1.02)).round(), return_inverse=True)[1]
         few = [np.bincount(bins, values) / np.bincount(bins) for values in (x, y)]
         power = int(key[-1])
-        ax.loglog(few[0] * 1e-6, few[1] * 10 ** (6 * power))
-        ax.set_xlabel("q [rad/µm]")
-        ax.set_ylabel(f"C [µm{'³' if power == 3 else '⁴'}]")
+        ax.loglog(few[0] / by, few[1] * by**power)
+        ax.set_xlabel(f"q [rad/{unit}]")
+        ax.set_ylabel(f"C [{unit}{'³' if power == 3 else '⁴'}]")
     ax.grid(True)
     return ax
 
@@ -147,13 +154,14 @@ def draw_scales(ax: Axes | None, scales: Table[Any], of: str) -> Axes:
     other = "lambda_c_m" if of == "lambda_s" else "lambda_s_m"
     rows = [row for row in scales["scales"]["rows"] if row.get(other) == scales[other] and row.get(of + "_m")]
     rows.sort(key=lambda row: row[of + "_m"])
+    unit, by = unit_of([row[of + "_m"] for row in rows], "m")
     chosen = next((row for row in rows if row[of + "_m"] == scales[of + "_m"]), rows[len(rows) // 2] if rows else {})
     for label, key in (("K", "stiffness_Pa_per_m"), ("σ", "rms_height_m"), ("gradient", "rms_gradient"),
                        ("R", "peak_radius_m"), ("D_p", "peak_density_per_m2")):  # fmt: skip
         known = [row for row in rows if row.get(key) and chosen.get(key)]
         if known:
-            ax.loglog([row[of + "_m"] * 1e6 for row in known], [row[key] / chosen[key] for row in known], "o-", ms=3, label=label)
-    ax.set_xlabel(f"{of} [µm]")
+            ax.loglog([row[of + "_m"] * by for row in known], [row[key] / chosen[key] for row in known], "o-", ms=3, label=label)
+    ax.set_xlabel(f"{of} [{unit}]")
     ax.set_ylabel(f"ratio to the value at the chosen {of}")
     ax.grid(True)
     if ax.get_lines():

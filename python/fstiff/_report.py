@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _core
-from ._page import Page, figure, sentence, style, write
+from ._page import Page, figure, keep, sentence, style, write
 from ._pictures import draw_bearing, draw_curves, draw_heights, draw_islands, draw_scales, draw_structure
 from ._results import Table, heading, shown, with_unit
 from ._scenes import Curves, Scene
@@ -231,6 +231,7 @@ def execute(arguments: argparse.Namespace) -> int:
     file = arguments.output
     if not file.endswith(".html"):
         raise ValueError(f"--output = {file}: must end in .html")
+    keep(Path(file))
     text, curves = page_of(Scene(arguments.scene, surface=arguments.surface))
     write({Path(file): text})
     print(f"report of {curves.name}: {file}")

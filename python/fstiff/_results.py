@@ -24,7 +24,14 @@ if TYPE_CHECKING:
 Value = TypeVar("Value")
 
 
-class Table(Mapping[str, Value]):
+class Shown:
+    """What a notebook shows: the text of repr(), its table as a table."""
+
+    def _repr_html_(self) -> str:
+        return html_of(repr(self))
+
+
+class Table(Shown, Mapping[str, Value]):
     """A mapping that keeps what it was made of."""
 
     _values: dict[str, Value]
@@ -40,10 +47,6 @@ class Table(Mapping[str, Value]):
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Mapping) and _same(dict(self), dict(other))
-
-    def _repr_html_(self) -> str:
-        """What a notebook shows: the text of repr(), its table as a table."""
-        return html_of(repr(self))
 
 
 #: The attributes of results, and their keys.
@@ -235,6 +238,13 @@ def heading(key: str, values: Any) -> tuple[str, float]:
     return _core.heading(key, np.ravel(np.asarray(values, dtype=np.float64)))
 
 
+def unit_of(values: Any, si: str) -> tuple[str, float]:
+    """The unit in which tables of the command show `values` [`si`], and the factor from SI."""
+    import numpy as np
+
+    return _core.shown_unit(np.ravel(np.asarray(values, dtype=np.float64)), si)
+
+
 def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
     """Draws lines of (label, x, y, low, high), in SI, over one another; low and high are the ends of a band, or None."""
     import numpy as np
@@ -246,19 +256,19 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
         (line,) = ax.plot(at * by_x, values * by_y, label=label or None)
         if low is not None and not np.all(np.isnan(low)):
             ax.fill_between(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=0)
-    for axis in (ax.xaxis, ax.yaxis):
-        low, high = sorted(axis.get_view_interval())
-        if axis.get_scale() == "log" and high < 1e4 * low:
-            name_ticks(axis, high < 30 * low)
+    name_ticks(ax)
     if any(line[0] for line in lines):
         ax.legend(fontsize="small")
     return ax
 
 
-def name_ticks(axis: Any, is_short: bool) -> None:
-    """Gives a logarithmic axis plain numbers, of a short one at 1, 2 and 5 of every decade."""
+def name_ticks(ax: Axes) -> None:
+    """Gives logarithmic axes of up to four decades plain numbers, short ones at 1, 2 and 5 of every decade."""
     from matplotlib.ticker import LogLocator, NullFormatter
 
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if is_short else (1,)))
-    axis.set_major_formatter("{x:g}")
-    axis.set_minor_formatter(NullFormatter())
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() == "log" and high < 1e4 * low:
+            axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 30 * low else (1,)))
+            axis.set_major_formatter("{x:g}")
+            axis.set_minor_formatter(NullFormatter())

@@ -67,8 +67,7 @@ def spectrum(
 
     `taper` is the window of a psd, "none" for a surface that repeats itself. `surface` and `options` are those of measure().
     """
-    made, heights = one_source(surface, dict(options), {"of": of, "taper": taper})
-    return Spectrum(_core.spectrum(made, heights))
+    return Spectrum(_core.spectrum(*one_source(**locals())))
 
 
 def peaks(
@@ -94,8 +93,7 @@ def peaks(
     own = {"r": r, "theta": theta, "exponential": exponential, "rho1": rho1, "rho2": rho2, "heights": rest}
     if profile is None:
         return Peaks(_core.peaks(options_of({**options, **own}), None))
-    made, of = one_source(profile, dict(options), own)
-    return Peaks(_core.peaks(made, of))
+    return Peaks(_core.peaks(*one_source(profile, options, **own)))
 
 
 def generate(
@@ -122,10 +120,7 @@ def generate(
     hurst, rms, long_waves         of the others: H, Rq or Sq, and the waves beyond the longest one
     longest, shortest    wavelengths: the longest side and two spacings
     """
-    own = {"kind": kind, "spacing": spacing, "points": points, "rows": rows, "dimension": dimension, "roughness": roughness}
-    own |= {"gamma": gamma, "hurst": hurst, "rms": rms, "longest": longest, "shortest": shortest}
-    own |= {"long_waves": long_waves, "seed": seed}
-    arrays, origin = _core.generate(options_of(own))
+    arrays, origin = _core.generate(options_of(locals()))
     surface = surface_of(arrays, kind)
     surface.decisions = [origin]
     return surface

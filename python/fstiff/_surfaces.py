@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Union
 from . import _core
 from ._errors import FileError, named
 from ._pictures import draw_heights, draw_islands, draw_scales, draw_structure
-from ._results import Table, draw, frame, html_of, lines_of, numbers, shown, shown_rows, text_table, with_unit
+from ._results import Shown, Table, draw, frame, lines_of, numbers, shown, shown_rows, text_table, with_unit
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -96,7 +96,7 @@ def warn_of_height(sigma: float) -> None:
         warnings.warn(sentence, stacklevel=3)
 
 
-class Surface:
+class Surface(Shown):
     """Heights of a surface [m]: a profile (1-D) of equal spacing, or a map (2-D, rows along y).
 
     spacing is the distance between neighbouring points, of a map a number or (dx, dy). NaN and masked points are missing.
@@ -172,9 +172,6 @@ class Surface:
             else f"map of {self.heights.shape[1]} x {self.heights.shape[0]} points, dx {with_unit(self.dx, 'm')}, dy {with_unit(self.dy, 'm')}"
         )
         return f"<fstiff.Surface {self.name}: {shape}{f', {missing} missing' if missing else ''}>" + lines_of(self.warnings)
-
-    def _repr_html_(self) -> str:
-        return html_of(repr(self))
 
 
 def surface_of_topography(topography: Any, name: str) -> Surface:
@@ -580,8 +577,9 @@ def measure(
     return measured
 
 
-def one_source(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], _core.Heights]:
-    made, files, arrays = _of(source, options, own)
+def one_source(surface: Any, options: Any, **own: Any) -> tuple[dict[str, Any], _core.Heights]:
+    """The arguments of a function of one surface, as the compiled part takes them: of most functions all their locals()."""
+    made, files, arrays = _of(surface, dict(options), own)
     if len(files) > 1 or len(arrays) > 1:
         raise ValueError(f"{'files' if files else 'arrays'}: must be one; measure() pools several")
     return made, _core.Heights(*arrays[0]) if arrays else _core.Heights(None, 0.0, 0.0, "", "")
@@ -602,9 +600,7 @@ def fit(
     `convention` is the constant of eq. (2.4) that gives G; `all_lags` computes the structure function of a profile at every lag;
     the other arguments are those of measure().
     """
-    own = {"window": window, "convention": convention, "resamples": resamples, "seed": seed, "all_lags": all_lags}
-    made, heights = one_source(surface, dict(options), own)
-    return Fit(_core.fit(made, heights))
+    return Fit(_core.fit(*one_source(**locals())))
 
 
 def islands(
@@ -625,18 +621,7 @@ def islands(
     `levels` are 200 by default, at equal steps of bearing area; the errors are of `tiles` x `tiles` tiles, 4 x 4 by default, drawn
     `resamples` times with `seed`. `surface` and `options` are those of measure().
     """
-    own = {
-        "neighbours": neighbours,
-        "border": border,
-        "island_height": island_height,
-        "least_points": least_points,
-        "levels": levels,
-        "tiles": tiles,
-        "resamples": resamples,
-        "seed": seed,
-    }
-    made, heights = one_source(surface, dict(options), own)
-    return Islands(_core.islands(made, heights))
+    return Islands(_core.islands(*one_source(**locals())))
 
 
 def truth(
@@ -660,5 +645,5 @@ def truth(
     """
     import numpy as np
 
-    made, heights = one_source(surface, dict(options), {"points": points, "edges": edges, "hardness": hardness})
+    made, heights = one_source(surface, options, points=points, edges=edges, hardness=hardness)
     return Truth(_core.truth(made, heights, np.atleast_1d(numbers(pressures, "pressures")), effective_modulus))

@@ -10,6 +10,7 @@
 #include <fstiff/contact/tangential_law.hpp>
 #include <fstiff/double/integrals.hpp>
 
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -187,6 +188,14 @@ std::vector<Out> batch(const In& x, const Filled& filled, const Call& call) {
     return taken;
 }
 
+/// \p call of the law at every number.
+template <double (TabulatedLaw::*call)(double) const>
+std::vector<Out> each(const TabulatedLaw& law, const In& x, const Filled& filled) {
+    return batch<1>(x, filled, [&](const ArrayIn& in, ArrayOut out) {
+        for (Eigen::Index i = 0; i < in.size(); ++i) out[i] = (law.*call)(in[i]);
+    });
+}
+
 using Friction = TangentialLaw<double>;
 
 /// Two numbers of what \p call of the law with friction gives at every separation and slip, arrays of one shape.
@@ -205,6 +214,48 @@ std::vector<Out> slipped(const TabulatedLaw& law, double friction, double ratio,
     return {one.take(), other.take()};
 }
 
+using Slip = SlipState<double, 2>;
+
+/// p, q and their derivatives after each step of a path from \p slip, which goes with it.
+nb::tuple moved(const TabulatedLaw& law, double friction, double ratio, Slip slip, const In& separations,
+                const In& slips) {
+    const std::size_t count = separations.size();
+    std::vector<double> pressures, tractions, tangents;
+    {
+        const nb::gil_scoped_release free;
+        const Friction with(law, friction, ratio);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto at =
+                with.step(slip, separations.data()[i], {slips.data()[2 * i], slips.data()[2 * i + 1]}, slip);
+            pressures.push_back(at.pressure);
+            tractions.insert(tractions.end(), at.traction.begin(), at.traction.end());
+            const auto rows = at.tangent.transpose().reshaped();
+            tangents.insert(tangents.end(), rows.begin(), rows.end());
+        }
+    }
+    return nb::make_tuple(NewArray(pressures).take(), NewArray(tractions, {count, 2}).take(),
+                          NewArray(tangents, {count, 3, 3}).take(), slip);
+}
+
+void add_slip(nb::module_& m) {
+    using Kept = std::pair<double, std::vector<std::array<double, 3>>>;
+    nb::class_<Slip>(m, "Slip", "What a path of friction leaves; see fstiff.Law.path.")
+        .def("__init__", [](Slip* slip, double separation) { new (slip) Slip{.separation = separation}; })
+        .def("__getstate__",
+             [](const Slip& slip) {
+                 Kept kept{slip.separation, {}};
+                 for (const Slip::Node& node : std::span(slip.nodes).first(static_cast<std::size_t>(slip.count)))
+                     kept.second.push_back({node.level, node.drag[0], node.drag[1]});
+                 return kept;
+             })
+        .def("__setstate__", [](Slip* slip, const Kept& kept) {
+            if (kept.second.size() > Slip::capacity) throw domain_error("a slip of too many levels");
+            new (slip) Slip{.separation = kept.first};
+            for (const auto& [level, x, y] : kept.second)
+                slip->nodes[static_cast<std::size_t>(slip->count++)] = {level, {x, y}};
+        });
+}
+
 void add_laws(nb::module_& m) {
     nb::class_<TabulatedLaw>(m, "Law", "A tabulated law; see fstiff.Law.")
         .def_static(
@@ -214,18 +265,8 @@ void add_laws(nb::module_& m) {
              [](const TabulatedLaw& law, const In& p, const Filled& out) {
                  return batch<1>(p, out, [&](const ArrayIn& in, ArrayOut k) { law.stiffness(in, k); });
              })
-        .def("separation",
-             [](const TabulatedLaw& law, const In& p, const Filled& out) {
-                 return batch<1>(p, out, [&](const ArrayIn& in, ArrayOut d) {
-                     for (Eigen::Index i = 0; i < in.size(); ++i) d[i] = law.separation(in[i]);
-                 });
-             })
-        .def("stiffness_slope",
-             [](const TabulatedLaw& law, const In& p, const Filled& out) {
-                 return batch<1>(p, out, [&](const ArrayIn& in, ArrayOut slope) {
-                     for (Eigen::Index i = 0; i < in.size(); ++i) slope[i] = law.stiffness_slope(in[i]);
-                 });
-             })
+        .def("separation", &each<&TabulatedLaw::separation>)
+        .def("stiffness_slope", &each<&TabulatedLaw::stiffness_slope>)
         .def("at_separation",
              [](const TabulatedLaw& law, const In& d, const Filled& out) {
                  return batch<2>(
@@ -237,15 +278,13 @@ void add_laws(nb::module_& m) {
                      law.tangent_at_separation(in, to, with);
                  });
              })
-        .def("energy",
-             [](const TabulatedLaw& law, const In& d, const Filled& out) {
-                 return batch<1>(d, out, [&](const ArrayIn& in, ArrayOut energy) {
-                     for (Eigen::Index i = 0; i < in.size(); ++i) energy[i] = law.energy(in[i]);
-                 });
-             })
+        .def("energy", &each<&TabulatedLaw::energy>)
         .def("first_slip",
              &slipped<&Friction::first_slip, &Friction::FirstSlip::traction, &Friction::FirstSlip::stiffness>)
         .def("cycle", &slipped<&Friction::cycle, &Friction::Cycle::lost, &Friction::Cycle::loss_factor>)
+        .def("path", &moved)
+        .def("stored_energy", [](const TabulatedLaw& law, double friction, double ratio,
+                                 const Slip& slip) { return Friction(law, friction, ratio).stored_energy(slip); })
         .def_prop_ro("touch", &TabulatedLaw::touch)
         .def_prop_ro("pressures",
                      [](const TabulatedLaw& law) { return std::pair(law.pressures()[0], law.pressures()[1]); })
@@ -259,6 +298,7 @@ void add_laws(nb::module_& m) {
 }  // namespace
 
 void add_contacts(nb::module_& m) {
+    add_slip(m);
     add_laws(m);
     nb::class_<OneContact>(m, "Contact", "A contact; see fstiff.Contact.")
         .def_static("of_numbers", &of_numbers, nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"),

@@ -160,14 +160,18 @@ nb::tuple exported(const Scene& scene, const nb::dict& options) {
     return nb::make_tuple(document.file(), document.warnings, document.doubtful);
 }
 
+ShownUnit unit_of(const In& values, std::string_view si) {
+    std::vector<double> sizes;
+    for (const double value : numbers_of(values))
+        if (std::isfinite(value)) sizes.push_back(std::abs(value));
+    return sizes.empty() ? shown_unit(0.0, si) : shown_unit(sizes, si);
+}
+
 /// How the tables of the command call a column of \p values, with its unit, and the factor from SI.
 nb::tuple heading(const std::string& key, const In& values) {
     for (const CurveQuantityRow& row : curve_quantities())
         if (const Column column{row.quantity}; column.key() == key) {
-            std::vector<double> sizes;
-            for (const double value : numbers_of(values))
-                if (std::isfinite(value)) sizes.push_back(value);
-            const ShownUnit unit = shown_unit(sizes, row.unit);
+            const ShownUnit unit = unit_of(values, row.unit);
             return nb::make_tuple(unit.heading(row.symbol), unit.factor);
         }
     return nb::make_tuple(key, 1.);
@@ -200,6 +204,13 @@ void add_scenes(nb::module_& m) {
     m.def("ultrasound", &ultrasound, nb::arg("options"), nb::arg("curve").none());
     m.def("export", &exported, nb::arg("scene"), nb::arg("options"));
     m.def("heading", &heading, nb::arg("key"), nb::arg("values"));
+    m.def(
+        "shown_unit",
+        [](const In& values, const std::string& si) {
+            const ShownUnit unit = unit_of(values, si);
+            return nb::make_tuple(std::string(unit.name), unit.factor);
+        },
+        nb::arg("values"), nb::arg("si"));
     m.def(
         "with_unit",
         [](double value, const std::string& si, int digits, double error) {

@@ -312,11 +312,11 @@ void require_known(const Scene& scene, const FitRequest& request) {
 
 /// Whether K of the elastic law of \p fit would be 5 % higher where its peaks yield, under its greatest pressure.
 bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, double rms_gradient) {
-    const double most = std::ranges::max(fit.points, {}, &MeasuredPoint::pressure).pressure;
-    const double share = most / hardness;
-    if (!(share < 1)) return true;
+    double most = 0;
+    for (const MeasuredPoint& point : fit.points) most = std::max(most, point.pressure);
+    if (!(most < hardness)) return true;
     const parts::GaussianCut<double> cut(fit.found.all.rms_height, rms_gradient, fit.found.all.effective_modulus);
-    const double K = fitted_points(problem, fit, {&most, 1}).front().state.stiffness.value;
+    const double share = most / hardness, K = fitted_points(problem, fit, {&most, 1}).front().state.stiffness.value;
     return parts::yielded(share, cut.stiffness(share), K).stiffness > 1.05 * K;
 }
 
@@ -333,10 +333,10 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
                                                      hardness / parts::hardness_over_yield_strength<double>)
                            : 0;
     const std::optional<double> g = gradient(fitted);
-    const double relative = g ? hardness / (x.effective_modulus * *g) : std::numeric_limits<double>::quiet_NaN();
     if (!(g ? rises_by_flow(problem, fit, hardness, *g) : psi > parts::max_elastic_plasticity_index<double>)) return "";
     const bool has_plastic = lack_of(find_law(LawName::plastic), problem) == Lack::nothing;
-    return "the peaks of the fitted surface yield (" + (g ? "H/(E g) = " + rounded(relative, 2) : "") +
+    return "the peaks of the fitted surface yield (" +
+           (g ? "H/(E g) = " + rounded(hardness / (x.effective_modulus * *g), 2) : "") +
            (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +
            "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
            (has_plastic ? "plastic" : "jackson_green");

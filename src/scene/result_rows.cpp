@@ -118,6 +118,7 @@ Json answer_json(const Scene& scene, const Results& results) {
         const auto shares = parts::shares_of(reason.causes);
         for (std::size_t c = 0; c < shares.size(); ++c)
             if (shares[c] > 0) causes[name_of(static_cast<parts::Cause>(c))] = shares[c];
+        row["band_due_to"] = shown_causes(reason);
         rows.push_back(std::move(row));
     }
     return rows;

@@ -97,23 +97,24 @@ std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity,
     return std::nullopt;
 }
 
-Scene with_finer_points(Scene scene) {
+Scene with_finer_points(Scene scene, bool between) {
     const std::size_t enough = scene.face.map ? 9 : 41;  // boundary elements are solved at each of a map
     std::vector<double> points = scene.points;
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (between) scene.points.clear();
     if (points.size() < 2 || points.size() >= enough) return scene;
-    const std::size_t between = (enough - 1 + points.size() - 2) / (points.size() - 1);
+    const std::size_t steps = (enough - 1 + points.size() - 2) / (points.size() - 1);
     scene.points.clear();
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        for (std::size_t k = 0; k < between; ++k) {
-            const double t = static_cast<double>(k) / static_cast<double>(between);
+        for (std::size_t k = between ? 1 : 0; k < steps; ++k) {
+            const double t = static_cast<double>(k) / static_cast<double>(steps);
             const double low = points[i], high = points[i + 1];
             scene.points.push_back(k == 0                 ? low
                                    : scene.at_separations ? low + t * (high - low)
                                                           : low * std::pow(high / low, t));
         }
-    scene.points.push_back(points.back());
+    if (!between) scene.points.push_back(points.back());
     scene.listed = true;
     if (!scene.forces.empty()) scene.forces = scene.points;
     for (double& force : scene.forces) force *= *scene.nominal_area;

@@ -69,8 +69,8 @@ struct Results {
 /// \p contacts are those of the scene, or of one with other points. \throws domain_error as compute().
 [[nodiscard]] std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>& contacts);
 
-/// \p scene with enough points for a smooth curve through those it has, which it keeps.
-[[nodiscard]] Scene with_finer_points(Scene scene);
+/// \p scene with enough points for a smooth curve through those it has, which it keeps, or \p between them alone.
+[[nodiscard]] Scene with_finer_points(Scene scene, bool between = false);
 
 /// Why \p missed, a point of \p scene, has no state.
 [[nodiscard]] std::string reason_of(const Scene& scene, const MissedPoint& missed);

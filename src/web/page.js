@@ -3,10 +3,6 @@
 "use strict";
 (() => {
 const $ = (id) => document.getElementById(id);
-const materials = ["steel", "stainless_steel", "cast_iron", "aluminium", "titanium", "copper", "brass", "nickel", "tungsten",
-    "glass", "fused_silica", "PMMA"];
-const causes = { measurement: "measurement", cut_offs: "cut-offs", shape: "shape of heights", prior: "assumptions", lay: "lay",
-    law: "law", contacts: "few contacts", long_waves: "waves not measured" };
 const optionIds = ["units", "spacing", "dx", "dy", "missing"];
 
 let surface = null;   // { name, bytes, kind }, kind as fstiff measure says: profile or map; measured: its JSON
@@ -209,12 +205,10 @@ function showTable(answer) {
     const body = table.createTBody();
     for (const one of answer) {
         const shown = (key, digits = 3) => (key in one ? rounded(one[key] / 1e12, digits) : "-");
-        const due = Object.entries(one.causes || {}).filter(([, share]) => share >= 0.1).sort((a, b) => b[1] - a[1]).slice(0, 2)
-            .map(([cause, share]) => `${causes[cause] || cause} ${Math.round(100 * share)} %`);
         const close = one.stiffness_p95_Pa_per_m - one.stiffness_p05_Pa_per_m < 0.2 * one.stiffness_Pa_per_m;
         const [low, high] = ["stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m"].map((key) => shown(key, close ? 3 : 2));
         cells(body.insertRow(), "td", [rounded(one.pressure_Pa / 1e6, 3), shown("stiffness_Pa_per_m"), `${low}–${high}`,
-            ...(loads ? [shown("loading_stiffness_Pa_per_m")] : []), one.law.replaceAll("_", " "), due.join(", ")]);
+            ...(loads ? [shown("loading_stiffness_Pa_per_m")] : []), one.law.replaceAll("_", " "), one.band_due_to]);
     }
 }
 
@@ -268,11 +262,11 @@ async function makeExample() {
 }
 
 const option = (value, words) => new Option(words || value.replaceAll("_", " "), value);
-for (const name of materials) $("upper").add(option(name));
+for (const name of fstiff_engine.materials) $("upper").add(option(name));
 $("upper").add(option("other", "another: E and Poisson's ratio"));
 $("lower").add(option("same", "as the first"));
 $("lower").add(option("rigid"));
-for (const name of materials) $("lower").add(option(name));
+for (const name of fstiff_engine.materials) $("lower").add(option(name));
 
 $("inputs").addEventListener("input", () => {
     if (!edited) showScene();

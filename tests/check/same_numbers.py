@@ -22,13 +22,13 @@ def numbers_of(text):
                 yield names[i] if len(cells) == len(names) else "", float(number)
 
 
-def difference(a, b, tolerance=TOLERANCE, of_one=()):
+def difference(a, b, tolerance=TOLERANCE, of_one=(), of_errors=OF_ERRORS):
     """What two texts differ in beyond the tolerance, or "". What stands under the keys of_one is compared
     with 1."""
     if NUMBER.sub("#", a) != NUMBER.sub("#", b):
         return "in words"
     for (key, x), (_, y) in zip(numbers_of(a), numbers_of(b), strict=True):
         size = 1 if key in of_one else max(abs(x), abs(y))
-        if abs(x - y) > (OF_ERRORS if "error" in key else tolerance) * size:
+        if abs(x - y) > (of_errors if "error" in key else tolerance) * size:
             return f"{key} {x} {y}"
     return ""

@@ -426,6 +426,36 @@ def test_a_slip_of_the_unit_is_refused_or_warned_of():
             law.at_separation([1e-6, nan])
 
 
+def test_a_path_of_friction_is_the_first_slip_then_the_cycle_of_masing():
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8)
+    with_friction = {"friction": 0.3, "ratio": 0.8}
+    d, s, angle = float(law.separation(1e7)), 2e-8, np.array([0.6, 0.8])
+    there = law.path(d, np.full((20, 1), s / 20) * angle, **with_friction)
+    q, slope = law.first_slip(d, np.linspace(s / 20, s, 20), **with_friction)
+    assert there.pressure == pytest.approx(1e7, rel=1e-6) and there.pressure.shape == (20,)
+    assert there.traction == pytest.approx(q[:, None] * angle, rel=1e-9)
+    assert there.tangent[-1, 1:, 1:] @ angle == pytest.approx(slope[-1] * angle, rel=1e-9)
+
+    cycle = np.concatenate([np.full(400, -s / 200), np.full(400, s / 200)])  # one step before its first, along it
+    slips = cycle[:, None] * angle
+    back = law.path(d, slips, before=there.after, **with_friction)
+    traction = np.concatenate([there.traction[-1:], back.traction]) @ angle
+    lost = np.sum((traction[1:] + traction[:-1]) / 2 * cycle)
+    assert lost == pytest.approx(float(law.cycle(d, s, **with_friction)[0]), rel=1e-3)
+    assert back.traction[-1] == pytest.approx(there.traction[-1], rel=1e-9)  # the loop is closed
+    assert there.energy == pytest.approx(back.energy, rel=1e-9) and 0 < there.energy < q[-1] * s
+
+    state = pickle.loads(pickle.dumps(there.after))
+    for i in range(5):  # one at a time is the same path
+        one = law.path(d, slips[i], before=state, **with_friction)
+        assert np.array_equal(one.traction, back.traction[i]) and one.traction.shape == (2,)
+        state = one.after
+    with pytest.raises(ValueError, match="slip: must have two numbers for each step"):
+        law.path(d, 1e-8, **with_friction)
+    with pytest.raises(ValueError, match="slip = nan: must be finite"):
+        law.path(d, (np.nan, 0), **with_friction)
+
+
 def test_energy_friction_and_heat_of_a_law():
     integral = lambda y, x: float(np.sum((y[1:] + y[:-1]) / 2 * np.diff(x)))
     law = CONTACTS["hertz"].tabulate(1e5, 1e8)

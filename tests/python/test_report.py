@@ -59,7 +59,7 @@ def test_the_command_writes_its_own_pages_alone(root, tmp_path):
     assert page.read_text().endswith("</html>\n")
     page.write_text("<!doctype html>\nmine")
     for words, sentence in (
-        (("-o", page), "was not made by fstiff"),
+        ((tmp_path / "none.toml", "-o", page), "was not made by fstiff"),  # before the scene is read
         (("-o", tmp_path / "page.pdf"), "must end in .html"),
         ((tmp_path / "none.toml", "-o", tmp_path / "new.html"), "none.toml: no such file"),
     ):
@@ -88,6 +88,8 @@ def test_everything_draws_itself(rough_map, trace):
         ax = thing.plot()
         assert ax.get_xlabel() and ax.get_ylabel() and (ax.get_lines() or ax.images)
         assert thing._repr_html_().startswith("<p>")
+    ax = fstiff.Surface(1e-8 * np.sin(np.arange(50)), 1e-4).plot()
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x [mm]", "height [nm]")
 
 
 def test_what_cannot_be_drawn_is_refused(trace):

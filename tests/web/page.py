@@ -5,6 +5,7 @@
     page.py --source . --build build/release --fstiff build/release/bin/fstiff
 """
 import argparse
+import base64
 import functools
 import http.server
 import pathlib
@@ -22,7 +23,9 @@ import same_numbers
 # Shares and correlations are parts of 1.
 difference = functools.partial(same_numbers.difference, of_one=("matrix", "measurement", "cut_offs", "shape", "prior", "law"))
 
-ITERATED = 1e-7  # plastic boundary elements end where their own tolerance does: K agreed to 1e-12, the separation to 4e-9
+# Plastic boundary elements end where their own tolerance does: K agreed to 1e-12, the separation to 4e-9; an error of K, which is
+# 4e-10 K there, to 1e-5 of itself, the rounding of K.
+ITERATED = {"tolerance": 1e-7, "of_errors": 1e-4}
 problems = []
 ANSWERED = "!document.getElementById('answer').hidden && document.getElementById('working').hidden"
 REFUSED = "!document.getElementById('problem').hidden && document.getElementById('working').hidden"
@@ -76,12 +79,12 @@ def download(page, name):
     return page.download(f"[...document.querySelectorAll('#downloads a')].find(a => a.download == {name!r})")
 
 
-def compare(desk, page, what, tolerance=same_numbers.TOLERANCE):
+def compare(desk, page, what, **tolerances):
     """The downloads of the page are what the command makes of its scene."""
     (desk.folder / "scene.toml").write_bytes(download(page, "scene.toml"))
     made = desk.command("run", "scene.toml", "--format", "json", "--plot", "own.svg")
     check(made.returncode in (0, 4), f"{what}: {made.stderr!r}")
-    apart = difference(made.stdout.decode(), download(page, "answer.json").decode(), tolerance)
+    apart = difference(made.stdout.decode(), download(page, "answer.json").decode(), **tolerances)
     check(not apart, f"{what}: the answer differs: {apart}")
     apart = difference((desk.folder / "own.svg").read_text(), download(page, "picture.svg").decode())
     check(not apart or "in words" not in apart, f"{what}: the picture differs: {apart}")
@@ -90,7 +93,7 @@ def compare(desk, page, what, tolerance=same_numbers.TOLERANCE):
 def first_curve(desk, source):
     document = (source / "docs/first-curve.md").read_text(encoding="utf-8")
     scene = re.search(r"```toml\n(.*?)```", document, re.S)[1]
-    shown = re.findall(r"^ +([\d.]+) MPa +([\d.]+) +([\d.]+–[\d.]+) +(\w+) +(.*\S)$", document, re.M)
+    shown = re.findall(r"^ +([\d.]+) MPa +([\d.]+) +([\d.]+–[\d.]+) +([\d.]+) +(\w+) +(.*\S)$", document, re.M)
     check(len(shown) == 2, "docs/first-curve.md shows no answer")
     with desk.page() as page:
         fill(page, "scene", scene)
@@ -101,7 +104,7 @@ def first_curve(desk, source):
         compare(desk, page, "docs/first-curve.md")
         (desk.folder / "dropped.toml").write_text(scene)
         answer_to(page, lambda: page.choose(desk.folder / "dropped.toml"))
-        check("4.55" in text(page, "table"), "a scene that is dropped gives no answer")
+        check(shown and shown[0][1] in text(page, "table"), "a scene that is dropped gives no answer")
 
 
 def surfaces(desk, figures):
@@ -141,17 +144,17 @@ def boundary_elements(desk, figures):
         check("boundary elements" in text(page, "table"), "no boundary elements in the answer")
         bars = page.run("bars")
         check(len(bars) > 2 and all(0 <= value <= 1 for _, value in bars), f"progress: {bars}")
-        compare(desk, page, "boundary elements of 128²")
+        compare(desk, page, "boundary elements of 128²", **ITERATED)
         page.run("document.getElementById('points').value = '256'; bars.length = 0")
         fill(page, "hardness", "3")
         click(page, "solve")
-        page.wait(lambda: page.run("bars.some(([words, share]) => words.startsWith('points') && share > 0)"),
+        page.wait(lambda: page.run("bars.some(([words, share]) => words.startsWith('pieces') && share > 0)"),
                   "no progress of boundary elements", 60)
         click(page, "stop")
         done(page, REFUSED)
         check(text(page, "problem") == "Stopped.", f"stop: {text(page, 'problem')}")
         answer_to(page, lambda: click(page, "solve"))
-        compare(desk, page, "boundary elements of 256², after a stop", tolerance=ITERATED)
+        compare(desk, page, "boundary elements of 256², after a stop", **ITERATED)
         answer_to(page, lambda: (click(page, "solve"), click(page, "compute")))
         check("boundary elements" not in text(page, "table"), "two computations at once: not the latest is shown")
 
@@ -228,6 +231,9 @@ def looks(desk):
                                      f"getComputedStyle(document.querySelector('{back}')).backgroundColor])")
                     check(found >= 4.5, f"{chosen}: contrast {found:.2f}, dark {dark}")
                 page.screenshot(desk.folder / f"{'dark' if dark else 'light'}_{width}.png")
+                if width == 1000:
+                    paper = base64.b64decode(page.call("Page.printToPDF", paperWidth=8.27, paperHeight=11.69)["data"])
+                    check(re.findall(rb"/Type /Pages\b.*?/Count (\d+)", paper, re.S) == [b"1"], "the answer is not printed on one page")
 
 
 def alone(desk, site, source, figures):
@@ -253,10 +259,10 @@ def alone(desk, site, source, figures):
                 check(not wrong, f"{url}: {wrong}")
         server.shutdown()
     check(set(Quiet.asked) <= {"/", "/page.css", "/page.js", "/engine.js"}, f"the server was asked for {Quiet.asked}")
-    names = re.findall(r"^\| `(\w+)` \| [\d.]+ \| 0\.\d+ \|", (source / "docs/scene.md").read_text(encoding="utf-8"), re.M)
+    rows = re.findall(r"^\| `(\S+)` \|[^|]*(?:\| [\d.]+ ){3}\| [\d.]+, ", (source / "docs/scene.md").read_text(encoding="utf-8"), re.M)
     with desk.page() as page:
         offered = page.run("[...document.getElementById('upper').options].map(o => o.value)")
-    check(names and offered[:-1] == names, f"materials {offered}, and in docs/scene.md {names}")
+    check(rows and offered[:-1] == rows, f"materials {offered}, and in docs/scene.md {rows}")
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):

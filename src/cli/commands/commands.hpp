@@ -10,7 +10,6 @@ namespace fstiff::cli {
 
 Command add_run(Arguments& command);
 Command add_sweep(Arguments& command);
-Command add_merge(Arguments& command);
 Command add_export(Arguments& command);
 Command add_ultrasound(Arguments& command);
 Command add_measure(Arguments& command);

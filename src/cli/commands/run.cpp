@@ -2,7 +2,7 @@
 // fstiff run: a scene to its curves, one per law and peak density.
 #include "commands/commands.hpp"
 #include "input/scene_options.hpp"
-#include "picture/panels.hpp"
+#include "picture/plot.hpp"
 #include "scene/result_rows.hpp"
 
 #include <memory>
@@ -22,6 +22,17 @@ struct Options {
     bool example = false;
 };
 
+/// The results between the points of \p scene; none where it has enough, or no law reaches any.
+std::optional<Results> between_points(const Scene& scene) {
+    const Scene between = with_finer_points(scene, true);
+    if (between.points.empty()) return std::nullopt;
+    try {
+        return computed(between);
+    } catch (const domain_error&) {
+        return std::nullopt;
+    }
+}
+
 Report execute(const Options& options) {
     if (options.example) {
         if (!options.scene.scene.empty() || !options.scene.surface.empty() || !options.picture.empty())
@@ -33,7 +44,7 @@ Report execute(const Options& options) {
     const Results results = computed(scene);
     return with_picture(
         report(document_of(scene, results, options.full), options.output.format),
-        [&] { return results_figure(scene, results, computed(with_finer_points(scene))); }, options.picture);
+        [&] { return results_figure(scene, results, between_points(scene)); }, options.picture);
 }
 
 }  // namespace

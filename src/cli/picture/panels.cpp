@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture/panels.hpp"
+// The figure of results, and its files: the picture, and its numbers as CSV.
+#include "picture/plot.hpp"
 
-#include "document/shown_unit.hpp"
-#include "picture/scale.hpp"
+#include "scene/result_rows.hpp"
 
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/core/error.hpp>
@@ -11,56 +11,95 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
-#include <optional>
+#include <filesystem>
 
 namespace fstiff::cli {
 namespace {
 
-constexpr std::size_t most_curves = 8;
+constexpr std::size_t most_curves = 8, most_marks = 12;
+
+/// One law at the points of a scene and, where they are computed, between them.
+struct DrawnCurve {
+    const Curve* own;
+    const Curve* between = nullptr;
+
+    /// Calls \p take(curve, state) for every state, from the least pressure to the greatest.
+    template <class Take>
+    void each_state(const Take& take) const {
+        std::vector<std::pair<const Curve*, std::size_t>> states;
+        for (const Curve* part : {own, between})
+            for (std::size_t i = 0; part && i < part->states.size(); ++i) states.emplace_back(part, i);
+        const auto pressure = [](const auto& state) { return state.first->states[state.second].pressure.value; };
+        std::stable_sort(states.begin(), states.end(),
+                         [&](const auto& a, const auto& b) { return pressure(a) < pressure(b); });
+        for (const auto& [curve, i] : states) take(*curve, i);
+    }
+};
 
 /// Boundary elements, whose error is that of their grid.
 bool is_truth(const Curve& curve) { return curve.law->name == "boundary_elements"; }
+bool is_answer(const Curve& curve) { return !curve.by.empty(); }
 
-/// The answer, then the laws in the order of the scene; of many curves the first ones, and the truth of a map.
-std::vector<const Curve*> drawn(const Results& results) {
-    std::vector<const Curve*> curves = shown_curves(results);
-    std::erase_if(curves, [](const Curve* curve) { return curve->states.empty(); });  // no pressure is within its reach
-    while (curves.size() > most_curves) {
-        const auto last = std::find_if(curves.rbegin(), curves.rend(), [](const auto* of) { return !is_truth(*of); });
-        curves.erase(std::next(last).base());
+/// The answer, then the laws in the order of the scene.
+std::vector<DrawnCurve> curves_of(const Results& results, const std::optional<Results>& between) {
+    std::vector<DrawnCurve> curves;
+    for (const Curve* own : shown_curves(results)) {
+        if (own->states.empty()) continue;  // no pressure is within its reach
+        curves.push_back({own});
+        for (const Curve* one : between ? shown_curves(*between) : std::vector<const Curve*>())
+            if (one->law == own->law && one->theta == own->theta && one->r == own->r &&
+                is_answer(*one) == is_answer(*own))
+                curves.back().between = one;
     }
     return curves;
 }
 
-/// "π/4", or the angle in five digits.
-std::string shown_angle(double theta) {
-    for (const int n : {3, 4, 5, 6, 8, 10, 12})
-        if (std::abs(theta * n / std::numbers::pi - 1) < 1e-12) return "π/" + std::to_string(n);
-    return rounded(theta);
+/// \p quantity of \p curve in a unit by \p factor, with the ends of its band or, of boundary elements, with the error
+/// of K as bars.
+PlotLine line_of(const DrawnCurve& curve, CurveQuantity quantity, const ShownUnit& unit_of_pressure, double factor) {
+    PlotLine line{.label = is_answer(*curve.own) ? "answer (" + laws_of(*curve.own) + ")" : title(*curve.own)};
+    const bool of_grid = quantity == CurveQuantity::stiffness && is_truth(*curve.own) && curve.own->band.empty();
+    curve.each_state([&](const Curve& part, std::size_t i) {
+        const auto at = [&](Statistic statistic) { return part.value_at(part.places[i], quantity, statistic); };
+        const auto value = at(Statistic::value), low = at(Statistic::p05), high = at(Statistic::p95);
+        if (!value) return;
+        line.x.push_back(part.states[i].pressure.value * unit_of_pressure.factor);
+        line.y.push_back(*value * factor);
+        const auto put = [&](double least, double most) {
+            line.low.push_back(least * factor), line.high.push_back(most * factor);
+        };
+        if (low && high)
+            put(std::min(*low, *high), std::max(*low, *high));
+        else if (const auto error = at(Statistic::error); error && of_grid)
+            put(*error < 0.9 * *value ? *value - *error : 0, *value + *error);
+    });
+    if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
+    if (!line.low.empty()) line.band = of_grid ? "± error" : "5\u00A0to\u00A095\u00A0%";  // unbroken
+    line.bars = of_grid || line.x.size() == 1;                                            // where a band has no width
+    return line;
 }
 
-/// "fractal, θ = π/4, r = 0", or "answer (hybrid)".
-std::string legend_of(const Curve& curve) {
-    if (!curve.by.empty()) return "answer (" + laws_of(curve) + ")";
-    std::string text(curve.law->name);
-    if (curve.theta) text += ", θ = " + shown_angle(*curve.theta) + ", r = " + rounded(*curve.r, 3);
-    return text;
+/// \p quantity of \p curves against the pressure, with marks at the few points of a scene.
+Panel panel_of(const std::vector<DrawnCurve>& curves, CurveQuantity quantity, std::string title, const Units& units) {
+    const Heading heading = heading_of(Column{quantity}, units);
+    Panel panel{.title = std::move(title),
+                .x = {units.pressure.heading("nominal pressure p")},
+                .y = {heading.shown},
+                .height = 240};
+    const std::size_t count = std::min(curves.size(), most_curves);
+    for (std::size_t k = 0; k < count; ++k) {
+        panel.lines.push_back(line_of(curves[k], quantity, units.pressure, heading.factor));
+        panel.lines.back().colour = static_cast<int>(k);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!curves[k].between || curves[k].own->states.size() > most_marks) continue;
+        const PlotLine own = line_of({curves[k].own}, quantity, units.pressure, heading.factor);
+        panel.lines.push_back({.x = own.x, .y = own.y, .marks = true, .colour = static_cast<int>(k)});
+    }
+    return panel;
 }
 
-/// K that a wave of the scene's frequency can distinguish from a weld and from a gap.
-std::optional<PlotWindow> ultrasonic_window(const Problem& problem) {
-    if (!problem.ultrasound) return std::nullopt;
-    const Waves& waves = *problem.ultrasound;
-    const auto range = resolvable_stiffness(waves.longitudinal, waves.angular());
-    if (!range) return std::nullopt;
-    return PlotWindow{"|R| " + rounded(range->min_reflection, 2) + " to " + rounded(range->max_reflection, 2) + " at " +
-                          rounded(waves.frequency / 1e6, 3) + " MHz",
-                      range->low, range->high};
-}
-
-/// The frame leaves room about 0 and 1; what is all close to one of them fills it.
+/// |R| of \p panel: the frame leaves room about 0 and 1; what is all close to one of them fills it.
 void frame_reflection(Panel& panel) {
     double least = 1, greatest = 0;
     for (const PlotLine& line : panel.lines)
@@ -68,121 +107,126 @@ void frame_reflection(Panel& panel) {
             for (const double value : *values) least = std::min(least, value), greatest = std::max(greatest, value);
     const bool high = least > 0.8, low = greatest < 0.2 && greatest > 0;
     const double span = high ? std::max(1 - least, 1e-6) : low ? greatest : 1;
-    panel.y.low = (high ? 1 - span : 0) - 0.04 * span;
-    panel.y.high = (low ? span : 1) + 0.04 * span;
+    panel.y = {.label = "|R|",
+               .logarithmic = false,
+               .low = (high ? 1 - span : 0) - 0.04 * span,
+               .high = (low ? span : 1) + 0.04 * span};
 }
 
-/// \p quantity of \p curve, with the ends of its band or, of boundary elements, with the error of K as bars.
-PlotLine line_of(const Curve& curve, CurveQuantity quantity) {
-    PlotLine line{.label = legend_of(curve), .x = {}, .y = {}};
-    const bool of_grid = quantity == CurveQuantity::stiffness && is_truth(curve) && curve.band.empty();
-    for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        const auto at = [&](Statistic statistic) { return curve.value_at(curve.places[i], quantity, statistic); };
-        const auto value = at(Statistic::value), low = at(Statistic::p05), high = at(Statistic::p95);
-        if (!value) continue;
-        line.x.push_back(curve.states[i].pressure.value);
-        line.y.push_back(*value);
-        if (low && high)
-            line.low.push_back(std::min(*low, *high)), line.high.push_back(std::max(*low, *high));
-        else if (const auto error = at(Statistic::error); error && of_grid)
-            line.low.push_back(*error < 0.9 * *value ? *value - *error : 0), line.high.push_back(*value + *error);
-    }
-    if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
-    if (!line.low.empty()) line.band = of_grid ? "± error" : shown_band;
-    line.bars = of_grid || line.x.size() == 1;  // where a band has no width
-    return line;
-}
-
-/// \p quantity of all curves that are drawn, against the pressure, with marks at the points of \p results.
-Panel panel_of(const Results& results, const Results& smooth, CurveQuantity quantity, std::string title, Axis axis) {
-    Panel panel{.title = std::move(title),
-                .x = {.label = "nominal pressure p", .si = "Pa"},
-                .y = std::move(axis),
-                .height = 240};
-    const auto lines = drawn(smooth), points = drawn(results);
-    for (const Curve* curve : lines) {
-        panel.lines.push_back(line_of(*curve, quantity));
-        panel.lines.back().colour = static_cast<int>(panel.lines.size()) - 1;
-    }
-    constexpr std::size_t most_marks = 12;
-    if (points.empty() || points.size() != lines.size()) return panel;
-    const std::size_t count = points.front()->states.size();
-    if (count > most_marks || count == lines.front()->states.size()) return panel;
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-        PlotLine marks = line_of(*points[k], quantity);
-        marks.label = "", marks.low.clear(), marks.high.clear();
-        marks.colour = static_cast<int>(k);
-        marks.points = true;
-        panel.lines.push_back(std::move(marks));
-    }
-    return panel;
-}
-
-/// Where the law of the answer changes.
-std::vector<PlotChange> changes_of(const Results& results) {
-    std::vector<PlotChange> changes;
-    if (!results.answer) return changes;
-    const Curve& curve = results.answer->curve;
-    for (std::size_t i = 1; i < curve.states.size(); ++i)
-        if (const auto& before = curve.law_at(i - 1), &after = curve.law_at(i); &before != &after)
-            changes.push_back({std::sqrt(curve.states[i - 1].pressure.value * curve.states[i].pressure.value),
-                               std::string(before.name), std::string(after.name)});
-    return changes;
-}
-
-/// K, with the law of light loads for comparison.
-Panel stiffness_panel(const Problem& problem, const Results& results, const Results& smooth) {
-    Panel panel = panel_of(results, smooth, CurveQuantity::stiffness, "Normal stiffness per nominal area",
-                           {.label = "K/A₀", .si = "Pa/m"});
+/// K, with the law of light loads for comparison, the changes of the law of the answer, and the K that a wave of the
+/// scene's frequency can distinguish from a weld and from a gap.
+Panel stiffness_panel(const Problem& problem, const std::vector<DrawnCurve>& curves, const Units& units) {
+    Panel panel = panel_of(curves, CurveQuantity::stiffness, "Normal stiffness per nominal area", units);
+    panel.y.label = units.stiffness.heading("K/A₀");
     panel.height = 360;
-    panel.changes = changes_of(smooth);
-    if (const auto window = ultrasonic_window(problem)) panel.windows.push_back(*window);
-    Range pressures;
-    for (const PlotLine& line : panel.lines)
-        for (const double p : line.x) pressures.add(p, true);
-    if (!(pressures.low <= pressures.high)) return panel;
+    if (problem.ultrasound) {
+        const Waves& waves = *problem.ultrasound;
+        if (const auto range = resolvable_stiffness(waves.longitudinal, waves.angular()))
+            panel.window = {"|R| " + rounded(range->min_reflection, 2) + " to " + rounded(range->max_reflection, 2) +
+                                " at " + rounded(waves.frequency / 1e6, 3) + " MHz",
+                            range->low * units.stiffness.factor, range->high * units.stiffness.factor};
+    }
+    double least = std::numeric_limits<double>::infinity(), most = 0, last = 0;
+    const Law* before = nullptr;
+    for (const DrawnCurve& curve : curves)
+        curve.each_state([&](const Curve& part, std::size_t i) {
+            const double p = part.states[i].pressure.value;
+            least = std::min(least, p), most = std::max(most, p);
+            if (!is_answer(*curve.own)) return;
+            const Law* const law = &part.law_at(i);
+            if (before && law != before)
+                panel.changes.push_back({std::sqrt(last * p) * units.pressure.factor, before->name, law->name});
+            before = law, last = p;
+        });
     // a straight line on logarithmic axes: two points are enough
-    PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low}, .y = {}};
-    if (pressures.low < pressures.high) reference.x.push_back(pressures.high);
-    const double rms_height = problem.face.parameters.rms_height.value;
-    for (const double p : reference.x) reference.y.push_back(parts::linear_stiffness(p, rms_height));
-    reference.colour = neutral;
-    reference.dashed = true;
+    PlotLine reference{.label = "p/(0.48 σ)", .colour = neutral};
+    for (const double p : {least, most}) {
+        if (!(p > 0) || (!reference.x.empty() && least == most)) continue;
+        reference.x.push_back(p * units.pressure.factor);
+        reference.y.push_back(parts::linear_stiffness(p, problem.face.parameters.rms_height.value) *
+                              units.stiffness.factor);
+    }
     panel.lines.push_back(std::move(reference));
     return panel;
 }
 
+std::string figure_csv(const Figure& figure) {
+    std::string text = "# fstiff " FSTIFF_VERSION_TEXT ": the numbers of a picture\n" +
+                       csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
+    std::size_t curve = 0, number = 0;
+    for (const Panel& panel : figure.panels) {
+        ++number;
+        for (const PlotLine& line : panel.lines) {
+            ++curve;
+            const auto end = [](const std::vector<double>& ends, std::size_t i) {
+                return ends.empty() ? "" : exact(ends[i]);
+            };
+            for (std::size_t i = 0; i < line.x.size(); ++i)
+                text +=
+                    csv_line({std::to_string(curve), std::to_string(number), line.label, panel.x.label,
+                              exact(line.x[i]), panel.y.label, exact(line.y[i]), end(line.low, i), end(line.high, i)});
+        }
+    }
+    return text;
+}
+
+/// trace.svg to trace.plot.csv. \throws Usage unless \p file ends in .svg.
+std::string table_of(const std::string& file) {
+    const std::filesystem::path path = path_of(file);
+    if (path.extension() != ".svg")
+        throw Usage("--plot = \"" + file + "\": must end in .svg; the numbers (.plot.csv) are written next to it");
+    return name_of_path(std::filesystem::path(path).replace_extension(".plot.csv"));
+}
+
 }  // namespace
 
-Figure results_figure(const Scene& scene, const Results& results, const Results& smooth) {
+Figure results_figure(const Scene& scene, const Results& results, const std::optional<Results>& between) {
     if (!scene.needs_stiffness())
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
+    std::vector<DrawnCurve> curves = curves_of(results, between);
+    const std::size_t count = curves.size();  // of many curves the first ones are drawn, and the truth of a map
+    for (std::size_t k = most_curves; k < count; ++k)
+        if (is_truth(*curves[k].own)) std::swap(curves[k], curves[most_curves - 1]);
+    const Units units = summary_units(scene, results);
     Figure figure{.title = "Contact stiffness: " + scene.name,
                   .explanation = results.short_explanation,
-                  .panels = {stiffness_panel(scene, results, smooth)}};
-    const auto add = [&](CurveQuantity quantity, const std::string& title, Axis axis) {
-        if (scene.asks(quantity)) figure.panels.push_back(panel_of(results, smooth, quantity, title, std::move(axis)));
-    };
-    using enum CurveQuantity;
-    const Axis amplitude{.label = "|R|", .logarithmic = false};
-    const std::string waves = scene.ultrasound ? ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz" : "";
-    add(reflection, "Reflection of longitudinal waves" + waves, amplitude);
-    add(shear_reflection, "Reflection of shear waves" + waves, amplitude);
-    for (Panel& panel : figure.panels)
-        if (panel.y.label == "|R|") frame_reflection(panel);
-    add(loss_factor, "Loss factor of a tangential cycle", {.label = "loss factor"});
-    add(thermal_conductance, "Thermal conductance of the spots", {.label = "h [W/(m² K)]"});
-    add(thermal_conductance_gap, "Thermal conductance of the gap", {.label = "h [W/(m² K)]"});
-    add(electrical_conductance, "Electrical conductance of the spots", {.label = "h [S/m²]"});
-    figure.note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file +
-                  ", σ = " + with_unit(scene.face.parameters.rms_height.value, "m", 4);
-    const auto all = shown_curves(results);
-    const auto with_points =
-        std::count_if(all.begin(), all.end(), [](const Curve* curve) { return !curve->states.empty(); });
-    if (with_points > static_cast<std::ptrdiff_t>(most_curves))
-        figure.note += "; " + std::to_string(most_curves) + " of " + std::to_string(with_points) +
+                  .panels = {stiffness_panel(scene, curves, units)},
+                  .note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file +
+                          ", σ = " + with_unit(scene.face.parameters.rms_height.value, "m", 4)};
+    if (count > most_curves)
+        figure.note += "; " + std::to_string(most_curves) + " of " + std::to_string(count) +
                        " curves are drawn, fstiff run --format csv has the numbers of all";
+    using enum CurveQuantity;
+    const std::string waves = scene.ultrasound ? ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz" : "";
+    for (const auto& [quantity, title] :
+         {std::pair(reflection, "Reflection of longitudinal waves" + waves),
+          std::pair(shear_reflection, "Reflection of shear waves" + waves),
+          std::pair(loss_factor, std::string("Loss factor of a tangential cycle")),
+          std::pair(thermal_conductance, std::string("Thermal conductance of the spots")),
+          std::pair(thermal_conductance_gap, std::string("Thermal conductance of the gap")),
+          std::pair(electrical_conductance, std::string("Electrical conductance of the spots"))}) {
+        if (!scene.asks(quantity)) continue;
+        figure.panels.push_back(panel_of(curves, quantity, title, units));
+        if (quantity == reflection || quantity == shear_reflection) frame_reflection(figure.panels.back());
+    }
     return figure;
+}
+
+void keep_for_picture(const std::string& file) {
+    if (file.empty()) return;
+    const std::string table = table_of(file);
+    require_writable(file);
+    require_own(table);
+    keep_for_output(file);
+    keep_for_output(table);
+}
+
+Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file) {
+    if (file.empty()) return report;
+    const Figure drawn = figure();
+    deliver({{file, svg(drawn)}, {table_of(file), figure_csv(drawn)}});
+    say_written(report, {file, table_of(file)});
+    return report;
 }
 
 }  // namespace fstiff::cli

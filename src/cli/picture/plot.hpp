@@ -3,9 +3,10 @@
 // The picture of `run --plot` as SVG that needs nothing else: no script, no font, no other file. Colours follow the
 // reader's light or dark setting. The same figure is written as CSV. The same figure gives the same bytes.
 //
-// panels.cpp makes the figure of results, svg.cpp draws it; scale.hpp chooses its ticks, plot.cpp its units.
+// panels.cpp makes the figure of results and its files, svg.cpp draws it by the ticks of scale.hpp.
 
 #include "document/output.hpp"
+#include "scene/results.hpp"
 
 #include <functional>
 #include <optional>
@@ -15,26 +16,24 @@
 namespace fstiff::cli {
 
 struct Axis {
-    std::string label;  ///< with its unit, such as "p [MPa]", unless si is given
+    std::string label;  ///< with its unit, such as "p [MPa]"
     bool logarithmic = true;
-    std::optional<double> low = {}, high = {};  ///< none: from the curves
-    std::string si = {};  ///< unit of the values, such as "Pa": the picture chooses nm or mm and adds it to the label
+    std::optional<double> low{}, high{};  ///< none: from the curves
 };
 
-/// Colours 0 to 7 distinguish curves; `neutral` is the grey of references.
-inline constexpr int neutral = -1;
+/// Colours 0 to 7 distinguish curves; a line in `neutral` grey is a reference, and is dashed.
+inline constexpr int neutral = 8;
 
 /// Points, a line through them, and a band about it when low and high are given. On a logarithmic axis a point that is
 /// not positive breaks the line.
 struct PlotLine {
-    std::string label;  ///< empty: not in the legend
-    std::vector<double> x, y;
-    std::vector<double> low = {}, high = {};  ///< of the band, one for every x
-    std::string band = {};                    ///< what the band is, for the legend
-    bool bars = false;                        ///< an error bar at every point in place of the band
+    std::string label{};  ///< empty: not in the legend
+    std::vector<double> x{}, y{};
+    std::vector<double> low{}, high{};  ///< of the band, one for every x
+    std::string band{};                 ///< what the band is, for the legend
+    bool bars = false;                  ///< an error bar at every point in place of the band
+    bool marks = false;                 ///< marks alone
     int colour = 0;
-    bool dashed = false;
-    bool points = false;  ///< marks alone
 };
 
 /// A shaded range of the vertical axis.
@@ -46,25 +45,29 @@ struct PlotWindow {
 /// Where the law changes: a dotted line with the names of the laws at its sides.
 struct PlotChange {
     double x = 0;
-    std::string before, after;
+    std::string_view before, after;
 };
 
 struct Panel {
-    std::string title = {};
+    std::string title;
     Axis x, y;
-    std::vector<PlotLine> lines = {};
-    std::vector<PlotWindow> windows = {};
-    std::vector<PlotChange> changes = {};
-    double width = 560, height = 360;  ///< of the plot itself
+    double height;  ///< of the plot itself
+    std::vector<PlotLine> lines{};
+    std::optional<PlotWindow> window{};
+    std::vector<PlotChange> changes{};
 };
 
 struct Figure {
     std::string title;
-    std::vector<std::string> explanation = {};  ///< short sentences below the title
-    std::vector<Panel> panels;                  ///< from top to bottom
-    std::string note = {};                      ///< below, small
+    std::vector<std::string> explanation;  ///< short sentences below the title
+    std::vector<Panel> panels;             ///< from top to bottom
+    std::string note;                      ///< below, small
 };
 
+/// K(p) of \p scene with marks at its points, on lines through these and the points \p between them; below it what
+/// follows from K and is asked for. In the units of the tables.
+/// \throws domain_error when the scene asks for no stiffness.
+[[nodiscard]] Figure results_figure(const Scene& scene, const Results& results, const std::optional<Results>& between);
 /// \p figure as a file of its own.
 [[nodiscard]] std::string svg(const Figure& figure);
 /// Before anything is read: no input may be \p file or the table of its numbers, FILE.plot.csv. Does nothing without a
@@ -73,8 +76,5 @@ void keep_for_picture(const std::string& file);
 /// Writes \p figure as \p file, unless that is empty, and next to it the numbers that are drawn: curve, panel, label,
 /// x_quantity, x, y_quantity, y, low, high. \p report names both. \throws file_error for what cannot be written.
 [[nodiscard]] Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file);
-
-/// Description of a band, unbroken, for a legend.
-inline constexpr const char* shown_band = "5\u00A0to\u00A095\u00A0%";
 
 }  // namespace fstiff::cli

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace fstiff::cli {
 namespace {
@@ -19,20 +20,17 @@ std::string power_of_ten(int exponent) {
 
 }  // namespace
 
-Scale::Scale(const Axis& axis, const Range& range) : logarithmic_(axis.logarithmic), label_(axis.label) {
-    const bool found = range.low <= range.high;
-    const double low = axis.low.value_or(found ? range.low : logarithmic_ ? 1 : 0);
-    const double high = axis.high.value_or(found ? range.high : logarithmic_ ? 10 : 1);
-    low_ = place(low), high_ = place(high);
+Scale::Scale(const Axis& axis, const std::vector<double>& values) : logarithmic_(axis.logarithmic) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double value : values)
+        if (shows(value)) least = std::min(least, value), most = std::max(most, value);
+    if (!(least <= most)) least = logarithmic_ ? 1 : 0, most = logarithmic_ ? 10 : 1;
+    low_ = place(axis.low.value_or(least)), high_ = place(axis.high.value_or(most));
     // at least two numbers are on a logarithmic axis, and seven digits distinguish those of a linear one
-    const double least = logarithmic_ ? 0.7 : std::max(1e-6 * std::max(std::abs(low), std::abs(high)), 1e-300);
-    if (!(high_ - low_ >= least)) {
-        const double middle = (low_ + high_) / 2;
-        low_ = middle - least / 2, high_ = middle + least / 2;
-    }
-    const double space = 0.04 * (high_ - low_);
-    if (!axis.low) low_ -= space;
-    if (!axis.high) high_ += space;
+    const double span = logarithmic_ ? 0.7 : std::max(1e-6 * std::max(std::abs(low_), std::abs(high_)), 1e-300);
+    const double lack = std::max(0.0, span - (high_ - low_)) / 2, space = 0.04 * (high_ - low_ + 2 * lack);
+    low_ -= lack + (axis.low ? 0 : space);
+    high_ += lack + (axis.high ? 0 : space);
 }
 
 std::vector<Tick> Scale::decades() const {
@@ -58,13 +56,12 @@ std::vector<Tick> Scale::decades() const {
     return result;
 }
 
-double Scale::step() const {
-    const double raw = (high_ - low_) / 6, decade = std::pow(10.0, std::floor(std::log10(raw)));
-    return decade * (raw / decade <= 1 ? 1 : raw / decade <= 2 ? 2 : raw / decade <= 5 ? 5 : 10);
-}
-
 std::vector<Tick> Scale::steps() const {
-    const double width = step();
+    const double raw = (high_ - low_) / 6, decade = std::pow(10.0, std::floor(std::log10(raw))), part = raw / decade,
+                 width = decade * (part <= 1   ? 1
+                                   : part <= 2 ? 2
+                                   : part <= 5 ? 5
+                                               : 10);
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(width) + 1e-9)));
     std::vector<Tick> result;
     for (double k = std::ceil(low_ / width - 1e-9); k * width <= high_ + 1e-9 * width; ++k)

@@ -5,21 +5,10 @@
 #include "picture/plot.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace fstiff::cli {
-
-/// Least and greatest of what sets the range of an axis.
-struct Range {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    void add(double value, bool logarithmic) {
-        if (!std::isfinite(value) || (logarithmic && !(value > 0))) return;
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-};
 
 struct Tick {
     double value;
@@ -28,26 +17,22 @@ struct Tick {
 
 class Scale {
 public:
-    /// Scale of \p axis for the values of \p range. Close values get room about them.
-    Scale(const Axis& axis, const Range& range);
+    /// Scale of \p axis for \p values. Close values get room about them.
+    Scale(const Axis& axis, const std::vector<double>& values);
     bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
     /// 0 at the lower end, 1 at the upper one.
     double operator()(double value) const { return (place(value) - low_) / (high_ - low_); }
     double low() const { return logarithmic_ ? std::pow(10.0, low_) : low_; }
     double high() const { return logarithmic_ ? std::pow(10.0, high_) : high_; }
-
     std::vector<Tick> ticks() const { return logarithmic_ ? decades() : steps(); }
-    const std::string& label() const { return label_; }
 
 private:
     double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
-    double step() const;
     std::vector<Tick> decades() const;
     std::vector<Tick> steps() const;
 
     bool logarithmic_;
-    std::string label_;
-    double low_ = 0, high_ = 1;
+    double low_, high_;
 };
 
 }  // namespace fstiff::cli
