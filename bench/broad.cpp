@@ -36,7 +36,7 @@ HeightMap<double> map_of(char** argument) {
         .rms = 1,
         .longest_wavelength = 1 / std::strtod(argument[2], nullptr),
         .shortest_wavelength = 1 / std::strtod(argument[4], nullptr),
-        .long_waves = std::string(argument[3]) == "plateau" ? parts::LongWaves::plateau : parts::LongWaves::none,
+        .long_waves = std::string(argument[3]) == "plateau" ? LongWaves::plateau : LongWaves::none,
         .exact_rms = false,
         .seed = std::strtoul(argument[6], nullptr, 10)};
     const double step = 1 / static_cast<double>(points);

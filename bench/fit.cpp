@@ -5,8 +5,8 @@
 #include "support/normal.hpp"
 #include "support/paper.hpp"
 
-#include <fstiff/fit/difference_fit.hpp>
-#include <fstiff/fit/identify.hpp>
+#include <fstiff/identify/differences.hpp>
+#include <fstiff/identify/identify.hpp>
 
 #include <cmath>
 
@@ -81,7 +81,7 @@ void fit_rows(const std::string& name, const std::vector<Parameter>& wanted, con
     fit_row("fit/exact/" + name, wanted, law,
             [=](const Case& of) { return identify(of.data, of.wanted, of.start, law); });
     fit_row("fit/differences/" + name, wanted, law, [=](const Case& of) {
-        return fstiff::parts::identify_by_differences<double>(of.data, of.wanted, of.start, Case::curve(law));
+        return fstiff::detail::identify_by_differences<double>(of.data, of.wanted, of.start, Case::curve(law));
     });
 }
 

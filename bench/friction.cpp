@@ -3,7 +3,7 @@
 #include "methods.hpp"
 #include "row.hpp"
 
-#include <fstiff/contact/tangential_law.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -59,7 +59,7 @@ int main(int count, char** arguments) try {
         time_truth(map, pressure);
         fstiff::BoundaryElements<double> solver(map, 1.0, {.edges = fstiff::Edges::periodic});
         (void)solver.at_pressure(pressure);
-        const fstiff::parts::GridField<double> pressures = solver.pressures();
+        const fstiff::detail::GridField<double> pressures = solver.pressures();
         out.write(reinterpret_cast<const char*>(pressures.data()),
                   static_cast<std::streamsize>(sizeof(double)) * pressures.size());
     }

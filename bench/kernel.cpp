@@ -6,7 +6,7 @@
 namespace {
 
 using namespace bench;
-using fstiff::parts::Axis;
+using fstiff::Axis;
 
 /// "kernel/<law>/<tolerance>", right within \p slack tolerances.
 template <Axis axis, class Law>

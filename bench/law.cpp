@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A whole contact: the separation for a pressure, and the tabulated law.
-#include <fstiff/contact/hybrid_of_map.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
 #include "methods.hpp"
 #include "row.hpp"
 
@@ -208,7 +208,7 @@ const Rows rows_of_law([] {
     contact_row("contact/at_separation/stiffness", Quantity::stiffness, at_separation);
     contact_row("contact/at_separation/all", Quantity::all, at_separation);
     // the integrals alone, at separation after separation: at_separation less what r and theta fix
-    const auto integrator = [] { return fstiff::parts::ContactIntegrator<double>(sand_blasted_contact().peaks()); };
+    const auto integrator = [] { return fstiff::detail::ContactIntegrator<double>(sand_blasted_contact().peaks()); };
     const auto stiffness_at = [](auto& integrate, const LawPoint& point) {
         const auto j = integrate(point.separation / sand_blasted_contact().rms_height());
         return j.stiffness.value * std::exp(j.log_scale);

@@ -9,15 +9,13 @@
 //     fstiff_maps file KIND SEED SIZE FILE.gsf        the map, with steps of 0.5 um
 #include "support/map_kinds.hpp"
 
-#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
-#include <fstiff/measured/height_shape.hpp>
-#include <fstiff/measured/pooled_surface.hpp>
-#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/measure/height_shape.hpp>
+#include <fstiff/measure/pooled_surface.hpp>
 #include <fstiff/surface/material_ratio.hpp>
-#include <fstiff/topography/gaussian_order.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -38,18 +36,18 @@ struct Laws {
           persson(fstiff::map_spectrum(map, edges), 1.0),
           mutual(summits, 1.0, edges),
           hybrid(of_map(map, summits)),
-          numbers(fstiff::hybrid_of_band(fstiff::band_of_moments(moments(map), 0.8), 1.0)),
+          numbers(fstiff::hybrid_of_band(fstiff::detail::band_of_moments(moments(map), 0.8), 1.0)),
           rms_height(fstiff::rms_height(map)) {}
 
     static constexpr fstiff::Edges edges = fstiff::Edges::periodic;
-    using Hybrid = fstiff::HybridContact<double, fstiff::SummitContact<double>, fstiff::parts::HandOver<double>>;
+    using Hybrid = fstiff::HybridContact<double, fstiff::SummitContact<double>, fstiff::HandOver<double>>;
 
     static Hybrid of_map(const fstiff::HeightMap<double>& map, const fstiff::Summits<double>& summits) {
-        const auto order = fstiff::parts::gaussian_order(map);
-        const fstiff::parts::BearingContact<double> crowded(
+        const auto order = fstiff::detail::gaussian_order(map);
+        const fstiff::BearingContact<double> crowded(
             fstiff::PerssonContact<double>(fstiff::map_spectrum(order.map, edges), 1.0), order.curve, order.rms_height);
         return {fstiff::SummitContact<double>(summits, 1.0), crowded,
-                fstiff::parts::hand_over_of(summits, crowded, edges)};
+                fstiff::detail::hand_over_of(summits, crowded, edges)};
     }
     /// m0, m2, m4 of all waves of the map.
     static fstiff::SpectralMoments<double> moments(const fstiff::HeightMap<double>& map) {
@@ -65,7 +63,7 @@ struct Laws {
 
     fstiff::Summits<double> summits;
     fstiff::PerssonContact<double> persson;
-    fstiff::parts::MutualSummits<double> mutual;
+    fstiff::detail::MutualSummits<double> mutual;
     Hybrid hybrid;
     fstiff::HybridContact<double, fstiff::detail::BandHills<double>> numbers;
     double rms_height;
@@ -79,11 +77,11 @@ public:
         const double unit = 1 / std::sqrt(m.m0);
         const std::span<const double> heights(map.heights.data(), static_cast<std::size_t>(map.size()));
         const auto of = fstiff::height_statistics(map);
-        const auto shape = fstiff::parts::counted_shape(of.skewness.value, of.kurtosis.value, 1.0);
-        add("numbers, skewness and kurtosis", m, fstiff::parts::bearing_of_moments(shape.skewness, shape.kurtosis));
+        const auto shape = fstiff::detail::counted_shape(of.skewness.value, of.kurtosis.value, 1.0);
+        add("numbers, skewness and kurtosis", m, fstiff::detail::bearing_of_moments(shape.skewness, shape.kurtosis));
         add("numbers, Sk to Smr2", m,
-            fstiff::parts::bearing_of_core(fstiff::parts::material_ratio(heights)).scaled(unit));
-        add("numbers, bearing curve", m, fstiff::parts::BearingSlope<double>::of_heights(heights).scaled(unit));
+            fstiff::detail::bearing_of_core(fstiff::detail::material_ratio(heights)).scaled(unit));
+        add("numbers, bearing curve", m, fstiff::BearingSlope<double>::of_heights(heights).scaled(unit));
         for (const Eigen::Index rows : {1, 4, 16}) of_rows(map, across, rows);
     }
     template <class Use>
@@ -97,16 +95,16 @@ private:
 
     static fstiff::BandSpectrum<double> band(fstiff::SpectralMoments<double> m) {
         m.m4 = std::max(m.m4, 1.51 * m.m2 * m.m2 / m.m0);
-        return fstiff::band_of_moments(m, 0.8);
+        return fstiff::detail::band_of_moments(m, 0.8);
     }
     void add(const std::string& name, const fstiff::SpectralMoments<double>& m,
-             const fstiff::parts::BearingSlope<double>& curve) {
+             const fstiff::BearingSlope<double>& curve) {
         laws_.emplace(name, fstiff::hybrid_of_band(band(m), curve, 1.0));
     }
     /// \p count rows of \p map, or columns across a lay, as traces of one surface: by their moments, and by shape too.
     void of_rows(const fstiff::HeightMap<double>& map, bool across, Eigen::Index count) {
         std::vector<fstiff::HeightStatistics<double>> all;
-        fstiff::parts::ShapeOfHeights<double> shape;
+        fstiff::detail::ShapeOfHeights<double> shape;
         for (Eigen::Index k = 0; k < count; ++k) {
             const Eigen::Index at = k * map.rows() / count;
             const Eigen::ArrayXd z = across ? Eigen::ArrayXd(map.heights.col(at)) : Eigen::ArrayXd(map.heights.row(at));
@@ -117,15 +115,15 @@ private:
         const auto of = fstiff::pooled(all, std::vector<double>(all.size(), 1.0));
         const std::string name = std::to_string(count) + (count == 1 ? " row" : " rows");
         gaussian_.emplace(name, fstiff::hybrid_of_band(band(of.moments), 1.0));
-        const auto counted = fstiff::parts::counted_shape(of, shape.share());
+        const auto counted = fstiff::detail::counted_shape(of, shape.share());
         if (!counted.is_gaussian())
-            add(name + ", shape", of.moments, fstiff::parts::bearing_of_moments(counted.skewness, counted.kurtosis));
+            add(name + ", shape", of.moments, fstiff::detail::bearing_of_moments(counted.skewness, counted.kurtosis));
         else
             gaussian_.emplace(name + ", shape", gaussian_.at(name));
     }
 
     std::map<std::string, Gaussian> gaussian_;
-    std::map<std::string, fstiff::parts::ScaledContact<double, Gaussian>> laws_;
+    std::map<std::string, fstiff::ScaledContact<double, Gaussian>> laws_;
 };
 
 /// K over \p truth, or none of a law that refuses the pressure.
@@ -140,7 +138,7 @@ void print(const std::string& law, const std::string& where, double pressure, do
 /// K of one map by boundary elements, as lines of CSV; with the hardness \p hardness over E g where it is not 0.
 void solve(const test::MapKind& kind, std::uint64_t seed, const std::vector<double>& p_stars, double hardness = 0) {
     const fstiff::HeightMap<double> map = kind.map(seed);
-    fstiff::parts::BoundaryElementOptions<double> options;
+    fstiff::BoundaryElementOptions<double> options;
     options.edges = fstiff::Edges::periodic;
     options.hardness = 0.1 * hardness;
     fstiff::BoundaryElements<double> solver(map, 1.0, options);

@@ -2,11 +2,11 @@
 #pragma once
 // fstiff's own methods in the form that the benchmarks and the guard call. Everything is cold: a call starts from
 // (r, theta, eta), and nothing is kept from one call to the next.
-#include <fstiff/contact/contact_integrals.hpp>
-#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/tensor_integrals.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/math/quadrature.hpp>
+#include <fstiff/peaks/contact_integrals.hpp>
+#include <fstiff/peaks/tensor_integrals.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 #include "problems.hpp"
 
@@ -105,17 +105,17 @@ struct ElasticPlastic {
 };
 
 /// scaled_tensor_integral in the place of the load; with Axis::rough the law keeps its kink to itself.
-template <fstiff::parts::Axis axis, class Law>
+template <fstiff::Axis axis, class Law>
 Values kernel(const Problem& p, double tolerance) {
     const auto silent = [](const auto& excess, double t) { return Law{}(excess, t); };
     const auto law = [&] {
-        if constexpr (axis == fstiff::parts::Axis::rough)
+        if constexpr (axis == fstiff::Axis::rough)
             return silent;
         else
             return Law{};
     }();
-    const auto j = fstiff::parts::scaled_tensor_integral<axis>(law, fstiff::PeakDistribution<double>(p.r, p.theta),
-                                                               p.eta, {tolerance});
+    const auto j = fstiff::detail::scaled_tensor_integral<axis>(law, fstiff::PeakDistribution<double>(p.r, p.theta),
+                                                                p.eta, {tolerance});
     return {{0, j.value, 0, 0}, {0, j.error, 0, 0}, j.evaluations};
 }
 inline const Which load{1};
@@ -129,7 +129,7 @@ double reference(double r, double theta, double eta, const Law& law) {
     const auto row = [&](double t) {
         const double end = std::max(r * t - eta, 0.0) + 8.8 * c;
         double kink = end;
-        if constexpr (fstiff::parts::KinkedLaw<Law, double>) kink = std::min(law.critical(t), end);
+        if constexpr (fstiff::detail::KinkedLaw<Law, double>) kink = std::min(law.critical(t), end);
         const auto at = [&](double excess) {
             const double z = (eta + excess - r * t) / c;
             return law(excess, t) * std::exp((floor * floor - t * t - z * z) / 2);

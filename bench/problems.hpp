@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The problems that the integrals are timed on, with their true values, and how far a method is from them.
-#include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/table.hpp"

@@ -18,14 +18,14 @@ using namespace bench;
 constexpr fstiff::Fractal<double> fractal{1.5, 1e-9};
 constexpr double longest = 1e-3, shortest = 1e-7, ratio = 1.5;
 
-fstiff::WeierstrassMandelbrot<double> waves(fstiff::detail::Phases phases) {
+fstiff::WeierstrassMandelbrot<double> waves(fstiff::Phases phases) {
     return {fractal,
             {.longest_wavelength = longest, .shortest_wavelength = shortest, .gamma = ratio, .phases = phases}};
 }
 
 /// z(x) by (2.1) with zero phases, in long double, over the root of the variance.
 Accuracy generation_accuracy(std::size_t points, double spacing) {
-    const auto profile = waves(fstiff::detail::Phases::zero);
+    const auto profile = waves(fstiff::Phases::zero);
     const std::vector<double> heights = profile.sample(points, spacing).heights;
     const double rms = std::sqrt(profile.variance());
     AccuracyCollector collector;
@@ -47,7 +47,7 @@ Accuracy generation_accuracy(std::size_t points, double spacing) {
 }
 
 const fstiff::Profile<double>& long_profile() {
-    static const fstiff::Profile<double> profile = waves(fstiff::detail::Phases::random).sample(100000, shortest / 2);
+    static const fstiff::Profile<double> profile = waves(fstiff::Phases::random).sample(100000, shortest / 2);
     return profile;
 }
 
@@ -71,13 +71,13 @@ Accuracy structure_accuracy() {
 }
 
 const fstiff::Profile<double>& million() {
-    static const fstiff::Profile<double> profile = waves(fstiff::detail::Phases::random).sample(1000000, shortest / 2);
+    static const fstiff::Profile<double> profile = waves(fstiff::Phases::random).sample(1000000, shortest / 2);
     return profile;
 }
 
 Accuracy all_lags_accuracy() {
     const auto& z = million().heights;
-    const auto found = fstiff::parts::structure_function_at_all_lags(million());
+    const auto found = fstiff::detail::structure_function_at_all_lags(million());
     AccuracyCollector collector;
     for (std::size_t k = 0; k < found.size(); k = 2 * k + 1) {
         long double sum = 0;
@@ -121,7 +121,7 @@ const Rows rows_of_profile([] {
     verified_row(
         "profile/weierstrass_mandelbrot/65536", 1e-12, [=] { return generation_accuracy(points, spacing); },
         [=](benchmark::State& state) {
-            const auto profile = waves(fstiff::detail::Phases::random);
+            const auto profile = waves(fstiff::Phases::random);
             for (auto _ : state) {
                 const auto heights = profile.sample(points, spacing);
                 benchmark::DoNotOptimize(heights.heights.data());
@@ -136,7 +136,7 @@ const Rows rows_of_profile([] {
     // a million points: all lags, and the yardstick, one transform there and back
     verified_row("profile/all_lags/1000000", 1e-10, all_lags_accuracy, [](benchmark::State& state) {
         for (auto _ : state) {
-            const auto found = fstiff::parts::structure_function_at_all_lags(million());
+            const auto found = fstiff::detail::structure_function_at_all_lags(million());
             benchmark::DoNotOptimize(found.value.data());
         }
     });

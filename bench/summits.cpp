@@ -6,7 +6,7 @@
 #include "support/map_kinds.hpp"
 #include "support/table.hpp"
 
-#include <fstiff/contact/hybrid_of_map.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
@@ -16,11 +16,11 @@ namespace {
 using namespace bench;
 
 /// 8,500 summits over the unit square, rms gradient 0.1; at 0.003 E 4,800 of them carry.
-const fstiff::parts::MutualSummits<double>& crowd() {
+const fstiff::detail::MutualSummits<double>& crowd() {
     static const auto contact = [] {
         fstiff::HeightMap<double> map{test::gaussian_map(1024, 42, 170, 0.8, 7), 1.0 / 1024, 1.0 / 1024};
         map.heights *= 0.1 / fstiff::map_spectrum(map, fstiff::Edges::periodic).rms_gradient();
-        return fstiff::parts::MutualSummits<double>(fstiff::summits_of(map), 1.0);
+        return fstiff::detail::MutualSummits<double>(fstiff::summits_of(map), 1.0);
     }();
     return contact;
 }

@@ -150,7 +150,7 @@ FSTIFF_API int fstiff_contact_at_separations(const fstiff_contact* contact, cons
 
 typedef struct fstiff_law fstiff_law;
 
-/** Behaviour of a law outside its range (contact/contact_law.hpp). */
+/** Behaviour of a law outside its range (tabulated/contact_law.hpp). */
 enum { FSTIFF_OUTSIDE_REFUSE = 0, FSTIFF_OUTSIDE_CLAMP = 1, FSTIFF_OUTSIDE_EXACT = 2, FSTIFF_OUTSIDE_EXTRAPOLATE = 3 };
 
 /** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact
@@ -204,7 +204,7 @@ FSTIFF_API int fstiff_law_energy(const fstiff_law* law, double separation, doubl
  * since then is this less the separation at a pressure; since a preload, the separation there less the other. */
 FSTIFF_API int fstiff_law_touch(const fstiff_law* law, double* separation);
 
-/* ---- Friction: tangential traction, microslip and loss (contact/tangential_law.hpp) ---- */
+/* ---- Friction: tangential traction, microslip and loss (tabulated/tangential_law.hpp) ---- */
 
 /** A tabulated law with friction. Only elastic laws have one. */
 typedef struct fstiff_friction fstiff_friction;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The constants of include/fstiff/contact/peak_nodes.hpp: their source, and a check of its claims.
+"""The constants of include/fstiff/peaks/peak_nodes.hpp: their source, and a check of its claims.
 
     J = sum over j of step t'(j step) f(t(j step)),   f(t) = t^b erf(k t) exp(-t^2/2) F_a((eta - r t)/c),   c^2 = 1 - r^2,
     (a, b) = (0, 0), (1/2, -1/2), (3/2, -1/2), (1, -1),   k = tan(theta)/sqrt 2
@@ -35,7 +35,7 @@ import random
 import re
 import sys
 
-HEADER = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/contact/peak_nodes.hpp"
+HEADER = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/peaks/peak_nodes.hpp"
 MAP = (2.1, 0.4, 1.354)  # scale, fall, rate
 NODES, CLAIM = 32, 3e-13
 R, ETA = 0.82, (-3, 4)

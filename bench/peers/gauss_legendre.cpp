@@ -4,7 +4,7 @@
 #include "../row.hpp"
 #include "window.hpp"
 
-#include <fstiff/math/error_function.hpp>
+#include <fstiff/math/normal_distribution.hpp>
 
 #include <Eigen/Core>
 

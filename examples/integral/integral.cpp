@@ -7,8 +7,8 @@
 // Without FILE it reads standard input. The rows come back with value,error,evaluations added; other columns stay as
 // they are, but an input column of one of these names becomes input_value and so on. Cells have no quotation marks.
 // X is the relative tolerance, 2.2e-14 by default; 13 digits are printed. Exit code 3: bad input, in one sentence.
-#include <fstiff/contact/contact_integrals.hpp>
-#include <fstiff/contact/tensor_integrals.hpp>
+#include <fstiff/peaks/contact_integrals.hpp>
+#include <fstiff/peaks/tensor_integrals.hpp>
 
 #include <algorithm>
 #include <charconv>

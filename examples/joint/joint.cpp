@@ -8,9 +8,9 @@
 // under the law of Hertz, whose K is the slope s. The program prints the frequency against the preload; then it presses
 // the joint with a static force and prints the steps of Newton's method, which squares its error each time because the
 // tangent of the tabulated law is the exact derivative of the pressure that it returns.
-#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -61,7 +61,7 @@ struct FaceInput {
         for (const auto& [name, value] : face_numbers)
             if (const auto found = numbers.find(name); found != numbers.end())
                 if (const double one = found->second.data()[i]; !std::isnan(one)) face.*value = one;
-        if (!process.empty()) face.process = parse<parts::Process>(process, "process");
+        if (!process.empty()) face.process = parse<Process>(process, "process");
         if (!measured.empty()) {
             const auto& one = measured[measured.size() == 1 ? 0 : i];
             face.measured = {one, &one->found};
@@ -78,15 +78,15 @@ struct Solid {
 Solid solid_of(const std::string& name, const Numbers& numbers, const char* which) {
     Solid solid;
     if (!name.empty()) {
-        const parts::NamedMaterial* found = parts::find_material(name);
+        const NamedMaterial* found = find_material(name);
         if (!found) {
             std::vector<std::string_view> names;
-            for (const parts::NamedMaterial& material : parts::named_materials) names.push_back(material.name);
+            for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
             throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": must be one of " +
                                scene::list_of(names) + ", or a dict with youngs_modulus and poisson_ratio");
         }
         const auto known = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
-        solid = {.body = parts::body_of(*found),
+        solid = {.body = body_of(*found),
                  .density = found->density,
                  .velocity = known(found->longitudinal_velocity),
                  .shear_velocity = known(found->shear_velocity),
@@ -187,9 +187,9 @@ struct Columns {
             at("approach_m", place) = point.approach.value_or(none);
             at("contacts", place) = point.contacts.value_or(none);
             at("p_star", place) = point.p_star.value_or(none);
-            const auto shares = parts::shares_of(point.causes);
+            const auto shares = shares_of(point.causes);
             for (std::size_t c = 0; c < shares.size(); ++c)
-                at("causes/" + std::string(name_of(static_cast<parts::Cause>(c))), place) = shares[c];
+                at("causes/" + std::string(name_of(static_cast<Cause>(c))), place) = shares[c];
             for (const Derived* derived : wanted) {
                 if (!(point.*derived->value))
                     throw domain_error("quantities: " + std::string(derived->name) + " needs " + derived->needs);

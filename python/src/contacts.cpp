@@ -5,10 +5,10 @@
 #include "scene/one_contact.hpp"
 
 #include <fstiff/asperity/conductance.hpp>
-#include <fstiff/asperity/mindlin.hpp>
-#include <fstiff/contact/contact_law.hpp>
-#include <fstiff/contact/tangential_law.hpp>
-#include <fstiff/double/integrals.hpp>
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/double/contacts.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
@@ -27,10 +27,11 @@
 namespace fstiff {
 
 template <>
-inline constexpr auto names<OutsideRange> = name_list<OutsideRange>({{OutsideRange::refuse, "refuse"},
-                                                                     {OutsideRange::clamp, "clamp"},
-                                                                     {OutsideRange::exact, "exact"},
-                                                                     {OutsideRange::extrapolate, "extrapolate"}});
+inline constexpr auto names<OutsideRange> = detail::name_list<OutsideRange>({{OutsideRange::refuse, "refuse"},
+                                                                             {OutsideRange::clamp, "clamp"},
+                                                                             {OutsideRange::exact, "exact"},
+                                                                             {OutsideRange::extrapolate,
+                                                                              "extrapolate"}});
 
 }  // namespace fstiff
 
@@ -65,7 +66,7 @@ constexpr std::array<Output, 7> outputs{
 std::vector<std::string> quantities_of(const OneContact& contact) {
     std::vector<std::string> names;
     for (const Output& output : outputs)
-        if (output.quantity && parts::has(contact.law->quantities, output.needs) &&
+        if (output.quantity && detail::has(contact.law->quantities, output.needs) &&
             (names.empty() || names.back() != output.quantity))
             names.emplace_back(output.quantity);
     return names;

@@ -2,7 +2,7 @@
 // Integrals over the peaks of a function of Python, which is called once for all nodes of a pass.
 #include "module.hpp"
 
-#include <fstiff/contact/tensor_integrals.hpp>
+#include <fstiff/peaks/tensor_integrals.hpp>
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/tuple.h>
@@ -24,9 +24,9 @@ struct Pass {
     std::size_t next = 0, next_critical = 0;
 };
 
-template <bool kinked, parts::Axis of>
+template <bool kinked, Axis of>
 struct PassFunction {
-    static constexpr parts::Axis axis = of;
+    static constexpr Axis axis = of;
     Pass& pass;
 
     double critical(double t) const requires kinked {
@@ -58,11 +58,10 @@ std::tuple<double, double, int> integral(const nb::callable& function, const std
                                          bool kinks_unknown, double r, double theta, double eta, double tolerance) {
     Pass pass{.function = function, .kink = kink};
     const PeakDistribution<double> peaks(r, theta);
-    const parts::TensorOptions<double> options{.relative_tolerance = tolerance};
-    const auto found = kink ? peak_integral(PassFunction<true, parts::Axis::graded>{pass}, peaks, eta, options)
-                       : kinks_unknown
-                           ? peak_integral(PassFunction<false, parts::Axis::rough>{pass}, peaks, eta, options)
-                           : peak_integral(PassFunction<false, parts::Axis::graded>{pass}, peaks, eta, options);
+    const TensorOptions<double> options{.relative_tolerance = tolerance};
+    const auto found = kink            ? peak_integral(PassFunction<true, Axis::graded>{pass}, peaks, eta, options)
+                       : kinks_unknown ? peak_integral(PassFunction<false, Axis::rough>{pass}, peaks, eta, options)
+                                       : peak_integral(PassFunction<false, Axis::graded>{pass}, peaks, eta, options);
     return {found.value, found.error, found.evaluations};
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 // What the parts of the module fstiff._core share: arrays of NumPy in and out, and Ctrl-C.
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>

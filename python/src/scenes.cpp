@@ -90,7 +90,7 @@ nb::dict run(const Scene& scene) {
     for (const InputLine& line : input_lines(scene, results)) lines.append(nb::make_tuple(line.label, line.parts));
     all["input_lines"] = lines;
     nb::list checks;
-    const auto add_checks = [&](const std::string& of, const std::vector<parts::Check<double>>& made) {
+    const auto add_checks = [&](const std::string& of, const std::vector<Check<double>>& made) {
         for (const auto& check : made)
             checks.append(nb::make_tuple(of, std::string(name_of(check.concern)), check.least, check.greatest,
                                          check.limit, check.holds()));

@@ -149,8 +149,8 @@ nb::dict views(const MeasuredSurface& surface) {
 Found scales(const std::shared_ptr<const MeasuredSurface>& surface, const Heights& heights, double pressure,
              double modulus) {
     if (!surface->how) throw domain_error(surface->file + ": must be measured from one file or array");
-    require_positive("pressure", pressure);
-    require_positive("effective_modulus", modulus);
+    detail::require_positive("pressure", pressure);
+    detail::require_positive("effective_modulus", modulus);
     const nb::gil_scoped_release free;
     const ScalesOptions how{pressure, modulus, until_interrupted()};
     const auto input = input_of(surface->how->input, heights);

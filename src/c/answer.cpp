@@ -13,8 +13,8 @@
 namespace fstiff::c {
 namespace {
 
-static_assert(FSTIFF_CAUSES == parts::cause_count);
-static_assert(FSTIFF_PROCESS_ERODED == static_cast<int>(parts::Process::eroded));
+static_assert(FSTIFF_CAUSES == detail::cause_count);
+static_assert(FSTIFF_PROCESS_ERODED == static_cast<int>(Process::eroded));
 
 JointFace face_of(const fstiff_face* given, const char* name) {
     const fstiff_face from = taken(given, name);
@@ -30,7 +30,7 @@ JointFace face_of(const fstiff_face* given, const char* name) {
                    .peak_radius = known(from.peak_radius),
                    .peak_density = known(from.peak_density),
                    .fractal_dimension = known(from.fractal_dimension),
-                   .process = static_cast<parts::Process>(from.process)};
+                   .process = static_cast<Process>(from.process)};
     take_shape(from.skewness, from.kurtosis, face);
     if (!from.heights) return face;
     scene::MeasureOptions how = options_of(from.options);
@@ -74,7 +74,7 @@ int give_points(const std::vector<AnswerPoint>& points, const fstiff_answer_poin
         for (const Output& output : outputs_of(to))
             if (output.array) output.array[i] = point.ok() ? output.value(point).value_or(0) : 0;
         if (to.causes) {
-            const auto shares = parts::shares_of(point.causes);
+            const auto shares = shares_of(point.causes);
             std::copy(shares.begin(), shares.end(), to.causes + i * FSTIFF_CAUSES);
         }
         if (to.law) to.law[i] = point.ok() ? static_cast<int>(point.law) : -1;

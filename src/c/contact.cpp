@@ -75,7 +75,7 @@ int evaluate(const fstiff_contact* contact, const double* x, std::size_t count, 
     Quantity wanted = Quantity::pressure | Quantity::separation;
     for (const Output& output : outputs) {
         if (!output.array) continue;
-        if (!parts::has(contact->law->quantities, output.quantity))
+        if (!detail::has(contact->law->quantities, output.quantity))
             throw domain_error("law " + std::string(contact->law->name) + ": gives no " + output.name);
         wanted = wanted | output.quantity;
     }

@@ -193,8 +193,7 @@ int fstiff_document_numbers(const fstiff_document* document, const char* path, d
     return guarded([&] {
         const std::string key = &not_null(path, "path");
         const auto& from = not_null(document, "document").numbers;
-        const auto numbers =
-            fstiff::parts::located(fstiff::parts::Place{.file = key}, [&] { return numbers_at(from, key); });
+        const auto numbers = fstiff::detail::located(fstiff::Place{.file = key}, [&] { return numbers_at(from, key); });
         not_null(count, "count") = numbers.size();
         if (!values && capacity == 0) return FSTIFF_OK;
         not_null(values, "values");

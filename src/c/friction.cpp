@@ -2,8 +2,8 @@
 // Friction of tabulated laws.
 #include "c/law.hpp"
 
-#include <fstiff/asperity/mindlin.hpp>
-#include <fstiff/contact/tangential_law.hpp>
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -20,7 +20,7 @@ using State = SlipState<double, 2>;
 static_assert(State::capacity == FSTIFF_SLIP_LEVELS);
 
 void require_finite(const char* name, double value) {
-    require(std::abs(value) <= std::numeric_limits<double>::max(), name, value, "finite");
+    detail::require(std::abs(value) <= std::numeric_limits<double>::max(), name, value, "finite");
 }
 
 /// Checks the state that the caller kept, which may be anything.
@@ -28,12 +28,12 @@ State state_of(const fstiff_slip* kept, const char* name) {
     const fstiff_slip from = taken(kept, name);
     State to{.separation = from.separation, .count = from.count};
     require_finite("separation of a slip", from.separation);
-    require(from.count >= 0 && from.count <= FSTIFF_SLIP_LEVELS, "count of a slip", from.count, "0 to 16");
+    detail::require(from.count >= 0 && from.count <= FSTIFF_SLIP_LEVELS, "count of a slip", from.count, "0 to 16");
     double closer = from.separation;
     for (std::size_t i = 0; i < static_cast<std::size_t>(from.count); ++i) {
         const double level = from.levels[i];
         require_finite("level of a slip", level);
-        require(level > closer, "level of a slip", level, "further than the one before it");
+        detail::require(level > closer, "level of a slip", level, "further than the one before it");
         for (const double drag : from.drags[i]) require_finite("drag of a slip", drag);
         to.nodes[i] = {level, {from.drags[i][0], from.drags[i][1]}};
         closer = level;

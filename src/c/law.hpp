@@ -4,7 +4,7 @@
 
 #include "c/guard.hpp"
 
-#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 struct fstiff_law {
     fstiff::ContactLaw<double> law;

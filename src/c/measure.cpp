@@ -2,7 +2,7 @@
 // Measurement of profiles and maps.
 #include "c/measure.hpp"
 
-#include <fstiff/measured/height_shape.hpp>
+#include <fstiff/measure/height_shape.hpp>
 
 #include <cmath>
 #include <string>
@@ -17,7 +17,7 @@ using scene::MeasureOptions;
 
 Amount length(const char* name, double value) {
     if (value == 0) return {};
-    require_positive(name, value);
+    detail::require_positive(name, value);
     return value;
 }
 Amount cut_off(const char* name, double value) {
@@ -78,8 +78,8 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
     options.input.tip_radius = length("tip_radius", from.tip_radius);
     options.input.resolution = length("resolution", from.resolution);
     if (from.shortest_lag != 0 || from.longest_lag != 0) {
-        require_positive("shortest_lag", from.shortest_lag);
-        require_positive("longest_lag", from.longest_lag);
+        detail::require_positive("shortest_lag", from.shortest_lag);
+        detail::require_positive("longest_lag", from.longest_lag);
         options.input.window = std::vector<double>{from.shortest_lag, from.longest_lag};
     }
     if (from.filter != FSTIFF_FILTER_GAUSSIAN && from.filter != FSTIFF_FILTER_ROBUST)
@@ -87,9 +87,9 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
     options.input.filter = from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
     if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
         refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
-    options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? parts::PeakSource::summits : parts::PeakSource::islands;
+    options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? PeakSource::summits : PeakSource::islands;
     if (from.resamples != 0) {
-        require(from.resamples >= 2 && from.resamples <= 100000, "resamples", from.resamples, "2 to 100000");
+        detail::require(from.resamples >= 2 && from.resamples <= 100000, "resamples", from.resamples, "2 to 100000");
         options.resamples = from.resamples;
     }
     if (from.seed != 0) options.seed = from.seed;
@@ -150,7 +150,7 @@ int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* r
         fstiff::HeightStatistics<double> heights;
         heights.skewness = {from.skewness.value, from.skewness.error};
         heights.kurtosis = {from.kurtosis.known ? from.kurtosis.value : 3, from.kurtosis.error};
-        const auto shape = fstiff::parts::counted_shape(heights, from.shape_share);
+        const auto shape = fstiff::detail::counted_shape(heights, from.shape_share);
         give({.size = 0,
               .rms_height = from.rms_height.value,
               .peak_radius = from.peak_radius.value,

@@ -29,9 +29,9 @@ enum class Format { table, csv, json };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::Format> = name_list<scene::Format>({{scene::Format::table, "table"},
-                                                                       {scene::Format::csv, "csv"},
-                                                                       {scene::Format::json, "json"}});
+inline constexpr auto names<scene::Format> = detail::name_list<scene::Format>({{scene::Format::table, "table"},
+                                                                               {scene::Format::csv, "csv"},
+                                                                               {scene::Format::json, "json"}});
 
 }  // namespace fstiff
 

@@ -4,7 +4,7 @@
 #include "io/lines.hpp"
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
-    return parts::rounded_text(value, digits);
+    return detail::rounded_text(value, digits);
 }
 
 /// \p text, which may be "1.1e+02", as "110"; with an exponent of 5 and more as it is.
@@ -104,7 +104,7 @@ std::string printable(std::string_view text, std::string_view kept) {
 
 std::string exact(double value) { return number(value, 17); }
 std::string rounded(double value, int digits) { return without_small_exponent(number(value, digits)); }
-std::string shortest(double value) { return parts::shortest_text(value); }
+std::string shortest(double value) { return detail::shortest_text(value); }
 
 std::string list_of(std::span<const std::string_view> items) {
     std::string text;

@@ -48,7 +48,7 @@ inline constexpr std::uint64_t longest_scene = std::uint64_t(1) << 20;
 /// Runs \p call; what it throws is put after the name of the file.
 template <class Call>
 auto about_file(const std::string& file, const Call& call) {
-    return parts::located(parts::Place{.file = display_name(file)}, call);
+    return detail::located(Place{.file = display_name(file)}, call);
 }
 
 /// SHA-256 (FIPS 180-4) of a whole text in hexadecimal digits, so that a result names the very file it came from. No

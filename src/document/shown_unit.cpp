@@ -45,7 +45,7 @@ std::string plain(double value, int digits) {
     const double size = std::abs(value);
     if (!(size >= std::pow(10.0, digits)) || size >= 1e7) return rounded(value, digits);
     const double last = std::pow(10.0, std::floor(std::log10(size)) - digits + 1);
-    return parts::fixed_text(std::round(value / last) * last, 0);
+    return detail::fixed_text(std::round(value / last) * last, 0);
 }
 
 }  // namespace

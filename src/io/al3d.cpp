@@ -19,7 +19,7 @@
 
 #include "io/file_bytes.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <map>
 
@@ -82,7 +82,8 @@ private:
     }
     double number(const std::string& key) const {
         if (text(key).empty()) refuse_file(file_.name(), {"has no tag ", key, "; must have one"});
-        return parts::located({.file = file_.name()}, [&] { return parse_number(printable(text(key), 30), key); });
+        return fstiff::detail::located({.file = file_.name()},
+                                       [&] { return parse_number(printable(text(key), 30), key); });
     }
     double step(const std::string& key) const { return require_step(file_.name(), key, number(key)); }
     /// The number that marks missing points; "NaN" and its like mark none but NaN.

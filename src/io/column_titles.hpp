@@ -12,7 +12,7 @@
 
 #include "io/number_table.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
 

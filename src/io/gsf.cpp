@@ -20,7 +20,7 @@
 #include "io/binary_numbers.hpp"
 #include "io/lines.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -106,7 +106,7 @@ private:
     }
     double number(const std::string& field) const {
         const std::string value = printable(stated(field), 64);
-        return parts::located({.file = name_}, [&] { return parse_number(value, field); });
+        return fstiff::detail::located({.file = name_}, [&] { return parse_number(value, field); });
     }
     std::size_t count(const std::string& field) const {
         const double value = number(field);
@@ -116,7 +116,7 @@ private:
     }
     double length(const std::string& field) const {
         const double value = number(field);
-        parts::located({.file = name_}, [&] { require_positive(field, value); });
+        fstiff::detail::located({.file = name_}, [&] { fstiff::detail::require_positive(field, value); });
         return value;
     }
     std::string unit(const std::string& field) const {

@@ -28,7 +28,7 @@
 #include "io/binary_numbers.hpp"
 #include "io/lines.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <map>
 
@@ -272,7 +272,7 @@ private:
         return unit;
     }
     double step(const std::string& field, double value) const {
-        parts::located({.file = name_}, [&] { require_positive(field, value); });
+        fstiff::detail::located({.file = name_}, [&] { fstiff::detail::require_positive(field, value); });
         return value;
     }
 

@@ -224,10 +224,11 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
         if (!written.empty() && !is_unit(written, Dimension::length)) continue;
         const std::string quantity =
             std::string(entry.value.substr(0, number.length)) + " " + (written.empty() ? unit : std::string(written));
-        const double value =
-            parts::located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
-        parts::located({.file = name, .line = entry.line}, [&] {
-            if (!(value > 0)) parts::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
+        const double value = fstiff::detail::located(
+            {.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
+        fstiff::detail::located({.file = name, .line = entry.line}, [&] {
+            if (!(value > 0))
+                fstiff::detail::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
         });
         const auto store = [&](std::optional<StatedGrid::Length>& slot) {
             if (slot && slot->value != value)
@@ -332,7 +333,7 @@ MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::strin
 
 std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
     for (const HeaderEntry& entry : entries)
-        if (const auto form = parts::find_named<MapForm>(entry.value);
+        if (const auto form = fstiff::detail::find_named<MapForm>(entry.value);
             entry.key == "form" && form && *form != MapForm::automatic)
             return form;
     return std::nullopt;

@@ -33,7 +33,7 @@ public:
         stated_ = stated_grid(entries_, lateral_unit_, name_);
         warn_of_lengths();
         RawMap map = triples_ ? triples() : matrix();
-        parts::located({.file = name_}, [&] { validate_map(map, 2); });
+        fstiff::detail::located({.file = name_}, [&] { validate_map(map, 2); });
         describe(map);
         return {std::move(map), std::move(record_)};
     }
@@ -291,8 +291,8 @@ private:
         if (given_step && given_whole)
             refuse_file(name_, {step, " and ", whole, " are both given; must be one of them"});
         if (given_step || given_whole) {
-            parts::located({.file = name_}, [&] {
-                require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole));
+            fstiff::detail::located({.file = name_}, [&] {
+                fstiff::detail::require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole));
             });
             note((given_step ? step : whole) + " of the options");
             const double value = given_step ? *given_step : *given_whole / points;

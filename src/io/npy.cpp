@@ -202,7 +202,8 @@ private:
             refuse_file(name_, {"states no steps; must be ", given_steps(options_.names),
                                 " (between points), or width and height (of the map)"});
         const char* const what = given ? each : whole;
-        parts::located({.file = name_}, [&] { require_positive(what, given ? *given : *given_whole); });
+        fstiff::detail::located({.file = name_},
+                                [&] { fstiff::detail::require_positive(what, given ? *given : *given_whole); });
         header_.size_from += std::string(header_.size_from.empty() ? "" : ", ") + what + " of the options";
         return given ? *given : *given_whole / static_cast<double>(points);
     }

@@ -41,7 +41,7 @@ std::string shown_cell(std::string_view cell) {
     return "\"" + printable(cell, longest) + (characters > longest ? "...\"" : "\"");
 }
 
-std::string number_text(double value) { return parts::rounded_text(value, 10); }
+std::string number_text(double value) { return fstiff::detail::rounded_text(value, 10); }
 
 LeadingNumber leading_number(std::string_view text, int exponent) {
     const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
@@ -51,7 +51,7 @@ LeadingNumber leading_number(std::string_view text, int exponent) {
     const char* const first = text.data() + skipped;
     const char* const end = text.data() + text.size();
     LeadingNumber number;
-    const auto parsed = parts::read_decimal(first, end, number.value);
+    const auto parsed = fstiff::detail::read_decimal(first, end, number.value);
     number.length = static_cast<std::size_t>(parsed.ptr - text.data());
     bool fits = parsed.ec == std::errc();
     if (fits && exponent != 0) {
@@ -64,7 +64,8 @@ LeadingNumber leading_number(std::string_view text, int exponent) {
             std::from_chars(digits.data() + e + 1 + plus, digits.data() + digits.size(), written);
         }
         const std::string joined = std::string(digits.substr(0, e)) + "e" + std::to_string(written + exponent);
-        fits = parts::read_decimal(joined.data(), joined.data() + joined.size(), number.value).ec == std::errc();
+        fits =
+            fstiff::detail::read_decimal(joined.data(), joined.data() + joined.size(), number.value).ec == std::errc();
     }
     number.status = fits ? NumberStatus::ok : NumberStatus::out_of_range;
     return number;

@@ -54,7 +54,7 @@ public:
         if (notes_.reversed) std::reverse(row.heights.begin(), row.heights.end());
         row.columns = row.heights.size();
         if (present(row) < 16) refuse_file(name_, {"holds ", present(row), " points; must be at least 16"});
-        parts::located({.file = name_}, [&] { validate_map(row, 16); });
+        fstiff::detail::located({.file = name_}, [&] { validate_map(row, 16); });
         describe(row);
         return {std::move(row), std::move(record_)};
     }
@@ -246,7 +246,7 @@ private:
     double spacing() {
         const auto stated = stated_spacing(entries_);
         if (options_.spacing) {
-            require_positive("spacing", *options_.spacing);
+            fstiff::detail::require_positive("spacing", *options_.spacing);
             warn_of_spacing(*options_.spacing, stated);
             notes_.spacing_from = "options";
             return *options_.spacing;

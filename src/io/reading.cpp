@@ -49,8 +49,9 @@ std::size_t present(const RawMap& map) {
 
 void validate_map(const RawMap& map, std::size_t points) {
     if (map.rows > 1)
-        parts::validate_map(map.heights.data(), static_cast<Eigen::Index>(map.rows),
-                            static_cast<Eigen::Index>(map.columns), map.dx, map.dy, static_cast<Eigen::Index>(points));
+        fstiff::detail::validate_map(map.heights.data(), static_cast<Eigen::Index>(map.rows),
+                                     static_cast<Eigen::Index>(map.columns), map.dx, map.dy,
+                                     static_cast<Eigen::Index>(points));
     else
         Profile<double>{map.heights, map.dx}.validate(points);
 }
@@ -58,7 +59,7 @@ void validate_map(const RawMap& map, std::size_t points) {
 void set_spacings(RawMap& map, double dx, double dy, const std::string& name) {
     map.dx = dx;
     map.dy = map.rows == 1 && dy == 0 ? dx : dy;
-    parts::located({.file = name}, [&] { validate_map(map, 2); });
+    fstiff::detail::located({.file = name}, [&] { validate_map(map, 2); });
 }
 
 }  // namespace detail

@@ -28,7 +28,7 @@
 #include "io/lines.hpp"
 #include "io/number_table.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -241,7 +241,7 @@ private:
         };
         const auto number = [&](const std::string& name) {
             const std::string value = printable(field(name), 64);
-            return parts::located({.file = name_}, [&] { return parse_number(value, name); });
+            return fstiff::detail::located({.file = name_}, [&] { return parse_number(value, name); });
         };
         const auto code = [&](const std::string& name, std::initializer_list<std::string_view> names) {
             const std::string word = lower_case(field(name));

@@ -28,7 +28,7 @@
 
 #include "io/lines.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -111,7 +111,7 @@ public:
         map.dx = map.dy = spacing();
         map.heights = heights();
         map.columns = map.heights.size();
-        parts::located({.file = name_}, [&] { validate_map(map, 16); });
+        fstiff::detail::located({.file = name_}, [&] { validate_map(map, 16); });
         if (!header_.prf) compare_sum();
         Record record = record_of(header_, map);
         return {std::move(map), std::move(record)};

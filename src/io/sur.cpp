@@ -31,7 +31,7 @@
 #include "io/lines.hpp"
 #include "io/unpack.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
 

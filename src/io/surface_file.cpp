@@ -33,7 +33,7 @@ void check_options(SurfaceFormat format, const SurfaceOptions& options, const st
                                                        {"x3p-increment", options.x3p_increment != X3pIncrement::apply}};
     for (const auto& [option, is_given] : given)
         if (is_given && useful.find(" " + std::string(option) + " ") == std::string::npos)
-            refuse_file(name, {"is read as ", surface_format_name(format), ", which has no use for ", option,
+            refuse_file(name, {"is read as ", name_of(format), ", which has no use for ", option,
                                "; must not be given, or ", options.names.format, " must be another"});
 }
 
@@ -107,15 +107,8 @@ bool reads_compressed_sur() {
 #endif
 }
 
-SurfaceFormat surface_format(std::string_view name) {
-    if (const auto format = parts::find_named<SurfaceFormat>(name)) return *format;
-    parts::refuse("format", detail::shown_cell(name), "one of " + parts::choices_text<SurfaceFormat>());
-}
-
-std::string_view surface_format_name(SurfaceFormat format) { return name_of(format); }
-
 std::vector<std::string> SurfaceRecord::sentences() const {
-    std::vector<std::string> all{"format: " + std::string(surface_format_name(format)) + ", from " + format_from};
+    std::vector<std::string> all{"format: " + std::string(name_of(format)) + ", from " + format_from};
     all.insert(all.end(), details.begin(), details.end());
     return all;
 }
@@ -181,7 +174,7 @@ Reading read_binary(const Reader& reader, std::string_view bytes, const std::str
                            ", which this program was built without; must be another form"});
     Reading found = reader.read(bytes, name, options);
     warn_of_second_file(reader, bytes, found.record);
-    if (found.map.rows == 1) parts::located({.file = name}, [&] { validate_map(found.map, 16); });
+    if (found.map.rows == 1) fstiff::detail::located({.file = name}, [&] { validate_map(found.map, 16); });
     return found;
 }
 

@@ -42,16 +42,16 @@ std::string sdf_binary(const RawMap& map, const SdfOptions& options) {
 
 std::string sdf_text(const RawMap& map, const SdfOptions& options) {
     const std::string end = "\r\n";
-    std::string text = "aISO-1.0" + end + "ManufacID = " + options.manufacturer + end + "CreateDate = " + options.date +
-                       end + "ModDate = " + options.date + end + "NumPoints = " + std::to_string(map.columns) + end +
-                       "NumProfiles = " + std::to_string(map.rows) + end + "Xscale = " + parts::shortest_text(map.dx) +
-                       end + "Yscale = " + parts::shortest_text(map.dy) + end + "Zscale = 1" + end +
-                       "Zresolution = -1" + end + "Compression = 0" + end + "DataType = 7" + end + "CheckType = 0" +
-                       end + "*" + end;
+    std::string text =
+        "aISO-1.0" + end + "ManufacID = " + options.manufacturer + end + "CreateDate = " + options.date + end +
+        "ModDate = " + options.date + end + "NumPoints = " + std::to_string(map.columns) + end +
+        "NumProfiles = " + std::to_string(map.rows) + end + "Xscale = " + fstiff::detail::shortest_text(map.dx) + end +
+        "Yscale = " + fstiff::detail::shortest_text(map.dy) + end + "Zscale = 1" + end + "Zresolution = -1" + end +
+        "Compression = 0" + end + "DataType = 7" + end + "CheckType = 0" + end + "*" + end;
     for (std::size_t j = 0; j < map.rows; ++j) {
         for (std::size_t i = 0; i < map.columns; ++i) {
             const double z = map.at(j, i);
-            text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : parts::shortest_text(z));
+            text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : fstiff::detail::shortest_text(z));
         }
         text += end;
     }
@@ -61,7 +61,7 @@ std::string sdf_text(const RawMap& map, const SdfOptions& options) {
 
 void put_sdf(std::ostream& output, const RawMap& map, const SdfOptions& options) {
     validate_map(map, 2);
-    require_positive("dy", map.dy);
+    fstiff::detail::require_positive("dy", map.dy);
     const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
     if (options.manufacturer.size() > 10 ||
         !std::all_of(options.manufacturer.begin(), options.manufacturer.end(), printable))

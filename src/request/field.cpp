@@ -62,7 +62,7 @@ std::string Amount::text(std::string_view unit) const {
     std::string joined;
     for (const double number : si_)
         joined +=
-            (joined.empty() ? "" : ",") + parts::shortest_text(number) + (unit.empty() ? "" : " ") + std::string(unit);
+            (joined.empty() ? "" : ",") + detail::shortest_text(number) + (unit.empty() ? "" : " ") + std::string(unit);
     return joined;
 }
 
@@ -76,13 +76,13 @@ double Amount::value(io::Dimension dimension, std::string_view name) const {
 
 double Amount::positive(io::Dimension dimension, std::string_view name) const {
     const double si = si_.empty() ? scene::parse_positive(text_, dimension, name) : value(dimension, name);
-    require_positive(name, si);
+    detail::require_positive(name, si);
     return si;
 }
 
 std::string Field::text_of(double bound) {
     const bool is_whole = bound == std::floor(bound) && std::abs(bound) <= 0x1p53;
-    return is_whole ? std::to_string(static_cast<std::int64_t>(bound)) : parts::shortest_text(bound);
+    return is_whole ? std::to_string(static_cast<std::int64_t>(bound)) : detail::shortest_text(bound);
 }
 
 std::string Field::allowed(bool whole) const {

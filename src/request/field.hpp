@@ -8,7 +8,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -129,9 +129,9 @@ void put(const Value& value, Whole& to, std::string_view key, const Field& field
     else
         to = static_cast<Whole>(count(value, key, field));
 }
-template <parts::NamedEnum Enum>
+template <detail::NamedEnum Enum>
 void put(const Value& value, Enum& to, std::string_view key, const Field&) {
-    constexpr auto words = parts::choices<Enum>();
+    constexpr auto words = detail::choices<Enum>();
     to = names<Enum>[word(value, key, {words.begin(), words.end()})].value;
 }
 template <class Member>

@@ -57,13 +57,13 @@ struct Source {
         const std::string value = node.is_string() ? "\"" + written(node) + "\"" : written(node);
         throw domain_error(at(node) + ": " + key + " = " + value + ": " + reason);
     }
-    parts::Place place(const toml::node& node, std::string key = "") const {
+    Place place(const toml::node& node, std::string key = "") const {
         return {.file = file, .line = node.source().begin.line, .key = std::move(key), .before_line = ":"};
     }
     /// Runs a check or a reader of the library; what it throws gets the place.
     template <class Call>
     auto located(const toml::node& node, const Call& call) const {
-        return parts::located(place(node), call);
+        return detail::located(place(node), call);
     }
     void record(std::string key, std::string text, std::optional<double> value = {}, std::string_view unit = {}) {
         inputs.push_back({std::move(key), std::move(text), value, std::string(unit)});

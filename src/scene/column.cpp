@@ -3,7 +3,7 @@
 
 #include "scene/results.hpp"
 
-#include <fstiff/answer/derived.hpp>
+#include <fstiff/answer/curves.hpp>
 
 #include <algorithm>
 #include <array>
@@ -161,11 +161,11 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool band
     const auto add = [&](const CurveQuantityRow& row, Statistic statistic) {
         Column& column = columns.emplace_back(Column{row.quantity, statistic});
         const bool of_band = statistic == Statistic::p05 || statistic == Statistic::p95;
-        const bool given = row.of_law == Quantity::none || parts::has(curve.law->quantities, row.of_law);
+        const bool given = row.of_law == Quantity::none || detail::has(curve.law->quantities, row.of_law);
         if (!given || (of_band && curve.band.empty())) return;
         if (row.quantity == CurveQuantity::approach && curve.seated.empty()) return;
         if (row.quantity == CurveQuantity::loss_factor && curve.growth.empty()) return;
-        using Band = parts::SampledBand<double>;
+        using Band = detail::SampledBand<double>;
         const auto end =
             (statistic == Statistic::p05) != (row.of_stiffness == OfStiffness::falls) ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {

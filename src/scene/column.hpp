@@ -3,7 +3,7 @@
 // The columns of a curve, each by what it holds: names, units and headings follow from one table.
 
 #include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/quantity.hpp>
+#include <fstiff/peaks/quantity.hpp>
 
 #include <cstddef>
 #include <span>

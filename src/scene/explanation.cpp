@@ -3,7 +3,7 @@
 
 #include "document/shown_unit.hpp"
 
-#include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/curves.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,18 +15,18 @@ namespace fstiff::scene {
 namespace {
 
 /// \p cause for people.
-std::string_view words_of(parts::Cause cause) {
+std::string_view words_of(Cause cause) {
     switch (cause) {
-        case parts::Cause::measurement: return "measurement";
-        case parts::Cause::cut_offs: return "cut-offs";
-        case parts::Cause::shape: return "shape of heights";
-        case parts::Cause::prior: return "assumptions";
-        case parts::Cause::lay: return "lay";
-        case parts::Cause::law: return "law";
-        case parts::Cause::contacts: return "few contacts";
-        case parts::Cause::long_waves: return "longer waves";
-        case parts::Cause::hardness: return "hardness";
-        case parts::Cause::noise: return "noise";
+        case Cause::measurement: return "measurement";
+        case Cause::cut_offs: return "cut-offs";
+        case Cause::shape: return "shape of heights";
+        case Cause::prior: return "assumptions";
+        case Cause::lay: return "lay";
+        case Cause::law: return "law";
+        case Cause::contacts: return "few contacts";
+        case Cause::long_waves: return "longer waves";
+        case Cause::hardness: return "hardness";
+        case Cause::noise: return "noise";
     }
     return "";
 }
@@ -66,7 +66,7 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     const auto solved = [](const Law* law) { return law->which == LawName::boundary_elements; };
     const auto count = static_cast<std::size_t>(std::count_if(curve.by.begin(), curve.by.end(), solved));
     const auto& map = scene.face.map;
-    const std::string missing = missing_phrase(scene.face), least = rounded(parts::min_points_in_contact);
+    const std::string missing = missing_phrase(scene.face), least = rounded(detail::min_points_in_contact);
     std::string text;
     if (!missing.empty())
         text = "K is computed from the map's numbers: " + missing;
@@ -83,7 +83,7 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
                    ? "K is computed from the map's summits and bearing curve"
                    : "K is computed from R and D_p of the map, which has no summits for law hybrid";
     else if (has_lay(scene))
-        text = "The profile repeats itself, like one across a lay: K may be up to " + rounded(parts::lay_factor) +
+        text = "The profile repeats itself, like one across a lay: K may be up to " + rounded(detail::lay_factor) +
                " times higher; only a map shows this";
     return text.empty() ? text : text + ".";
 }
@@ -92,31 +92,31 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
 std::string words_of(const NextMeasurement& next, const Problem& problem) {
     if (!next.which)
         return measured_faces(problem).front()->measured->is_profile ? "four times the length" : "four times the area";
-    const bool lay = parts::prior_of(rough_faces(problem).front()->process).has_lay;
+    const bool lay = detail::prior_of(rough_faces(problem).front()->process).has_lay;
     const auto what = [&]() -> std::string {
         switch (*next.which) {
-            case parts::Unknown::height: return "Rq or Sq";
-            case parts::Unknown::gradient: return lay ? "Sdq" : "Sdq or Rdq";
-            case parts::Unknown::alpha: return "alpha";
-            case parts::Unknown::hurst: return "D or H";
+            case Unknown::height: return "Rq or Sq";
+            case Unknown::gradient: return lay ? "Sdq" : "Sdq or Rdq";
+            case Unknown::alpha: return "alpha";
+            case Unknown::hurst: return "D or H";
             default: return "skewness and kurtosis";
         }
     };
-    if (next.which == parts::Unknown::hardness) return "the hardness of the softer body";
+    if (next.which == Unknown::hardness) return "the hardness of the softer body";
     return what() + (problem.faces.empty() ? "" : " of both faces");
 }
 
 }  // namespace
 
 std::string shown_causes(const AnswerReason& reason, std::size_t most) {
-    const auto shares = parts::shares_of(reason.causes);
-    std::array<std::size_t, parts::cause_count> order{};
+    const auto shares = shares_of(reason.causes);
+    std::array<std::size_t, detail::cause_count> order{};
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });
     std::string text;
     for (std::size_t k = 0; k < most; ++k)
         if (const std::size_t i = order[k]; shares[i] >= 0.1)
-            text += (text.empty() ? "" : ", ") + std::string(words_of(static_cast<parts::Cause>(i))) + " " +
+            text += (text.empty() ? "" : ", ") + std::string(words_of(static_cast<Cause>(i))) + " " +
                     shown_percent(shares[i]);
     return text;
 }
@@ -129,7 +129,7 @@ std::string outside_band(const Problem& problem, const Results& results) {
                                                                             : ", long waves") +
                 " (give contact.nominal_area)";
     for (const Face* face : rough_faces(problem))
-        if (!face->measured && face->process == parts::Process::unknown && face->is_open(parts::Unknown::skewness))
+        if (!face->measured && face->process == Process::unknown && face->is_open(Unknown::skewness))
             return text +
                    "; for a worn or honed face K may be several times higher (give process, or skewness and "
                    "kurtosis).";

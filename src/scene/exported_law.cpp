@@ -103,8 +103,8 @@ double pressure_of_friction(const Problem& problem, const PressureTable& table, 
     if (!problem.friction) throw domain_error(name + " is for a scene with [friction]; this scene has none");
     const double at = request.at.positive(io::Dimension::pressure, name);
     constexpr double rounding = 1e-9;
-    require(at >= table.from * (1 - rounding) && at <= table.to * (1 + rounding), name, at,
-            "from " + rounded(table.from) + " Pa to " + rounded(table.to) + " Pa, the range of the table");
+    detail::require(at >= table.from * (1 - rounding) && at <= table.to * (1 + rounding), name, at,
+                    "from " + rounded(table.from) + " Pa to " + rounded(table.to) + " Pa, the range of the table");
     return at;
 }
 

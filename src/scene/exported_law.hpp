@@ -19,11 +19,11 @@ enum class Solver { calculix, abaqus, moose, comsol, law };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::Solver> = name_list<scene::Solver>({{scene::Solver::calculix, "calculix"},
-                                                                       {scene::Solver::abaqus, "abaqus"},
-                                                                       {scene::Solver::moose, "moose"},
-                                                                       {scene::Solver::comsol, "comsol"},
-                                                                       {scene::Solver::law, "law"}});
+inline constexpr auto names<scene::Solver> = detail::name_list<scene::Solver>({{scene::Solver::calculix, "calculix"},
+                                                                               {scene::Solver::abaqus, "abaqus"},
+                                                                               {scene::Solver::moose, "moose"},
+                                                                               {scene::Solver::comsol, "comsol"},
+                                                                               {scene::Solver::law, "law"}});
 
 }  // namespace fstiff
 

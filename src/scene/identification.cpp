@@ -4,10 +4,9 @@
 #include "document/shown_unit.hpp"
 #include "scene/results.hpp"
 
-#include <fstiff/answer/concerns.hpp>
-#include <fstiff/answer/elements.hpp>
-#include <fstiff/answer/unknowns.hpp>
-#include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/problem.hpp>
+#include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ std::string joined(const std::vector<std::string_view>& words, std::string_view 
 /// "sigma and Dp", in the order of --fit.
 std::string names_of(const std::vector<Parameter>& parameters) {
     std::vector<std::string_view> names;
-    for (const Parameter one : parameters) names.push_back(parts::row_of(one).short_name);
+    for (const Parameter one : parameters) names.push_back(detail::row_of(one).short_name);
     return joined(names, " and ");
 }
 
@@ -88,7 +87,7 @@ std::shared_ptr<const MapOfSurface> made_taller(MapOfSurface map, double factor)
     map.taller *= factor;
     for (Summits<double>& of : map.summits) {
         of.rms_height *= factor;
-        for (parts::Summit<double>& summit : of.summits) {
+        for (Summit<double>& summit : of.summits) {
             summit.height *= factor, summit.max_curvature *= factor, summit.min_curvature *= factor;
             summit.load_factor /= std::sqrt(factor), summit.area_factor /= factor;  // R^(1/2) and R
         }
@@ -107,9 +106,9 @@ Face with_parameters(Face face, const ContactParameters<double>& x, const std::v
     }
     if (of_spectrum(wanted)) {
         face.rms_gradient = x.rms_gradient, face.alpha = x.alpha;
-        const auto moments = parts::moments_of_gradient(x.rms_height, x.rms_gradient, x.alpha);
-        face.parameters.peak_radius.value = parts::peak_radius_of(moments);
-        face.parameters.peak_density.value = parts::peak_density_of(moments);
+        const auto moments = detail::moments_of_gradient(x.rms_height, x.rms_gradient, x.alpha);
+        face.parameters.peak_radius.value = detail::peak_radius_of(moments);
+        face.parameters.peak_density.value = detail::peak_density_of(moments);
     }
     return face;
 }
@@ -159,22 +158,22 @@ void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.wanted);
     const std::optional<double> g = gradient(fitted);
-    const auto shifted = [&](double parts::LawError<double>::*end) {
+    const auto shifted = [&](double LawError<double>::*end) {
         std::vector<Observation<double>> data = inputs.data;
         for (Observation<double>& observation : data) {
             AnswerReason reason;
             if (g)
-                reason.p_star = parts::dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
+                reason.p_star = dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
             observation = scaled(observation, std::exp(-wider * law_error(problem, fit.law->which, reason).*end),
                                  inputs.options.wave);
         }
         return found_by(problem, fit, {data, inputs.wanted, inputs.start, inputs.options});
     };
-    const auto low = shifted(&parts::LawError<double>::low), high = shifted(&parts::LawError<double>::high);
+    const auto low = shifted(&LawError<double>::low), high = shifted(&LawError<double>::high);
     if (low.status != math::FitStatus::converged || high.status != math::FitStatus::converged) return;
     for (std::size_t i = 0; i < inputs.wanted.size(); ++i) {
         auto& own = fit.found.parameters[i];
-        const parts::ParameterScale<double> scale(own.parameter);
+        const detail::ParameterScale<double> scale(own.parameter);
         double u = scale.variable(own.value), below = u - scale.variable(own.low), above = scale.variable(own.high) - u;
         for (const auto* one : {&low, &high}) {
             const double moved = scale.variable(one->parameters[i].value) - u;
@@ -300,12 +299,12 @@ void require_known(const Scene& scene, const FitRequest& request) {
                            " hardness starts from it, or from its range");
     for (const Parameter each : {Parameter::peak_radius, Parameter::peak_density})
         if (of_spectrum(request.wanted) && has(request.wanted, each))
-            throw option_error(option + " " + std::string(parts::row_of(each).short_name) +
+            throw option_error(option + " " + std::string(detail::row_of(each).short_name) +
                                ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the "
                                "other");
     for (const Parameter each : {Parameter::rms_gradient, Parameter::alpha})
         if (has(request.wanted, each) && scene.face.map && scene.face.spectrum_of_map)
-            throw domain_error(scene.file + ": " + option + " " + std::string(parts::row_of(each).short_name) +
+            throw domain_error(scene.file + ": " + option + " " + std::string(detail::row_of(each).short_name) +
                                ": the surface is a map, whose heights scale with sigma alone; [contact.persson] "
                                "spectrum = \"moments\" replaces it with numbers");
 }
@@ -315,9 +314,9 @@ bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, doub
     double most = 0;
     for (const MeasuredPoint& point : fit.points) most = std::max(most, point.pressure);
     if (!(most < hardness)) return true;
-    const parts::GaussianCut<double> cut(fit.found.all.rms_height, rms_gradient, fit.found.all.effective_modulus);
+    const detail::GaussianCut<double> cut(fit.found.all.rms_height, rms_gradient, fit.found.all.effective_modulus);
     const double share = most / hardness, K = fitted_points(problem, fit, {&most, 1}).front().state.stiffness.value;
-    return parts::yielded(share, cut.stiffness(share), K).stiffness > 1.05 * K;
+    return detail::yielded(share, cut.stiffness(share), K).stiffness > 1.05 * K;
 }
 
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
@@ -329,11 +328,12 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);
     const double psi = fitted.face.has_radius_and_density()
-                           ? parts::plasticity_index(fitted.face.roughness(), x.effective_modulus,
-                                                     hardness / parts::hardness_over_yield_strength<double>)
+                           ? detail::plasticity_index(fitted.face.roughness(), x.effective_modulus,
+                                                      hardness / detail::hardness_over_yield_strength<double>)
                            : 0;
     const std::optional<double> g = gradient(fitted);
-    if (!(g ? rises_by_flow(problem, fit, hardness, *g) : psi > parts::max_elastic_plasticity_index<double>)) return "";
+    if (!(g ? rises_by_flow(problem, fit, hardness, *g) : psi > detail::max_elastic_plasticity_index<double>))
+        return "";
     const bool has_plastic = lack_of(find_law(LawName::plastic), problem) == Lack::nothing;
     return "the peaks of the fitted surface yield (" +
            (g ? "H/(E g) = " + rounded(hardness / (x.effective_modulus * *g), 2) : "") +
@@ -371,7 +371,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     for (Fit& fit : all.fits) {
         const auto data = observations(curve, fit.points);
         const FitInputs inputs{data, request.wanted, fit.start, options};
-        parts::located(parts::Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
+        detail::located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
             fit.found = found_by(scene, fit, inputs);
             widen_by_law(scene, fit, inputs);
         });
@@ -384,8 +384,8 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
         bool doubted = false;
         for (const auto& finding : concerns_of(fit.found)) {
             all.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
-            if (parts::is_fatal(finding.concern)) all.doubtful = true;
-            doubted = doubted || parts::is_doubtful(finding.concern);
+            if (detail::is_fatal(finding.concern)) all.doubtful = true;
+            doubted = doubted || detail::is_doubtful(finding.concern);
         }
         if (const std::string flow = flow_of(scene, fit, request.wanted); !flow.empty()) {
             all.warnings.push_back(title(fit) + ": " + flow);

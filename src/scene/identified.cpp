@@ -6,7 +6,7 @@
 #include "io/number.hpp"
 #include "scene/result_rows.hpp"
 
-#include <fstiff/ultrasound/propagation.hpp>
+#include <fstiff/wave/spring_interface.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
-Json parameter_json(const Fit& fit, const parts::IdentifiedParameter<double>& p) {
-    const parts::ParameterRow& row = parts::row_of(p.parameter);
+Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
+    const detail::ParameterRow& row = detail::row_of(p.parameter);
     Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
     if (fit.found.status == math::FitStatus::singular)
         one["null_share"] = p.null_share;
@@ -141,11 +141,11 @@ void introduce(Document& document, const Scene& scene, const Identified& identif
 
 /// A row for each parameter of \p fit: in SI for the CSV, in the units of headings for people.
 Rows parameter_rows(const Identified& identified, const Fit& fit) {
-    using P = parts::IdentifiedParameter<double>;
+    using P = IdentifiedParameter<double>;
     const auto& found = fit.found;
     const std::vector<P>& all = found.parameters;
     const bool has_errors = found.covariance.size() > 0, singular = found.status == math::FitStatus::singular;
-    const auto row = [](const P& p) -> const parts::ParameterRow& { return parts::row_of(p.parameter); };
+    const auto row = [](const P& p) -> const detail::ParameterRow& { return detail::row_of(p.parameter); };
     Rows rows;
     rows.repeat({"law"}, fit.law->name, all.size());
     rows.repeat({"theta"}, fit.theta, all.size());
@@ -169,14 +169,14 @@ Rows parameter_rows(const Identified& identified, const Fit& fit) {
     add("low_with_law", "with the law's error", 2, has_errors, [](const P& p) { return p.low_with_law; });
     add("high_with_law", "to", 2, has_errors, [](const P& p) { return p.high_with_law; });
     for (std::size_t k = 0; k < identified.wanted.size(); ++k)
-        rows.add({"correlation_" + std::string(parts::row_of(identified.wanted[k]).short_name)}, all, [&](const P& p) {
+        rows.add({"correlation_" + std::string(detail::row_of(identified.wanted[k]).short_name)}, all, [&](const P& p) {
             return has_errors ? Cell(found.correlation(&p - all.data(), static_cast<Eigen::Index>(k))) : Cell();
         });
     return rows;
 }
 
 Rows correlation_rows(const std::vector<Parameter>& wanted, const Eigen::MatrixXd& correlation) {
-    const auto name = [](Parameter parameter) { return std::string(parts::row_of(parameter).short_name); };
+    const auto name = [](Parameter parameter) { return std::string(detail::row_of(parameter).short_name); };
     Rows rows;
     rows.add({"", "correlation"}, wanted, name);
     for (Eigen::Index k = 0; k < correlation.cols(); ++k)
@@ -212,9 +212,9 @@ std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
     for (const std::string& written : request.fit) {
         const std::string name(io::detail::trimmed(written));
         const auto found =
-            std::find_if(parts::parameter_table.begin(), parts::parameter_table.end(),
-                         [&](const parts::ParameterRow& row) { return name == row.short_name || name == row.key; });
-        if (found == parts::parameter_table.end())
+            std::find_if(detail::parameter_table.begin(), detail::parameter_table.end(),
+                         [&](const detail::ParameterRow& row) { return name == row.short_name || name == row.key; });
+        if (found == detail::parameter_table.end())
             throw option_error(option + ": \"" + name + "\" is not a parameter; must be one of " +
                                list_of(parameter_short_names));
         if (std::count(wanted.begin(), wanted.end(), found->parameter) > 0)

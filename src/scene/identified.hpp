@@ -7,8 +7,8 @@
 #include "scene/scene.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/fit/fit_concerns.hpp>
-#include <fstiff/fit/identify.hpp>
+#include <fstiff/identify/concerns.hpp>
+#include <fstiff/identify/identify.hpp>
 
 #include <array>
 #include <optional>
@@ -27,8 +27,8 @@ enum class WaveKind { longitudinal, shear };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::WaveKind> =
-    name_list<scene::WaveKind>({{scene::WaveKind::longitudinal, "longitudinal"}, {scene::WaveKind::shear, "shear"}});
+inline constexpr auto names<scene::WaveKind> = detail::name_list<scene::WaveKind>(
+    {{scene::WaveKind::longitudinal, "longitudinal"}, {scene::WaveKind::shear, "shear"}});
 
 }  // namespace fstiff
 
@@ -36,8 +36,8 @@ namespace fstiff::scene {
 
 /// How parameters are called in requests and documents.
 inline constexpr auto parameter_short_names = [] {
-    std::array<std::string_view, parts::parameter_table.size()> all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = parts::parameter_table[i].short_name;
+    std::array<std::string_view, detail::parameter_table.size()> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = detail::parameter_table[i].short_name;
     return all;
 }();
 

@@ -3,7 +3,7 @@
 // The joint of a scene is that of the library.
 
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/unknowns.hpp>
+#include <fstiff/answer/problem.hpp>
 
 namespace fstiff::scene {
 

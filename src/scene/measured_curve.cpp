@@ -5,7 +5,7 @@
 #include "io/number_table.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <algorithm>
 #include <array>
@@ -272,11 +272,11 @@ MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<cons
     curve.sha256 = sha256(bytes);
     for (std::size_t i = 0; i < pressures.size(); ++i) {
         const double error = curve.has_errors ? errors[i] : 0;
-        parts::located(parts::Place{.file = name, .line = i + 1, .before_line = ":"}, [&] {
-            require_positive("pressure", pressures[i]);
-            require_positive(is_reflection ? "reflection" : "stiffness", values[i]);
-            require(error >= 0 && error <= std::numeric_limits<double>::max(), "error", error,
-                    "finite and not negative");
+        detail::located(Place{.file = name, .line = i + 1, .before_line = ":"}, [&] {
+            detail::require_positive("pressure", pressures[i]);
+            detail::require_positive(is_reflection ? "reflection" : "stiffness", values[i]);
+            detail::require(error >= 0 && error <= std::numeric_limits<double>::max(), "error", error,
+                            "finite and not negative");
         });
         curve.points.push_back({.pressure = pressures[i], .value = values[i], .error = error, .line = i + 1});
     }

@@ -4,7 +4,6 @@
 #include "document/file.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/io/quantity.hpp>
 #include <fstiff/io/units.hpp>
 
 #include <cmath>

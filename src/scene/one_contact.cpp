@@ -3,7 +3,7 @@
 
 #include "document/file.hpp"
 
-#include <fstiff/answer/unknowns.hpp>
+#include <fstiff/answer/problem.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +106,7 @@ OneContact contact_of(const Scene& of, std::size_t law, std::size_t peaks, const
 }
 
 std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint, double pressure) {
-    require_positive("pressure", pressure);
+    detail::require_positive("pressure", pressure);
     const auto stiffness = [&] {
         const OneContact one = contact_of(law, joint);
         const auto point = one.contact->at_pressures(std::span(&pressure, 1), Quantity::stiffness).front();

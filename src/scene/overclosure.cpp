@@ -6,8 +6,8 @@
 #include "scene/results.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/answer/derived.hpp>
-#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace fstiff::scene {
 namespace {
 
-bool has_separation(const Law& law) { return parts::has(law.quantities, Quantity::separation); }
+bool has_separation(const Law& law) { return detail::has(law.quantities, Quantity::separation); }
 
 const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     const std::string& name = options.law;
@@ -41,17 +41,17 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
                            " must give the range of pressures");
     const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
     const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
-    require_positive(least_name, from);
-    require(to > from, most_name, to,
-            "greater than " + least_name + ", " + shortest(from) + " Pa" +
-                (*least == *greatest ? "; the scene has only one pressure" : ""));
+    detail::require_positive(least_name, from);
+    detail::require(to > from, most_name, to,
+                    "greater than " + least_name + ", " + shortest(from) + " Pa" +
+                        (*least == *greatest ? "; the scene has only one pressure" : ""));
 
     Scene fine = scene;
     fine.laws = {&law_of(scene, options)};
     if (!scene.peaks.empty()) {
-        require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(),
-                option_name(options.prefix, "peaks"), options.peaks,
-                "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
+        detail::require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(),
+                        option_name(options.prefix, "peaks"), options.peaks,
+                        "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
         fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
     }
     fine.samples = 0;
@@ -90,8 +90,8 @@ std::vector<PressureTable::Answer> answer_between(Scene scene, double from, doub
 
 /// The least and the greatest slope of \p points over K.
 std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve, const Line& points) {
-    if (!parts::has(curve.law->quantities, Quantity::stiffness) ||
-        !parts::has(curve.law->quantities, Quantity::loading_stiffness))
+    if (!detail::has(curve.law->quantities, Quantity::stiffness) ||
+        !detail::has(curve.law->quantities, Quantity::loading_stiffness))
         return std::nullopt;
     PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -173,10 +173,10 @@ std::string law_text(const Scene& scene, const PressureTableOptions& options) {
 }
 
 PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {
-    require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, option_name(options.prefix, "tolerance"),
-            options.tolerance, "between 0.001 % and 20 %");
-    require(options.slope_tolerance >= 1e-3 && options.slope_tolerance <= 1,
-            option_name(options.prefix, "slope_tolerance"), options.slope_tolerance, "between 0.1 % and 100 %");
+    detail::require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, option_name(options.prefix, "tolerance"),
+                    options.tolerance, "between 0.001 % and 20 %");
+    detail::require(options.slope_tolerance >= 1e-3 && options.slope_tolerance <= 1,
+                    option_name(options.prefix, "slope_tolerance"), options.slope_tolerance, "between 0.1 % and 100 %");
     const Results results = compute(fine_scene(scene, options), options.progress);
     const Curve& curve = results.curves.front();
     Line points = points_of(curve);

@@ -13,7 +13,7 @@
 #include "scene/chords.hpp"
 #include "scene/scene.hpp"
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 
 #include <cstddef>
 #include <optional>

@@ -3,7 +3,6 @@
 #include "document/file.hpp"
 #include "scene/readers.hpp"
 
-#include <fstiff/surface/bearing_family.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 
 #include <algorithm>
@@ -29,16 +28,16 @@ void read_shape(Source& source, const Section& surface, JointFace& face) {
         return source.number(node, surface.key(name));
     };
     const double skewness = number("skewness", "kurtosis"), kurtosis = number("kurtosis", "skewness");
-    if (!(std::abs(skewness) <= parts::most_skewness<double>))
+    if (!(std::abs(skewness) <= detail::most_skewness<double>))
         source.refuse(*surface.find("skewness"), surface.key("skewness"), "must be from -3 to 3");
-    const double least = parts::least_kurtosis(skewness);
-    if (!(kurtosis >= least && kurtosis <= parts::most_kurtosis<double>))
+    const double least = detail::least_kurtosis(skewness);
+    if (!(kurtosis >= least && kurtosis <= detail::most_kurtosis<double>))
         source.refuse(*surface.find("kurtosis"), surface.key("kurtosis"),
                       "must be from " + rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
     face.skewness = skewness, face.kurtosis = kurtosis;
 }
 
-parts::MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
+detail::MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
     const std::string why = "is missing; " + std::string(keys[0]) + ", " + std::string(keys[1]) + ", " +
                             std::string(keys[2]) + ", " + std::string(keys[3]) + " and " + std::string(keys[4]) +
                             " belong together";
@@ -58,15 +57,15 @@ parts::MaterialRatio<double> read_core(Source& source, const Section& surface, c
             source.refuse(node, surface.key(keys[which]), "must be a share from 0 to 1; 10 % is 0.1");
         return value;
     };
-    const parts::MaterialRatio<double> core{height(core_height), height(peak_height), height(valley_depth),
-                                            share(first_share), share(second_share)};
+    const detail::MaterialRatio<double> core{height(core_height), height(peak_height), height(valley_depth),
+                                             share(first_share), share(second_share)};
     if (!(core.peak_share < core.core_and_peak_share))
         source.refuse(*surface.find(keys[second_share]), surface.key(keys[second_share]),
                       "must be greater than " + surface.key(keys[first_share]));
     return core;
 }
 
-parts::BearingSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
+BearingSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
     constexpr std::size_t least = 10;
     const auto* list = node.as_array();
     if (!list || list->size() < least)
@@ -77,7 +76,7 @@ parts::BearingSlope<double> read_heights(Source& source, const toml::node& node,
     std::vector<double> heights;
     for (std::size_t i = 0; i < list->size(); ++i)
         heights.push_back(source.quantity((*list)[i], key + "[" + std::to_string(i) + "]", Dimension::length));
-    return source.located(node, [&] { return parts::BearingSlope<double>::of_heights(heights); });
+    return source.located(node, [&] { return BearingSlope<double>::of_heights(heights); });
 }
 
 }  // namespace
@@ -115,8 +114,8 @@ void read_bearing(Source& source, const Section& surface, JointFace& face) {
         face.bearing = read_heights(source, node, surface.key(key));
         return;
     }
-    const parts::MaterialRatio<double> core = read_core(source, surface, core_keys[chosen - 2]);
-    face.bearing = source.located(node, [&] { return parts::bearing_of_core(core); });
+    const detail::MaterialRatio<double> core = read_core(source, surface, core_keys[chosen - 2]);
+    face.bearing = source.located(node, [&] { return detail::bearing_of_core(core); });
 }
 
 }  // namespace fstiff::scene

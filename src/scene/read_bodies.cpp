@@ -18,7 +18,7 @@ namespace {
 struct ReadBody {
     fstiff::Body body{};
     std::optional<double> thermal{}, electrical{};  ///< conductivities
-    const parts::NamedMaterial* name = nullptr;
+    const NamedMaterial* name = nullptr;
 
     void each_elastic(auto take) {
         take("youngs_modulus", body.elastic.youngs_modulus, request::positive(Dimension::pressure));
@@ -30,13 +30,13 @@ struct ReadBody {
     }
 };
 
-const parts::NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
+const NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
     const std::string name = source.text(node, key);
-    if (const auto* material = parts::find_material(name)) return *material;
-    std::vector<std::string_view> names = parts::near_materials(name);
+    if (const auto* material = find_material(name)) return *material;
+    std::vector<std::string_view> names = detail::near_materials(name);
     const bool near = !names.empty();
     if (!near)
-        for (const parts::NamedMaterial& material : parts::named_materials) names.push_back(material.name);
+        for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
     source.refuse(node, key,
                   (near ? "is no material that is known; did you mean " : "must be one of ") + list_of(names) +
                       (near ? "? Or give" : ", or") + " a section with youngs_modulus and poisson_ratio");
@@ -60,10 +60,10 @@ std::optional<double> indentation_pressure(std::string_view text, double modulus
     const bool load = !before.empty() && after.find_first_not_of("0123456789./ ") == std::string_view::npos;
     if (!load && !before.empty()) return std::nullopt;
     const double number = io::parse_number(before.empty() ? after : before, key);
-    if (scale == "HV" || scale == "HK") return number * parts::vickers_pressure;
+    if (scale == "HV" || scale == "HK") return number * detail::vickers_pressure;
     if (scale == "HB" || scale == "HBW" || scale == "HBS")
-        return number * parts::vickers_over_brinell(modulus) * parts::vickers_pressure;
-    if (scale == "HRC") return parts::vickers_of_rockwell(number) * parts::vickers_pressure;
+        return number * detail::vickers_over_brinell(modulus) * detail::vickers_pressure;
+    if (scale == "HRC") return detail::vickers_of_rockwell(number) * detail::vickers_pressure;
     return std::nullopt;
 }
 
@@ -91,7 +91,7 @@ std::optional<double> read_hardness(Source& source, const Section& body, double 
     return pressure;
 }
 
-void record_of_name(Source& source, const std::string& key, const parts::NamedMaterial& name, double value,
+void record_of_name(Source& source, const std::string& key, const NamedMaterial& name, double value,
                     std::string_view unit) {
     source.record_default(key, "of " + std::string(name.name), value, unit);
 }
@@ -107,7 +107,7 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     ReadBody read;
     if (const toml::node* name = node.is_string() ? &node : body.find("name"))
         read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
-    if (read.name) read.body = parts::body_of(*read.name);
+    if (read.name) read.body = body_of(*read.name);
     if (!read.name && !body.find("youngs_modulus"))
         static_cast<void>(
             body.at("youngs_modulus", "is missing; add name = \"steel\" or another material, or give it"));
@@ -216,7 +216,7 @@ std::optional<double> read_impedance(Source& source, const Section& body, std::s
 
 /// A body of [ultrasound]; \p table is null where it is not there. Its missing values are those of the material
 /// \p name, unless it gives its impedance itself.
-Body read_body(Source& source, const toml::table* table, const std::string& key, const parts::NamedMaterial* name,
+Body read_body(Source& source, const toml::table* table, const std::string& key, const NamedMaterial* name,
                Scene& scene) {
     static const toml::table none;
     const Section body(source, table ? *table : none, key,
@@ -284,7 +284,7 @@ struct Gap {
     void each_field(auto take) {
         const Field share{.high = 1, .above_low = true};
         std::vector<std::string_view> names;
-        for (const parts::NamedMedium& known : parts::named_media) names.push_back(known.name);
+        for (const detail::NamedMedium& known : detail::named_media) names.push_back(known.name);
         take("medium", medium, Field{.words = names});
         take("accommodation", accommodation, share);
         take("conductivity", conductivity, request::positive(Dimension::thermal_conductivity));
@@ -311,15 +311,15 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
     Conduction& conduction = scene.conduction;
     if (!gap.medium.empty()) {
         const auto& filling =
-            *std::find_if(parts::named_media.begin(), parts::named_media.end(),
-                          [&](const parts::NamedMedium& medium) { return medium.name == gap.medium; });
+            *std::find_if(detail::named_media.begin(), detail::named_media.end(),
+                          [&](const detail::NamedMedium& medium) { return medium.name == gap.medium; });
         conduction.gap = {filling.gas.conductivity,
-                          parts::temperature_jump(filling.gas, gap.accommodation.value_or(filling.accommodation))};
+                          detail::temperature_jump(filling.gas, gap.accommodation.value_or(filling.accommodation))};
     } else if (gap.conductivity) {
         conduction.gap = {*gap.conductivity, gap.temperature_jump.value_or(0)};
     }
     if (gap.emissivity) {
-        conduction.radiation = parts::radiative_conductance(*gap.temperature, *gap.emissivity);
+        conduction.radiation = detail::radiative_conductance(*gap.temperature, *gap.emissivity);
         if (!conduction.gap) conduction.gap.emplace();
     }
     conduction.thermal_film = gap.thermal_film;

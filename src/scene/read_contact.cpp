@@ -111,7 +111,7 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
 }
 
 /// The peak density of [surface].
-Peaks peaks_of_surface(const Face& face, const parts::Place& where) {
+Peaks peaks_of_surface(const Face& face, const Place& where) {
     return {*face.value(Parameter::theta), face.value(Parameter::r), true, where, "surface."};
 }
 
@@ -158,7 +158,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
 
     const toml::node* length = table.find("length");
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
-    if (const auto by = parts::find_named<InteractionLength>(text)) {
+    if (const auto by = detail::find_named<InteractionLength>(text)) {
         scene.length = *by;
         length ? source.record(table.key("length"), text) : source.record_default(table.key("length"), "nominal");
     } else {

@@ -18,8 +18,8 @@ std::shared_ptr<const Surface<double>> found_of(const Measured& measured) { retu
 
 /// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
 Measured measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
-                       const parts::Place& place, const ProgressHook& progress) {
-    return std::make_shared<const MeasuredSurface>(parts::located(place, [&] {
+                       const Place& place, const ProgressHook& progress) {
+    return std::make_shared<const MeasuredSurface>(detail::located(place, [&] {
         std::error_code none;
         if (files.size() > 1 || std::filesystem::is_directory(path_of(files.front()), none))
             return measure_files(options, files, progress);
@@ -87,7 +87,7 @@ void record_measured(Source& source, const MeasuredSurface& measured, const std:
 }
 
 /// What is known of a parameter of [surface], or with \p zero_too of one of surface.errors.
-Field field_of(const parts::ParameterRow& row, bool zero_too = false) {
+Field field_of(const detail::ParameterRow& row, bool zero_too = false) {
     if (row.unit.empty()) return {};
     for (const Dimension dimension : {Dimension::length, Dimension::inverse_area})
         if (row.unit == si_unit(dimension))
@@ -116,7 +116,7 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
     constexpr std::array<std::string_view, 4> heights{"Rq", "Sq", "Ra", "Sa"};
     std::vector<std::string_view> keys(gradients.begin(), gradients.end());
     keys.insert(keys.end(), heights.begin(), heights.end());
-    for (const parts::ParameterRow& row : parts::surface_parameter_table) keys.push_back(row.key);
+    for (const detail::ParameterRow& row : detail::surface_parameter_table) keys.push_back(row.key);
     const Section section(source, *errors->as_table(), surface.key("errors"), keys);
     const auto require_error = [&](const toml::node& node, std::string_view key, bool known, const Field& field) {
         if (!known) source.refuse(node, section.key(key), "needs the value of " + surface.key(key));
@@ -128,13 +128,13 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
     };
     const auto measured = [&](Parameter which) { return face.measured && face.measured->find(which); };
     for (const auto& [which, value, error] : face_parameters) {
-        const parts::ParameterRow& row = parts::row_of(which);
+        const detail::ParameterRow& row = detail::row_of(which);
         const toml::node* node = section.find(row.key);
         if (!node) continue;
         face.errors.*error =
             require_error(*node, row.key, surface.find(row.key) || measured(which), field_of(row, true));
         const double half = static_cast<double>(row.high.value - row.low.value) / 2;
-        if (row.variation == parts::Variation::between && *(face.errors.*error) > half)
+        if (row.variation == detail::Variation::between && *(face.errors.*error) > half)
             source.refuse(*node, section.key(row.key),
                           "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
@@ -176,7 +176,7 @@ std::vector<std::string_view> keys_of_face(const toml::table& table) {
 void record_following(Source& source, const Section& surface, const Face& face,
                       const std::vector<Following>& following) {
     for (auto number = following.rbegin(); number != following.rend(); ++number) {
-        const parts::ParameterRow& row = parts::row_of(number->which);
+        const detail::ParameterRow& row = detail::row_of(number->which);
         const auto value = number->which == Parameter::rms_height ? face.value(number->which) : face.rms_gradient;
         source.inputs.insert(
             source.inputs.begin() + static_cast<std::ptrdiff_t>(number->place),
@@ -185,14 +185,14 @@ void record_following(Source& source, const Section& surface, const Face& face,
     for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
                                          std::pair(face.density_follows, Parameter::peak_density)})
         if (follows)
-            source.record_default(surface.key(parts::row_of(which).key), "of rms_height, rms_gradient and alpha",
-                                  *face.value(which), parts::row_of(which).unit);
+            source.record_default(surface.key(detail::row_of(which).key), "of rms_height, rms_gradient and alpha",
+                                  *face.value(which), detail::row_of(which).unit);
 }
 
 /// The parameters that \p surface writes.
 void read_parameters(Source& source, const Section& surface, JointFace& face) {
     for (const auto& [which, into, error] : face_parameters) {
-        const parts::ParameterRow& row = parts::row_of(which);
+        const detail::ParameterRow& row = detail::row_of(which);
         if (!face.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
         const toml::node* node = surface.find(row.key);
         if (!node) continue;
@@ -298,8 +298,8 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
     } else if (no_sum.empty()) {
         source.record_default(surface.key("shifts"), "4", 4);
     }
-    scene.face = source.located(table, [&] { return sum_of_faces(upper, lower, scene.shifts, scene.seed); });
-    for (const parts::ParameterRow& row : parts::surface_parameter_table)
+    scene.face = source.located(table, [&] { return detail::sum_of_faces(upper, lower, scene.shifts, scene.seed); });
+    for (const detail::ParameterRow& row : detail::surface_parameter_table)
         if (const auto value = scene.face.value(row.parameter))
             source.record(surface.key(row.key) + " (of the sum)", shortest(*value), *value, row.unit);
     if (upper.map && lower.map && !no_sum.empty())

@@ -4,7 +4,7 @@
 #include "scene/column.hpp"
 #include "scene/readers.hpp"
 
-#include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/curves.hpp>
 
 #include <algorithm>
 #include <array>
@@ -141,8 +141,7 @@ bool needs_dimension_of_maps(const toml::table& root) {
 }
 
 /// The key of \p which in a scene, and its value in \p face.
-std::pair<std::string_view, double> key_and_value(const Face& face, parts::Unknown which) {
-    using parts::Unknown;
+std::pair<std::string_view, double> key_and_value(const Face& face, Unknown which) {
     switch (which) {
         case Unknown::height: return {"rms_height", face.parameters.rms_height.value};
         case Unknown::gradient: return {"rms_gradient", *face.rms_gradient};

@@ -5,7 +5,7 @@
 #include "request/toml.hpp"
 #include "scene/scene.hpp"
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 
 #include <string>
 #include <string_view>

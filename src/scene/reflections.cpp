@@ -57,7 +57,7 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
     CurveOfStiffness& of = all.curve.emplace(CurveOfStiffness{.curve = std::move(measured)});
     const MeasuredCurve& curve = of.curve;
     if (!curve.has_errors) of.error = request.reflection_error;
-    const double omega = parts::angular_frequency(all.frequency);
+    const double omega = detail::angular_frequency(all.frequency);
     Faults beyond, doubtful;
     for (const MeasuredPoint& point : curve.points) {
         const double error = curve.has_errors ? point.error : request.reflection_error.value_or(0);
@@ -68,8 +68,8 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
             continue;
         }
         of.stiffness.emplace_back(
-            parts::located(parts::Place{.file = curve.name, .line = point.line, .before_line = ":"},
-                           [&] { return parts::measured_stiffness(point.value, error, all.media, omega); }));
+            detail::located(Place{.file = curve.name, .line = point.line, .before_line = ":"},
+                            [&] { return detail::measured_stiffness(point.value, error, all.media, omega); }));
         if (!of.stiffness.back()->bounded) doubtful.add(point.line);
     }
     if (beyond.count > 0 && beyond.count == curve.points.size())
@@ -91,15 +91,15 @@ Reflected at_one(const ReflectionRequest& request, const Impedances<double>& med
     Reflected one{.from_stiffness = !given};
     if (given && request.reflection_error) {
         one.reflection_error = request.reflection_error;
-        one.stiffness_error = parts::measured_stiffness(*given, *request.reflection_error, media, omega).error;
+        one.stiffness_error = detail::measured_stiffness(*given, *request.reflection_error, media, omega).error;
     }
     one.stiffness =
         given ? stiffness_from_reflection(*given, media, omega)
               : request.stiffness.value(io::Dimension::stiffness_per_area, option_name(request.prefix, "stiffness"));
     one.reflection = given ? *given : reflection(one.stiffness, media, omega);
-    one.transmission = std::abs(parts::complex_transmission(one.stiffness, media, omega));
-    one.phase = std::arg(parts::complex_reflection(one.stiffness, media, omega));
-    one.transmitted_energy = parts::transmitted_energy(one.stiffness, media, omega);
+    one.transmission = std::abs(detail::complex_transmission(one.stiffness, media, omega));
+    one.phase = std::arg(detail::complex_reflection(one.stiffness, media, omega));
+    one.transmitted_energy = detail::transmitted_energy(one.stiffness, media, omega);
     return one;
 }
 
@@ -113,7 +113,7 @@ MeasuredCurve curve_of(const std::string& file, const std::string& name) {
 
 /// A row of the curve a row.
 Rows rows_of(const CurveOfStiffness& found) {
-    using K = parts::MeasuredStiffness<double>;
+    using K = detail::MeasuredStiffness<double>;
     const auto of = [](const auto& value, Cell::Kind otherwise = Cell::Kind::absent) {
         return [=](const std::optional<K>& k) { return k ? Cell(value(*k)) : Cell(otherwise); };
     };
@@ -199,11 +199,11 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
         given = as_number(request.reflection);
         if (!given) curve = curve_of(request.reflection.text(), name("reflection"));
     }
-    all.welded = parts::welded_reflection(all.media);
+    all.welded = detail::welded_reflection(all.media);
     if (curve)
         convert(request, *std::move(curve), all);
     else
-        all.one = at_one(request, all.media, parts::angular_frequency(all.frequency), given);
+        all.one = at_one(request, all.media, detail::angular_frequency(all.frequency), given);
     return all;
 }
 

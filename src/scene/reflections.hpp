@@ -7,8 +7,7 @@
 #include "scene/measured_curve.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/ultrasound/propagation.hpp>
-#include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/wave/spring_interface.hpp>
 
 #include <optional>
 #include <string>
@@ -66,7 +65,7 @@ struct CurveOfStiffness {
     MeasuredCurve curve;
     std::vector<double> errors{};   ///< of the reflections; empty: not known
     std::optional<double> error{};  ///< that of all of them, from the request
-    std::vector<std::optional<parts::MeasuredStiffness<double>>>
+    std::vector<std::optional<detail::MeasuredStiffness<double>>>
         stiffness{};  ///< none where no stiffness has the reflection
 };
 

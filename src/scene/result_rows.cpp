@@ -66,7 +66,7 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
                  [](double value) { return std::isnan(value) ? Cell() : Cell(value); });
         if (column.quantity == CurveQuantity::pressure && curve.rms_gradient)
             rows.add({"", "p*", 1, 3}, column.values,
-                     [&](double p) { return parts::dimensionless_pressure(p, results.modulus, *curve.rms_gradient); });
+                     [&](double p) { return detail::dimensionless_pressure(p, results.modulus, *curve.rms_gradient); });
         else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value)
             rows.add({"", "K/A0 [Pa/m]", 1, 6}, column.values);
         else if (column.quantity == CurveQuantity::real_area)
@@ -76,7 +76,7 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
             });
     }
     if (!curve.band.empty())
-        rows.add({.key = "samples_out_of_reach", .csv = false}, curve.band, &parts::SampledBand<double>::failed);
+        rows.add({.key = "samples_out_of_reach", .csv = false}, curve.band, &detail::SampledBand<double>::failed);
     return rows;
 }
 
@@ -91,7 +91,7 @@ Json answer_json(const Scene& scene, const Results& results) {
     const Curve& curve = results.answer->curve;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const AnswerReason& reason = results.answer->reasons[i];
-        const parts::SampledBand<double>& band = curve.band[i];
+        const detail::SampledBand<double>& band = curve.band[i];
         const double K = curve.states[i].stiffness.value;
         Json row = {{"pressure_Pa", curve.states[i].pressure.value},
                     {"stiffness_Pa_per_m", K},
@@ -115,9 +115,9 @@ Json answer_json(const Scene& scene, const Results& results) {
         if (reason.p_star) row["p_star"] = *reason.p_star;
         if (reason.contacts) row["contacts"] = *reason.contacts;
         Json& causes = row["causes"] = Json::object();
-        const auto shares = parts::shares_of(reason.causes);
+        const auto shares = shares_of(reason.causes);
         for (std::size_t c = 0; c < shares.size(); ++c)
-            if (shares[c] > 0) causes[name_of(static_cast<parts::Cause>(c))] = shares[c];
+            if (shares[c] > 0) causes[name_of(static_cast<Cause>(c))] = shares[c];
         row["band_due_to"] = shown_causes(reason);
         rows.push_back(std::move(row));
     }

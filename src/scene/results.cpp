@@ -5,7 +5,7 @@
 #include "document/shown_unit.hpp"
 #include "scene/explanation.hpp"
 
-#include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
 #include <algorithm>
@@ -150,11 +150,11 @@ Results compute(const Scene& scene, const ProgressHook& progress, const Parallel
     const bool has_peaks = scene.face.has_radius_and_density();
     if (scene.yield_strength && has_peaks)
         results.plasticity_index =
-            parts::plasticity_index(scene.face.roughness(), scene.effective_modulus, *scene.yield_strength);
+            detail::plasticity_index(scene.face.roughness(), scene.effective_modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     if (has_peaks)
         results.surface_checks =
-            parts::check_surface(scene.face.roughness(), scene.effective_modulus, scene.yield_strength);
+            detail::check_surface(scene.face.roughness(), scene.effective_modulus, scene.yield_strength);
     Request request = request_of(scene);
     request.parallel = parallel;
     // warnings and the explanation need the contacts and the area, whichever columns are shown

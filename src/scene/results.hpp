@@ -12,7 +12,6 @@
 #include "scene/scene.hpp"
 
 #include <fstiff/core/parallel.hpp>
-#include <fstiff/core/progress.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -44,7 +43,7 @@ struct Results {
     double modulus = 0;           ///< effective [Pa]
     double tangential_ratio = 0;  ///< of the tangential stiffness to K
     std::optional<double> plasticity_index;
-    std::vector<parts::Check<double>> surface_checks;
+    std::vector<Check<double>> surface_checks;
     std::optional<StiffnessAnswer> answer;  ///< none: no law answers at any point
     std::vector<Curve> curves;             ///< of the laws that are named; where none is, the curve of the answer alone
     std::vector<std::string> warnings;     ///< sentences on the checks that do not hold, and on the scene

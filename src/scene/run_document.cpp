@@ -3,7 +3,7 @@
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 
-#include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/curves.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ std::string answered(const Scene& scene, const Results& results) {
 
 /// The surface that the contact is of, and what was assumed of it; with an answer, what that uses of it.
 std::vector<std::string> surface_parts(const Scene& scene, const Results& results) {
-    const parts::SurfaceParameters<double>& s = scene.face.parameters;
+    const SurfaceParameters<double>& s = scene.face.parameters;
     const std::vector<Parameter> unknown = unknown_parameters(scene, scene.best);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
     const bool answers = scene.best && results.answer;
@@ -91,12 +91,12 @@ std::vector<std::string> surface_parts(const Scene& scene, const Results& result
         if (s.fractal_dimension)
             parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
         if (const auto& g = s.fractal_roughness)
-            parts.push_back("G " + shown_length(g->value, parts::is_known(*g) ? 5 : 2));
+            parts.push_back("G " + shown_length(g->value, detail::is_known(*g) ? 5 : 2));
         if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
         if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
     }
     for (const Assumed& assumption : assumed(scene))
-        if (!answers || !scene.face.is_open(parts::Unknown::hurst))  // else it is among what was assumed
+        if (!answers || !scene.face.is_open(Unknown::hurst))  // else it is among what was assumed
             parts.push_back(std::string(assumption.symbol) + " " + rounded(assumption.value, 3) + " (" +
                             assumption.how + ")");
     if (scene.faces.empty()) parts.emplace_back("the other face smooth");
@@ -106,7 +106,7 @@ std::vector<std::string> surface_parts(const Scene& scene, const Results& result
 /// The bodies, the nominal area, the waves, what was assumed, and what to measure next.
 void add_bodies(const Scene& scene, const Results& results, std::vector<InputLine>& lines) {
     const auto pressure = [](double x) { return with_unit(x, "Pa"); };
-    const auto material = [&](const Material<double>& m, const parts::NamedMaterial* name) {
+    const auto material = [&](const Material<double>& m, const NamedMaterial* name) {
         return (name ? std::string(name->name) + " " : "") + pressure(m.youngs_modulus) + ", nu " +
                rounded(m.poisson_ratio);
     };
@@ -293,7 +293,7 @@ std::vector<InputLine> input_lines(const Scene& scene, const Results& results) {
     for (const auto& [name, face, file] : measured_files(scene)) {
         std::vector<std::string> parts;
         const MeasuredSurface& measured = *file;
-        for (const parts::ParameterRow& row : parts::surface_parameter_table)
+        for (const detail::ParameterRow& row : detail::surface_parameter_table)
             if (const auto* known = face->parameters.find(row.parameter);
                 known && (!scene.best || row.parameter == Parameter::rms_height))
                 parts.push_back(std::string(row.symbol) + " " + shown_percent(known->error / known->value));

@@ -53,8 +53,8 @@ Scale scale_of(const MeasuredSurface& surface, const Law& law, const ScalesOptio
     return scale;
 }
 
-Scale scale_at(MeasureOptions options, const SurfaceInput& input, const parts::CutOffs<double>& cut_offs,
-               const Law& law, const ScalesOptions& how) {
+Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs<double>& cut_offs, const Law& law,
+               const ScalesOptions& how) {
     options.neighbours = false;
     options.resamples = 2;  // errors are not asked
     options.input.lambda_s = option_of(cut_offs.lambda_s);
@@ -109,11 +109,11 @@ Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const
         step = std::max(map.dx, map.dy);
         length = std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
     }
-    std::vector<std::pair<bool, parts::CutOffs<double>>> asked;  // whether lambda_s varies
-    const parts::CutOffs<double>& own = chosen.found.cut_offs;
+    std::vector<std::pair<bool, CutOffs<double>>> asked;  // whether lambda_s varies
+    const CutOffs<double>& own = chosen.found.cut_offs;
     const double shortest = own.lambda_s.value_or(4 * step), longest = own.lambda_c.value_or(length / 2);
     const auto ask = [&](bool of_short_waves, std::optional<double> lambda_s, std::optional<double> lambda_c) {
-        parts::CutOffs<double> cut_offs;
+        CutOffs<double> cut_offs;
         cut_offs.lambda_s = lambda_s, cut_offs.lambda_c = lambda_c, cut_offs.filter = own.filter;
         asked.emplace_back(of_short_waves, cut_offs);
     };
@@ -135,7 +135,7 @@ Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const
     Scales scales{.law = std::string(law.name), .length = length, .short_waves = {}, .long_waves = {}};
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (how.progress) how.progress("scales", i, asked.size());
-        const parts::CutOffs<double>& cut_offs = asked[i].second;
+        const CutOffs<double>& cut_offs = asked[i].second;
         const bool is_own = same(cut_offs.lambda_s, own.lambda_s) && same(cut_offs.lambda_c, own.lambda_c);
         Scale scale = is_own ? of_chosen : scale_at(*chosen.how, input, cut_offs, law, how);
         (asked[i].first ? scales.short_waves : scales.long_waves).push_back(std::move(scale));

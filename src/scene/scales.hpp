@@ -5,7 +5,7 @@
 #include "document/document.hpp"
 #include "surface/measured_surface.hpp"
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 
 #include <memory>
 #include <optional>
@@ -23,7 +23,7 @@ struct ScalesOptions {
 
 /// The surface filtered with one pair of cut-offs.
 struct Scale {
-    parts::CutOffs<double> cut_offs;
+    CutOffs<double> cut_offs;
     bool chosen = false;                       ///< the cut-offs that the measurement has
     std::optional<MeasuredSurface> surface{};  ///< none: `refusal` has the reason
     std::optional<double> stiffness{};         ///< K [Pa/m] by Scales::law

@@ -22,7 +22,7 @@ std::vector<Assumed> assumed(const Scene& scene) {
         return all;
     if (!scene.face.hurst) {
         const double hurst = hurst_exponent(scene.face),
-                     least = parts::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
+                     least = detail::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
         all.push_back({"hurst", "H",
                        hurst == least           ? "of a band as wide as what was measured"
                        : scene.face.dimension() ? "2 - D"
@@ -45,19 +45,18 @@ std::vector<NamedFace> measured_files(const Scene& scene) {
 std::string phrase_of(const Prior& prior, const Face& face) {
     const auto name = [&]() -> std::string_view {
         switch (prior.which) {
-            case parts::Unknown::height: return prior.origin == Origin::mean_height ? "Ra/Rq" : "Sa/Sq";
-            case parts::Unknown::gradient: return "rms gradient";
-            case parts::Unknown::alpha: return "alpha";
-            case parts::Unknown::hurst: return "H";
-            case parts::Unknown::hardness: break;  // of no face
-            case parts::Unknown::skewness: return "skewness";
-            case parts::Unknown::kurtosis: return "kurtosis";
+            case Unknown::height: return prior.origin == Origin::mean_height ? "Ra/Rq" : "Sa/Sq";
+            case Unknown::gradient: return "rms gradient";
+            case Unknown::alpha: return "alpha";
+            case Unknown::hurst: return "H";
+            case Unknown::hardness: break;  // of no face
+            case Unknown::skewness: return "skewness";
+            case Unknown::kurtosis: return "kurtosis";
         }
         return "";
     };
-    const std::string of_process = face.process == parts::Process::unknown
-                                       ? "of any process"
-                                       : "of a " + std::string(name_of(face.process)) + " face";
+    const std::string of_process =
+        face.process == Process::unknown ? "of any process" : "of a " + std::string(name_of(face.process)) + " face";
     const auto from = [&]() -> std::string {
         switch (prior.origin) {
             case Origin::islands: return "of peak_radius and peak_density as those of islands";
@@ -75,7 +74,7 @@ std::string phrase_of(const Prior& prior, const Face& face) {
 
 std::string phrase_of_hardness(const Scene& scene) {
     const auto& [low, middle, high] = *scene.hardness_range;
-    const auto name = [](const parts::NamedMaterial* material) { return std::string(material ? material->name : ""); };
+    const auto name = [](const NamedMaterial* material) { return std::string(material ? material->name : ""); };
     const std::string upper = name(scene.upper_name), lower = name(scene.lower_name);
     return "hardness " + with_unit(middle, "Pa", 2) + " (" + with_unit(low, "Pa", 2) + " to " +
            with_unit(high, "Pa", 2) + "), of " +

@@ -10,7 +10,7 @@
 
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 
 #include <algorithm>
 #include <bitset>
@@ -55,7 +55,7 @@ struct Scene : Problem {
     /// Phrases on what was assumed, such as "both bodies steel, 210 GPa"; printed with the answer.
     std::vector<std::string> assumptions;
 
-    const parts::NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
+    const NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
 
     bool at_separations = false;  ///< points are separations [m], not pressures [Pa]
     std::vector<double> points;

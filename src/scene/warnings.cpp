@@ -4,8 +4,7 @@
 #include "scene/explanation.hpp"
 #include "scene/result_rows.hpp"
 
-#include <fstiff/answer/concerns.hpp>
-#include <fstiff/answer/elements.hpp>
+#include <fstiff/answer/curves.hpp>
 
 #include <algorithm>
 #include <string_view>
@@ -57,7 +56,7 @@ void warn_of_hardness(const Problem& problem, Results& results) {
         if (const auto check = beyond_comparison(problem, *curve)) {
             results.doubtful = results.doubtful || !curve->by.empty();
             return results.warnings.push_back("law plastic was compared up to " + with_unit(check->limit, "Pa", 3) +
-                                              ", " + shown_percent(parts::max_compared_flow) +
+                                              ", " + shown_percent(detail::max_compared_flow) +
                                               " of the hardness: K at " +
                                               with_unit(curve->states[check->first].pressure.value, "Pa", 3) +
                                               " may be far off, and outside of its band");
@@ -65,30 +64,29 @@ void warn_of_hardness(const Problem& problem, Results& results) {
 }
 
 /// Begins the sentence about what does not hold at some points of a curve.
-std::string_view sentence(parts::Concern concern) {
+std::string_view sentence(Concern concern) {
     switch (concern) {
-        case parts::Concern::interacting_asperities:
+        case Concern::interacting_asperities:
             return "p* is above 0.01: laws without interaction of the asperities give too small a K there";
-        case parts::Concern::mean_planes_crossed:
-            return "the separation is below 0: the mean planes have passed each other";
-        case parts::Concern::above_highest_peak:
+        case Concern::mean_planes_crossed: return "the separation is below 0: the mean planes have passed each other";
+        case Concern::above_highest_peak:
             return "the separation is above the highest peak: real surfaces do not touch there";
-        case parts::Concern::few_contacts:
+        case Concern::few_contacts:
             return "fewer than 10 contacts on the nominal area: a mean over peaks is unreliable there";
-        case parts::Concern::area_above_nominal:
+        case Concern::area_above_nominal:
             return "the real area exceeds the nominal area: the model does not hold there";
-        case parts::Concern::not_converged:
+        case Concern::not_converged:
             return "the stiffness has an error above 1e-6 of its size: the integrals did not converge there";
         default: return "";
     }
 }
 
 /// A warning for all curves that have a point where \p concern does not hold.
-void warn_if_any(Results& results, parts::Concern concern) {
+void warn_if_any(Results& results, Concern concern) {
     std::size_t count = 0;
     std::string where;
     for (const Curve& curve : results.curves) {
-        const parts::Check<double>* check = parts::find_check(curve.checks, concern);
+        const Check<double>* check = detail::find_check(curve.checks, concern);
         if (check && !check->holds() && count++ == 0)
             where = title(curve) + " at p = " + rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
     }
@@ -98,7 +96,7 @@ void warn_if_any(Results& results, parts::Concern concern) {
 }
 
 /// The part of \p means outside of the range of \p law; may be empty.
-std::string outside_range(const Law& law, const parts::LoadMeans<double>& means) {
+std::string outside_range(const Law& law, const LoadMeans<double>& means) {
     const double s = means.interference.value, ratio = means.radius_ratio.value;
     std::string text;
     const auto say = [&](const char* name, double value, const char* side, double limit) {
@@ -135,18 +133,18 @@ void warn_of_plastic_ranges(const std::vector<const Law*>& laws, Results& result
 
 /// Warnings for the laws that are named: the band of an answer includes their causes.
 void warn_of_named_laws(const Scene& scene, Results& results) {
-    for (const parts::Check<double>& check : results.surface_checks) {
+    for (const Check<double>& check : results.surface_checks) {
         if (check.holds()) continue;
         const std::string value = rounded(check.least, 3);
         results.warnings.push_back(
-            check.concern == parts::Concern::plasticity
+            check.concern == Concern::plasticity
                 ? "plasticity index " + value + " is above 1: " + std::string(yielding_peaks)
                 : "sigma R D_p = " + value + " is below " + rounded(check.limit, 3) +
                       ", the minimum for the summits of an isotropic Gaussian surface: R and D_p may be those of "
                       "islands");
     }
-    for (const parts::Concern concern : {parts::Concern::interacting_asperities, parts::Concern::mean_planes_crossed,
-                                         parts::Concern::above_highest_peak, parts::Concern::few_contacts})
+    for (const Concern concern : {Concern::interacting_asperities, Concern::mean_planes_crossed,
+                                  Concern::above_highest_peak, Concern::few_contacts})
         warn_if_any(results, concern);
     warn_of_plastic_ranges(scene.laws, results);
     if ((scene.asks(CurveQuantity::reflection) || scene.asks(CurveQuantity::shear_reflection)) &&
@@ -168,13 +166,12 @@ void add_warnings(const Scene& scene, Results& results) {
     else if (scene.reading != InteractionReading::none && scene.laws.front()->holds_when_crowded)
         results.warnings.push_back(
             "contact.interaction does not affect the answer, whose laws include their own interaction");
-    if (scene.best && !unknown.empty() && !parts::is_known(scene.face.parameters.rms_height))
+    if (scene.best && !unknown.empty() && !detail::is_known(scene.face.parameters.rms_height))
         results.warnings.push_back(results.answer && results.answer->of_map_itself
                                        ? "sigma is not known to a factor of two: K is that of this map alone"
                                        : "sigma is not known to a factor of two, so K and its band are doubtful");
     const std::size_t before = results.warnings.size();
-    for (const parts::Concern concern : {parts::Concern::area_above_nominal, parts::Concern::not_converged})
-        warn_if_any(results, concern);
+    for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
     const double noise =
         scene.best ? noise_of(scene.face, scene.law_options.edges) / scene.face.parameters.rms_height.value : 0;
     if (results.warnings.size() > before || scene.implausible || has_lay(scene) || !unknown.empty())

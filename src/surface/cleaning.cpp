@@ -6,7 +6,7 @@
 #include "io/readers.hpp"
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/measured/prepare.hpp>
+#include <fstiff/measure/prepare.hpp>
 
 #include <algorithm>
 #include <variant>
@@ -21,7 +21,7 @@ std::string of(std::size_t count, std::size_t all) {
 /// \throws domain_error with the name of the option unless points from \p from to \p to lie on a line of \p points at
 /// \p step.
 std::size_t points_of(double from, double to, std::size_t points, double step, const std::string& name) {
-    const auto range = parts::points_between(from, to, points, step);
+    const auto range = detail::points_between(from, to, points, step);
     if (!range)
         throw domain_error(name + ": from " + shown_length(from) + " to " + shown_length(to) +
                            " must rise, and lie between 0 and the length of " +
@@ -93,7 +93,7 @@ HeightMap<double>::Array read_mask(const std::string& file) {
 }
 
 /// The mask of \p options for a surface of \p extent. \throws domain_error, file_error.
-parts::PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& extent) {
+PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& extent) {
     const auto marks = read_mask(options.mask);
     const auto columns = static_cast<Eigen::Index>(extent.columns), rows = static_cast<Eigen::Index>(extent.rows);
     const bool fits = profile ? marks.size() == columns && (marks.rows() == 1 || marks.cols() == 1)
@@ -108,7 +108,7 @@ parts::PointMask mask_of(const SurfaceOptions& options, bool profile, const Exte
 }
 
 /// Notes of clean().
-void describe(const SurfaceOptions& options, const parts::CleaningReport& report, bool profile,
+void describe(const SurfaceOptions& options, const CleaningReport& report, bool profile,
               std::vector<std::string>& details) {
     const std::size_t points = report.columns * report.rows;
     if (!options.crop.empty())
@@ -123,7 +123,7 @@ void describe(const SurfaceOptions& options, const parts::CleaningReport& report
                           ")");
     if (options.spikes != 0)
         details.push_back("spikes: " + of(report.spikes, points) + " became missing, beyond " +
-                          parts::shortest_text(options.spikes) +
+                          detail::shortest_text(options.spikes) +
                           " standard deviations from the median of their neighbours");
     if (options.fill)
         details.push_back("fill: " + of(report.filled, points) + " filled " +
@@ -140,12 +140,11 @@ void clean(const SurfaceOptions& options, io::Surface& surface) {
     if (!options.crop.empty()) how.crop = crop_of(options, surface, extent);
     if (!options.mask.empty()) how.mask = mask_of(options, profile, extent);
     if (options.spikes != 0)
-        require(options.spikes >= parts::min_spike_limit && options.spikes <= parts::max_spike_limit,
-                options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
+        detail::require(options.spikes >= detail::min_spike_limit && options.spikes <= detail::max_spike_limit,
+                        options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
     how.spikes = options.spikes;
     how.fill = options.fill;
-    const parts::CleaningReport report =
-        std::visit([&](auto& heights) { return parts::clean(heights, how); }, surface.data);
+    const CleaningReport report = std::visit([&](auto& heights) { return detail::clean(heights, how); }, surface.data);
     describe(options, report, profile, surface.record.details);
 }
 
@@ -159,15 +158,15 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     if (surface.is_profile()) {
         if (surface.profile().size() < 16) return hints;
         Profile<double> copy = surface.profile();
-        if (parts::find_spikes(copy, sure, false).removed > 0) found = parts::find_spikes(copy, limit, false).removed;
+        if (detail::find_spikes(copy, sure, false).removed > 0) found = detail::find_spikes(copy, limit, false).removed;
     } else {
         const HeightMap<double>& map = surface.map();
         if (map.rows() < 16 || map.columns() < 16) return hints;
         const Eigen::Index rows = std::min(map.rows(), most), columns = std::min(map.columns(), most);
         HeightMap<double> part{map.heights.topLeftCorner(rows, columns), map.dx, map.dy};
-        if (parts::find_spikes(part, sure, false).removed > 0) {
+        if (detail::find_spikes(part, sure, false).removed > 0) {
             if (part.size() < map.size()) part = map;
-            found = parts::find_spikes(part, limit, false).removed;
+            found = detail::find_spikes(part, limit, false).removed;
         }
     }
     if (found > 0)

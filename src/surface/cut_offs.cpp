@@ -8,53 +8,52 @@ namespace fstiff::scene {
 namespace {
 
 /// Where the index of lambda_s comes from.
-std::string source_of_index(const parts::CutOffs<double>& cut_offs) {
+std::string source_of_index(const CutOffs<double>& cut_offs) {
     switch (cut_offs.index_source) {
-        case parts::IndexSource::tip: return "of a tip of " + shown_length(cut_offs.tip_radius);
-        case parts::IndexSource::resolution: return "of the resolution";
-        case parts::IndexSource::step: break;
+        case IndexSource::tip: return "of a tip of " + shown_length(cut_offs.tip_radius);
+        case IndexSource::resolution: return "of the resolution";
+        case IndexSource::step: break;
     }
     return "of five steps of " + shown_length(cut_offs.step);
 }
 
 /// Why lambda_s is so, or why there is none; empty where it was given.
-std::string why_lambda_s(const parts::CutOffs<double>& cut_offs) {
+std::string why_lambda_s(const CutOffs<double>& cut_offs) {
     const std::string index = shown_length(cut_offs.index), why = source_of_index(cut_offs);
     switch (cut_offs.why_s) {
-        case parts::LambdaSReason::given: break;
-        case parts::LambdaSReason::by_table: return "by the table, the index " + why;
-        case parts::LambdaSReason::too_short:
-            return "as measured; " + std::to_string(parts::lambda_s_of_length) + " of " + index + ", the index " + why +
-                   ", do not fit the length of " + shown_length(cut_offs.length);
-        case parts::LambdaSReason::not_below_lambda_c:
+        case LambdaSReason::given: break;
+        case LambdaSReason::by_table: return "by the table, the index " + why;
+        case LambdaSReason::too_short:
+            return "as measured; " + std::to_string(detail::lambda_s_of_length) + " of " + index + ", the index " +
+                   why + ", do not fit the length of " + shown_length(cut_offs.length);
+        case LambdaSReason::not_below_lambda_c:
             return "as measured; " + index + ", the index " + why + ", is not below lambda_c";
     }
     return "";
 }
 
 /// Why lambda_c is so, or why there is none; empty where it was given.
-std::string why_lambda_c(const parts::CutOffs<double>& cut_offs) {
+std::string why_lambda_c(const CutOffs<double>& cut_offs) {
     const std::string of_ra = "by the table, of Ra " + shown_length(cut_offs.mean_deviation, 3);
     const std::string length = shown_length(cut_offs.length);
     switch (cut_offs.why_c) {
-        case parts::CutOffReason::given: break;
-        case parts::CutOffReason::roughness: return of_ra;
-        case parts::CutOffReason::length:
+        case CutOffReason::given: break;
+        case CutOffReason::roughness: return of_ra;
+        case CutOffReason::length:
             return of_ra + ", whose row is longer: the longest that fits five times into the length of " + length;
-        case parts::CutOffReason::step:
-            return of_ra + ", whose row is shorter: the shortest that the step and lambda_s allow";
-        case parts::CutOffReason::too_short:
+        case CutOffReason::step: return of_ra + ", whose row is shorter: the shortest that the step and lambda_s allow";
+        case CutOffReason::too_short:
             return "the length of " + length + " does not hold five of " +
-                   shown_length(parts::cut_off_table.front().lambda_c) + ", the shortest of the table";
-        case parts::CutOffReason::too_coarse:
+                   shown_length(detail::cut_off_table.front().lambda_c) + ", the shortest of the table";
+        case CutOffReason::too_coarse:
             return "those of the table that the length of " + length + " holds are too short for the step";
-        case parts::CutOffReason::form_alone: return "the form alone bounds the long waves";
+        case CutOffReason::form_alone: return "the form alone bounds the long waves";
     }
     return "";
 }
 
 /// Points to which the robust filter gave no weight.
-std::string left_out(const std::optional<parts::RobustOutcome>& robust) {
+std::string left_out(const std::optional<RobustOutcome>& robust) {
     if (!robust) return "";
     return ", " + std::to_string(robust->left_out) + " of " + std::to_string(robust->points) +
            " points without weight, " + std::to_string(robust->iterations) + " iterations" +
@@ -82,27 +81,27 @@ fstiff::MeasureOptions<double> library_options(const SurfaceOptions& options) {
 
 void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOptions<double>& given, double step,
                       double length) {
-    const auto refused = parts::refused_cut_off(given, step, length);
+    const auto refused = detail::refused_cut_off(given, step, length);
     if (!refused) return;
     const std::string short_name = options.name("lambda_s"), long_name = options.name("lambda_c");
     const std::string& name = refused->long_waves ? long_name : short_name;
     const std::string quoted =
         name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s).text("m") + "\"";
-    const int steps = refused->long_waves ? parts::min_steps_of_lambda_c : parts::min_steps_of_lambda_s;
+    const int steps = refused->long_waves ? detail::min_steps_of_lambda_c : detail::min_steps_of_lambda_s;
     switch (refused->why) {
-        case parts::CutOffRefusal::below_steps:
+        case detail::CutOffRefusal::below_steps:
             throw domain_error(quoted + " cannot be held by this file, whose points are " + shown_length(step) +
                                " apart: must be at least " + std::to_string(steps) + " steps, " +
                                shown_length(refused->limit));
-        case parts::CutOffRefusal::above_length:
+        case detail::CutOffRefusal::above_length:
             throw domain_error(quoted + ": must be at most the length of the surface, " + shown_length(length));
-        case parts::CutOffRefusal::not_below_lambda_c:
+        case detail::CutOffRefusal::not_below_lambda_c:
             throw domain_error(name + " = " + shown_length(refused->given) + ": must be less than " + long_name + ", " +
                                shown_length(refused->limit));
     }
 }
 
-std::string sentence_of(const parts::CutOffs<double>& cut_offs) {
+std::string sentence_of(const CutOffs<double>& cut_offs) {
     const std::string why_s = why_lambda_s(cut_offs), why_c = why_lambda_c(cut_offs);
     const std::string s = why_s.empty() ? "" : why_s + "; ", c = why_c.empty() ? "" : why_c + "; ";
     const auto &lambda_s = cut_offs.lambda_s, &lambda_c = cut_offs.lambda_c;

@@ -4,7 +4,7 @@
 #include "document/shown_unit.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/measured/pooled_surface.hpp>
+#include <fstiff/measure/pooled_surface.hpp>
 
 #include <cmath>
 
@@ -35,7 +35,7 @@ Json json_of_option(const SurfaceOptionRow& row, const SurfaceOptions& options) 
             return value.text("m");
         else if constexpr (std::is_same_v<Value, std::optional<io::X3pIncrement>>)
             return value ? Json(name_of(*value)) : Json("");
-        else if constexpr (parts::NamedEnum<Value>)
+        else if constexpr (detail::NamedEnum<Value>)
             return name_of(value);
         else
             return value;
@@ -120,7 +120,7 @@ Rows rows_of(const MeasuredSurface& surface, const std::string& file) {
     for (const Parameter which : {Parameter::peak_radius, Parameter::peak_density}) {
         if (surface.found.find(which)) continue;
         std::vector<Cell> cells{
-            parts::row_of(which).key, {}, {}, "", {}, {}, "", "not known: " + surface.found.why_no_density};
+            detail::row_of(which).key, {}, {}, "", {}, {}, "", "not known: " + surface.found.why_no_density};
         if (!file.empty()) cells.insert(cells.begin(), file);
         rows.add_row(std::move(cells));
     }
@@ -158,13 +158,13 @@ void add_surface(Document& document, const SharedSurface& surface, const std::st
 
 }  // namespace
 
-void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs) {
+void put_cut_offs(Json& document, const CutOffs<double>& cut_offs) {
     document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
     document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
     document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
 }
 
-void add_grid(Document& document, const SurfaceInput& input, const parts::PreparedMap<double>& levelled) {
+void add_grid(Document& document, const SurfaceInput& input, const PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
     document.json.update({{"columns", map.columns()},
                           {"rows", map.rows()},
@@ -180,7 +180,7 @@ void add_source(Document& document, const SurfaceOptions& options, const Surface
     const std::vector<std::string> decisions = input.surface.record.sentences();
     document.json["source"] = {{"file", display_name(options.file)},
                                {"sha256", input.sha256},
-                               {"format", io::surface_format_name(input.surface.record.format)},
+                               {"format", name_of(input.surface.record.format)},
                                {"kind", input.surface.is_profile() ? "profile" : "map"},
                                {"decisions", decisions}};
     document.json["inputs"] = json_inputs(options, form);
@@ -190,7 +190,7 @@ void add_source(Document& document, const SurfaceOptions& options, const Surface
 void add_reading(Document& document, const SurfaceInput& input, std::string_view consequence, double rms_gradient) {
     for (std::string& warning : reading_warnings(input, consequence, rms_gradient))
         document.warnings.push_back(std::move(warning));
-    document.doubtful = document.doubtful || !parts::is_plausible_gradient(rms_gradient);
+    document.doubtful = document.doubtful || !detail::is_plausible_gradient(rms_gradient);
 }
 
 Json measured_document(const MeasuredSurface& surface) {
@@ -214,8 +214,8 @@ Json measured_document(const MeasuredSurface& surface) {
     if (!found.why_no_dimension.empty()) document["no_fractal_dimension"] = found.why_no_dimension;
     if (!found.why_no_peaks.empty()) document["no_r_and_theta"] = found.why_no_peaks;
     Json names = Json::array(), rows = Json::array();
-    for (std::size_t i = 0; i < parts::surface_parameter_count; ++i) {
-        names.push_back(parts::parameter_table[i].key);
+    for (std::size_t i = 0; i < detail::surface_parameter_count; ++i) {
+        names.push_back(detail::parameter_table[i].key);
         Json row = Json::array();
         for (const double one : found.correlation[i]) row.push_back(one);
         rows.push_back(std::move(row));
@@ -239,7 +239,7 @@ RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>
         return all;
     };
     const std::vector<RoughnessTable> by_table = tables(lambda_c);
-    const CutOff<double> shared = parts::shared_cut_off(lambda_c, by_table, &parts::CutOffs<double>::lambda_c);
+    const CutOff<double> shared = detail::shared_cut_off(lambda_c, by_table, &CutOffs<double>::lambda_c);
     return mean_of(shared.automatic() ? by_table : tables(shared));
 }
 

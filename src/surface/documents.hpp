@@ -18,9 +18,9 @@ namespace fstiff::scene {
 /// removed.
 void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input, const std::string& form);
 /// Adds lambda_s_m, lambda_c_m and the filter of lambda_c: null where there is none.
-void put_cut_offs(Json& document, const parts::CutOffs<double>& cut_offs);
+void put_cut_offs(Json& document, const CutOffs<double>& cut_offs);
 /// Adds the grid of \p levelled, how many points were missing in \p input, and the cut-offs.
-void add_grid(Document& document, const SurfaceInput& input, const parts::PreparedMap<double>& levelled);
+void add_grid(Document& document, const SurfaceInput& input, const PreparedMap<double>& levelled);
 /// Adds the rms height called \p symbol before and after the removal of \p form, and a line of the cut-offs.
 template <class Levelled>
 void add_heights(Document& document, std::string_view symbol, const Levelled& levelled, const std::string& form) {

@@ -5,8 +5,8 @@
 #include "document/shown_unit.hpp"
 #include "surface/documents.hpp"
 
-#include <fstiff/measured/measured_concerns.hpp>
-#include <fstiff/measured/sections.hpp>
+#include <fstiff/measure/concerns.hpp>
+#include <fstiff/measure/sections.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 
@@ -76,8 +76,8 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["log_fractal_roughness_error"] = fit.log_roughness_error;
     document["window_m"] = Json(std::vector<double>{fit.window.from, fit.window.to});
     document["window_automatic"] = fit.automatic_window;
-    document["window_begins"] = parts::describe(fit.begins);
-    document["window_ends"] = parts::describe(fit.ends);
+    document["window_begins"] = detail::describe(fit.begins);
+    document["window_ends"] = detail::describe(fit.ends);
     document["reliable_from_m"] = fit.reliable_from;
     document["lags_in_window"] = fit.lags;
     document["slope_at_window_ends"] = Json(std::vector<double>{fit.slope_shortest, fit.slope_longest});
@@ -112,7 +112,7 @@ Document begun(const FractalOptions& options, const SurfaceInput& input, const s
 /// G with its error, two digits where it is not known to a factor of two, and the convention that it has.
 std::string roughness_text(const FractalOptions& options, const FractalFit<double>& fit) {
     const Measurement<double> g{fit.fractal.roughness, fit.roughness_error};
-    return "G = " + rounded(g.value, parts::is_known(g) ? 5 : 2) + " m +- " + rounded(g.error, 2) +
+    return "G = " + rounded(g.value, detail::is_known(g) ? 5 : 2) + " m +- " + rounded(g.error, 2) +
            " m   (convention " + std::string(name_of(options.convention));
 }
 
@@ -123,7 +123,7 @@ std::string window_line(const FractalFit<double>& fit) {
 }
 
 std::string window_reason(const FractalFit<double>& fit) {
-    return "begins " + std::string(parts::describe(fit.begins)) + ", ends " + std::string(parts::describe(fit.ends)) +
+    return "begins " + std::string(detail::describe(fit.begins)) + ", ends " + std::string(detail::describe(fit.ends)) +
            (fit.reliable_from > 0 ? "; lags below " + shown_length(fit.reliable_from) + " are left out" : "");
 }
 
@@ -151,7 +151,7 @@ Strings warnings_of(const FractalOptions& options, const ProfileFractal& result)
     return all;
 }
 
-Strings warnings_of(const FractalOptions& options, const parts::DirectionalFit<double>& fit) {
+Strings warnings_of(const FractalOptions& options, const DirectionalFit<double>& fit) {
     Strings all;
     for (const auto* along : {&fit.x, &fit.y})
         if (*along)
@@ -214,7 +214,7 @@ void add_others(Document& document, const ProfileFractal& result) {
 Document of_profile(const FractalOptions& options, const SurfaceInput& input) {
     const ProfileFractal result = fractal_of_profile(options, input);
     const FractalFit<double>& fit = result.fit;
-    const parts::PreparedProfile<double>& levelled = result.levelled;
+    const PreparedProfile<double>& levelled = result.levelled;
     const std::string form = form_name(levelled);
     Document document = begun(options, input, "", form);
     Json& json = document.json;
@@ -265,12 +265,12 @@ Json add_direction(Document& document, const FractalOptions& options, const std:
 }
 
 /// The fits along x and along y, one of them at least.
-parts::DirectionalFit<double> directions_of(const FractalOptions& options, const parts::PreparedMap<double>& levelled) {
-    parts::FractalFitOptions<double> how = fit_options(options);
+DirectionalFit<double> directions_of(const FractalOptions& options, const PreparedMap<double>& levelled) {
+    FractalFitOptions<double> how = fit_options(options);
     how.progress = options.progress;
     how.lambda_s = levelled.cut_offs.lambda_s.value_or(0);
     return about_file(options.surface.file, [&] {
-        parts::DirectionalFit<double> fit = parts::fit_directions<double>(levelled, how);
+        DirectionalFit<double> fit = detail::fit_directions<double>(levelled, how);
         if (!fit.x && !fit.y)
             throw domain_error("no direction of the map allows a fit; along x: " + fit.why_no_fit_x +
                                "; along y: " + fit.why_no_fit_y);
@@ -281,13 +281,13 @@ parts::DirectionalFit<double> directions_of(const FractalOptions& options, const
 Document of_map(const FractalOptions& options, SurfaceInput& input) {
     if (options.all_lags)
         throw option_error(options.surface.name("all_lags") + " is for profiles; must not be given for a map");
-    const parts::PreparedMap<double> levelled = level_map_of(options.surface, input);
-    const parts::DirectionalFit<double> fit = directions_of(options, levelled);
+    const PreparedMap<double> levelled = level_map_of(options.surface, input);
+    const DirectionalFit<double> fit = directions_of(options, levelled);
     Document document = begun(options, input, "the map ", form_name(levelled));
     Json& json = document.json;
     add_grid(document, input, levelled);
     add_heights(document, "Sq", levelled, form_name(levelled));
-    const parts::ArealStatistics<double>& a = levelled.areal;
+    const ArealStatistics<double>& a = levelled.areal;
     document.facts("moments",
                    {{"m0_m2", a.m0},
                     {"m2", a.m2, "m2 "},
@@ -319,8 +319,8 @@ Document of_map(const FractalOptions& options, SurfaceInput& input) {
 
 }  // namespace
 
-parts::FractalFitOptions<double> fit_options(const FractalOptions& options) {
-    parts::FractalFitOptions<double> how;
+FractalFitOptions<double> fit_options(const FractalOptions& options) {
+    FractalFitOptions<double> how;
     const SurfaceOptions& surface = options.surface;
     if (!surface.window.empty()) how.window = parse_window(surface.window, surface.name("window"));
     how.convention = options.convention;
@@ -332,26 +332,26 @@ parts::FractalFitOptions<double> fit_options(const FractalOptions& options) {
 }
 
 ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input) {
-    parts::FractalFitOptions<double> how = fit_options(options);
+    FractalFitOptions<double> how = fit_options(options);
     how.progress = options.progress;
     ProfileFractal result;
     result.levelled = level_profile(options.surface, input);
     const Profile<double>& profile = result.levelled.profile;
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
-    result.no_spectrum = parts::fit_or_reason(result.spectrum, [&] {
+    result.no_spectrum = detail::fit_or_reason(result.spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
-        std::optional<parts::WavelengthWindow<double>> window;  // without the waves below lambda_s
+        std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
         if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
             window = {*shortest, 2 * std::numbers::pi_v<double> / spectrum.step / 8};
-        const parts::SpectralFit<double> fit = parts::fit_spectrum(spectrum, window);
-        require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
-                "between 1 and 2: over these wavelengths the profile is not self-affine");
+        const SpectralFit<double> fit = detail::fit_spectrum(spectrum, window);
+        detail::require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
+                        "between 1 and 2: over these wavelengths the profile is not self-affine");
         return fit;
     });
-    result.no_moments = parts::fit_or_reason(result.moments, [&] { return parts::spectral_moments(profile); });
-    result.no_peaks = parts::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
-    result.structure = options.all_lags ? parts::structure_function_at_all_lags(result.levelled.of_structure())
+    result.no_moments = detail::fit_or_reason(result.moments, [&] { return detail::spectral_moments(profile); });
+    result.no_peaks = detail::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
+    result.structure = options.all_lags ? detail::structure_function_at_all_lags(result.levelled.of_structure())
                                         : result.fit.structure_function;
     return result;
 }

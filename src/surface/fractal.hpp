@@ -5,7 +5,7 @@
 #include "document/document.hpp"
 #include "surface/surface_file.hpp"
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
@@ -21,9 +21,9 @@ namespace fstiff::scene {
 /// How a file is read, and how D and G are found.
 struct FractalOptions {
     SurfaceOptions surface;
-    parts::StructureConvention convention = parts::StructureConvention::exact;
-    std::uint64_t seed = parts::FractalFitOptions<double>{}.seed;
-    int resamples = parts::FractalFitOptions<double>{}.resamples;
+    StructureConvention convention = StructureConvention::exact;
+    std::uint64_t seed = FractalFitOptions<double>{}.seed;
+    int resamples = FractalFitOptions<double>{}.resamples;
     bool all_lags = false;    ///< the structure function of a profile at every lag
     ProgressHook progress{};  ///< called while the bootstrap draws
 
@@ -42,9 +42,9 @@ struct FractalOptions {
 
 /// Results of one profile. Parts that need more than the fit have a reason where they are missing.
 struct ProfileFractal {
-    parts::PreparedProfile<double> levelled;
+    PreparedProfile<double> levelled;
     FractalFit<double> fit;
-    std::optional<parts::SpectralFit<double>> spectrum;
+    std::optional<SpectralFit<double>> spectrum;
     std::optional<SpectralMoments<double>> moments;
     std::optional<PeakStatistics<double>> peaks;
     std::string no_spectrum, no_moments, no_peaks;
@@ -52,7 +52,7 @@ struct ProfileFractal {
 };
 
 /// \throws domain_error for a window, a tip radius or a resolution that is not a length.
-[[nodiscard]] parts::FractalFitOptions<double> fit_options(const FractalOptions& options);
+[[nodiscard]] FractalFitOptions<double> fit_options(const FractalOptions& options);
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
 [[nodiscard]] ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input);

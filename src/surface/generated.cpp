@@ -30,7 +30,7 @@ void check_options(const GenerateRequest& request) {
     only(request.gamma != 1.5, wm, "gamma", false);
     only(request.hurst.has_value(), !wm, "hurst", true);
     only(!request.rms.empty(), !wm, "rms", true);
-    only(request.long_waves != parts::LongWaves::plateau, !wm, "long_waves", false);
+    only(request.long_waves != LongWaves::plateau, !wm, "long_waves", false);
     only(request.rows != 0, map, "rows", false);
 }
 

@@ -28,13 +28,13 @@ enum class GeneratedForm { csv, sdf, sdf_text };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::GeneratedKind> = name_list<scene::GeneratedKind>(
+inline constexpr auto names<scene::GeneratedKind> = detail::name_list<scene::GeneratedKind>(
     {{scene::GeneratedKind::wm, "wm"}, {scene::GeneratedKind::profile, "profile"}, {scene::GeneratedKind::map, "map"}});
 template <>
-inline constexpr auto names<scene::GeneratedForm> = name_list<scene::GeneratedForm>({{scene::GeneratedForm::csv, "csv"},
-                                                                                     {scene::GeneratedForm::sdf, "sdf"},
-                                                                                     {scene::GeneratedForm::sdf_text,
-                                                                                      "sdf-text"}});
+inline constexpr auto names<scene::GeneratedForm> =
+    detail::name_list<scene::GeneratedForm>({{scene::GeneratedForm::csv, "csv"},
+                                             {scene::GeneratedForm::sdf, "sdf"},
+                                             {scene::GeneratedForm::sdf_text, "sdf-text"}});
 
 }  // namespace fstiff
 
@@ -55,7 +55,7 @@ struct GenerateRequest {
     double gamma = 1.5;                   ///< ratio of neighbouring wavelengths
     std::optional<double> hurst{};        ///< H
     Amount rms{}, longest{}, shortest{};  ///< wavelengths: the longest side and two spacings by default
-    parts::LongWaves long_waves = parts::LongWaves::plateau;
+    LongWaves long_waves = LongWaves::plateau;
     std::uint64_t seed = 1;
     GeneratedForm format = GeneratedForm::csv;
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line

@@ -4,7 +4,7 @@
 #include <fstiff/double/surfaces.hpp>
 #include "surface/documents.hpp"
 
-#include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/measure/concerns.hpp>
 
 #include <algorithm>
 
@@ -14,12 +14,12 @@ namespace {
 
 RepresentativeIslands<double> islands_of(const IslandsRequest& options, const HeightMap<double>& map) {
     IslandOptions<double> how;
-    how.connectivity = options.neighbours == 4 ? parts::Connectivity::four : parts::Connectivity::eight;
+    how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
     how.border = options.border;
     how.min_points = options.min_points;
     how.height = options.height;
     how.quantiles = options.levels;
-    parts::IslandSpread spread = options.spread;
+    IslandSpread spread = options.spread;
     how.progress = spread.progress = options.progress;
     return about_file(options.surface.file, [&] { return representative_islands(map, how, spread); });
 }
@@ -55,7 +55,7 @@ void add_pair(Document& document, const IslandsRequest& options, const Represent
                      {"error_correlation", r.correlation},
                      {"tiles", r.tiles}});
     const auto with_error = [&](const ShownUnit& unit, double value, double error) {
-        const int digits = parts::is_known<double>({value, error}) && !parts::is_densest_at_end(r) ? 5 : 2;
+        const int digits = detail::is_known<double>({value, error}) && !detail::is_densest_at_end(r) ? 5 : 2;
         return rounded(value * unit.factor, digits) + (r.tiles > 0 ? " +- " + rounded(error * unit.factor, 2) : "") +
                " " + std::string(unit.name);
     };
@@ -75,7 +75,7 @@ void add_pair(Document& document, const IslandsRequest& options, const Represent
 
 Document document_of(const IslandsRequest& options, std::optional<SurfaceInput> given) {
     SurfaceInput input = input_of(options.surface, std::move(given));
-    parts::PreparedMap<double> levelled = level_map_of(options.surface, input);
+    PreparedMap<double> levelled = level_map_of(options.surface, input);
     levelled.unfiltered.reset();  // islands are those of the filtered map
     const RepresentativeIslands<double> r = islands_of(options, levelled.map);
     Document document("islands");
@@ -95,19 +95,19 @@ Document document_of(const IslandsRequest& options, std::optional<SurfaceInput> 
     add_heights(document, "Sq", levelled, form_name(levelled));
     document.line("islands", "of " + std::to_string(options.neighbours) + " neighbours, of " +
                                  std::to_string(options.min_points) + " points at least, at the border " +
-                                 (options.border == parts::BorderIslands::kept ? "kept" : "dropped") + "; height by " +
+                                 (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +
                                  std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) +
                                  " levels\n");
     add_pair(document, options, r);
     document.table(rows_of(r), {.key = "curve",
                                 .thinned = "levels, and the greatest density",
                                 .shown = [index = r.index](std::size_t i) { return i == index; }});
-    parts::SurfaceParameters<double> pair;
+    SurfaceParameters<double> pair;
     pair.peak_radius = {r.radius, r.radius_error};
     pair.peak_density = {r.density, r.density_error};
     const std::vector<MeasuredConcern> concerns = concerns_of(r);
     document.warnings = peak_warnings(concerns, r.islands, pair);
-    document.doubtful = std::any_of(concerns.begin(), concerns.end(), [](auto one) { return parts::is_fatal(one); });
+    document.doubtful = std::any_of(concerns.begin(), concerns.end(), [](auto one) { return detail::is_fatal(one); });
     add_reading(document, input, "they are part of no island and of no area", levelled.areal.rms_gradient);
     return document;
 }

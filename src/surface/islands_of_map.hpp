@@ -5,7 +5,7 @@
 #include "document/document.hpp"
 #include "surface/surface_file.hpp"
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 
@@ -18,10 +18,10 @@ namespace fstiff::scene {
 struct IslandsRequest {
     SurfaceOptions surface;
     int neighbours = 8;  ///< of a point: 8 or 4
-    parts::BorderIslands border = parts::BorderIslands::kept;
-    parts::IslandHeight height = parts::IslandHeight::peak;
+    BorderIslands border = BorderIslands::kept;
+    IslandHeight height = IslandHeight::peak;
     std::size_t min_points = 1, levels = IslandOptions<double>{}.quantiles;
-    parts::IslandSpread spread;
+    IslandSpread spread;
     ProgressHook progress{};
 
     template <class Take>

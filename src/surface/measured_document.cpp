@@ -37,7 +37,7 @@ std::vector<std::string> texts_of(const Parsed& object, const char* key) {
 }
 
 /// The long end of the spectrum; none in documents of an older fstiff.
-parts::LongEnd<double> long_end_of(const Parsed& document, const std::string& name) {
+LongEnd<double> long_end_of(const Parsed& document, const std::string& name) {
     const auto end = document.find("long_end");
     if (end == document.end() || !end->is_object()) return {};
     const auto number = [&](const char* key, double most) {
@@ -76,7 +76,7 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
         if (found == values->end()) return std::nullopt;
         return measurement_of(*found, name + ": surface." + key);
     };
-    for (const parts::ParameterRow& row : parts::surface_parameter_table) {
+    for (const detail::ParameterRow& row : detail::surface_parameter_table) {
         const std::string key(row.key);
         if (const auto measured = read(key.c_str()))
             surface.set(row.parameter, *measured);
@@ -136,14 +136,14 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     }
     surface.warnings = texts_of(document, "warnings");
     for (const std::string& word : texts_of(document, "concerns"))  // unknown words, of a later version, are left out
-        if (const auto concern = parts::find_named<MeasuredConcern>(word)) found.concerns.push_back(*concern);
+        if (const auto concern = detail::find_named<MeasuredConcern>(word)) found.concerns.push_back(*concern);
     found.why_no_dimension = text_of(document, "no_fractal_dimension");
     found.why_no_peaks = text_of(document, "no_r_and_theta");
     if (const auto correlation = document.find("correlation_of_errors");
         correlation != document.end() && correlation->is_object()) {
         const auto matrix = correlation->find("matrix");
-        for (std::size_t i = 0; i < parts::surface_parameter_count; ++i)
-            for (std::size_t j = 0; j < parts::surface_parameter_count; ++j) {
+        for (std::size_t i = 0; i < detail::surface_parameter_count; ++i)
+            for (std::size_t j = 0; j < detail::surface_parameter_count; ++j) {
                 const bool there = matrix != correlation->end() && matrix->is_array() && i < matrix->size() &&
                                    (*matrix)[i].is_array() && j < (*matrix)[i].size() && (*matrix)[i][j].is_number();
                 if (!there) throw domain_error(name + ": correlation_of_errors.matrix: must be 6 rows of 6 numbers");
@@ -153,7 +153,7 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     if (const auto neighbours = document.find("neighbours"); neighbours != document.end() && neighbours->is_array())
         for (std::size_t k = 0; k < neighbours->size(); ++k)
             found.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
-    about_file(name, [&] { parts::SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
+    about_file(name, [&] { detail::SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
     return surface;
 }
 

@@ -4,7 +4,7 @@
 #include "document/shown_unit.hpp"
 #include "surface/measured_surface.hpp"
 
-#include <fstiff/measured/pooled_surface.hpp>
+#include <fstiff/measure/pooled_surface.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -42,20 +42,20 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
         return domain_error(one.file + ": " + mine + first.file + " " + other + "; " + noun + "s of " +
                             std::string(option));
     };
-    const parts::CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
-    switch (parts::unlikeness(first.found, one.found)) {
-        case parts::Unlikeness::none: return;
-        case parts::Unlikeness::kind:
+    const CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
+    switch (detail::unlikeness(first.found, one.found)) {
+        case detail::Unlikeness::none: return;
+        case detail::Unlikeness::kind:
             throw unlike("is a " + one.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
-        case parts::Unlikeness::lambda_s:
+        case detail::Unlikeness::lambda_s:
             throw unlike("lambda_s " + shown(a.lambda_s) + ", that of ", shown(b.lambda_s),
                          "one surface must have one " + options.name("lambda_s"));
-        case parts::Unlikeness::lambda_c:
+        case detail::Unlikeness::lambda_c:
             throw unlike("lambda_c " + shown(a.lambda_c) + ", that of ", shown(b.lambda_c),
                          "one surface must have one " + options.name("lambda_c"));
-        case parts::Unlikeness::step:
-            throw unlike("has points " + shown_length(parts::step_of(one.found)) + " apart, and ",
-                         shown_length(parts::step_of(first.found)),
+        case detail::Unlikeness::step:
+            throw unlike("has points " + shown_length(detail::step_of(one.found)) + " apart, and ",
+                         shown_length(detail::step_of(first.found)),
                          "unlike steps must have one " + options.name("lambda_s"));
     }
 }
@@ -63,15 +63,14 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
 /// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are
 /// such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>& parts) {
-    const auto share = [&](Amount& option, std::optional<double> parts::CutOffs<double>::*of) {
-        const CutOff<double> asked = parse_cut_off(option, ""), shared = parts::shared_cut_off(asked, parts, of);
+    const auto share = [&](Amount& option, std::optional<double> CutOffs<double>::*of) {
+        const CutOff<double> asked = parse_cut_off(option, ""), shared = detail::shared_cut_off(asked, parts, of);
         if (!asked.automatic() || shared.automatic()) return false;
         option = shared.length() ? Amount(*shared.length()) : Amount("none");
         return true;
     };
-    const bool short_waves = share(options.lambda_s, &parts::CutOffs<double>::lambda_s);
-    const bool long_waves =
-        options.detrend != gaussian_form && share(options.lambda_c, &parts::CutOffs<double>::lambda_c);
+    const bool short_waves = share(options.lambda_s, &CutOffs<double>::lambda_s);
+    const bool long_waves = options.detrend != gaussian_form && share(options.lambda_c, &CutOffs<double>::lambda_c);
     return short_waves || long_waves;
 }
 

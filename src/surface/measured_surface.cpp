@@ -4,7 +4,7 @@
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
 
-#include <fstiff/measured/band_parts.hpp>
+#include <fstiff/answer/band.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -17,10 +17,10 @@ bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
     return std::find(concerns.begin(), concerns.end(), one) != concerns.end();
 }
 
-double gradient_of(const parts::PreparedProfile<double>& profile) { return profile.rms_gradient; }
-double gradient_of(const parts::PreparedMap<double>& map) { return map.areal.rms_gradient; }
-double step_of(const parts::PreparedProfile<double>& profile) { return profile.profile.spacing; }
-double step_of(const parts::PreparedMap<double>& map) { return std::max(map.map.dx, map.map.dy); }
+double gradient_of(const PreparedProfile<double>& profile) { return profile.rms_gradient; }
+double gradient_of(const PreparedMap<double>& map) { return map.areal.rms_gradient; }
+double step_of(const PreparedProfile<double>& profile) { return profile.profile.spacing; }
+double step_of(const PreparedMap<double>& map) { return std::max(map.map.dx, map.map.dy); }
 
 /// The option \p key with \p value, as it is written in a scene or on a command line.
 std::string option_text(const SurfaceOptions& options, std::string_view key, const std::string& value) {
@@ -29,7 +29,7 @@ std::string option_text(const SurfaceOptions& options, std::string_view key, con
 
 /// The crop that keeps the longer part of \p found next to its step, which is passed along x or y.
 std::string crop_at_step(const Surface<double>& found) {
-    const detail::PlainForm<double>& form = found.plain_form;
+    const PlainForm<double>& form = found.plain_form;
     std::vector<std::array<double, 2>> box;  // of x, and of y
     const auto add = [&](auto points, double step) { box.push_back({0, static_cast<double>(points - 1) * step}); };
     if (const auto* line = found.profile.get())
@@ -48,7 +48,7 @@ std::string crop_at_step(const Surface<double>& found) {
 /// A sentence on the parabola or the step that is most of the mean square height of \p found, and on what removes it;
 /// empty where there is none.
 std::string form_warning(const Surface<double>& found, const SurfaceOptions& options) {
-    const detail::PlainForm<double>& form = found.plain_form;
+    const PlainForm<double>& form = found.plain_form;
     const auto option = [&](std::string_view key, const std::string& value) {
         return options.name(key) + (options.prefix.empty() ? " = \"" : " \"") + value + "\"";
     };
@@ -85,10 +85,9 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
     else if (found.why_no_density.empty())
-        said.push_back("R and D_p from " + std::to_string(found.peaks_counted) +
-                       (options.input.peaks == parts::PeakSource::summits
-                            ? " summits"
-                            : " islands at the level where there are most"));
+        said.push_back(
+            "R and D_p from " + std::to_string(found.peaks_counted) +
+            (options.input.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
     if (found.fractal_dimension)
         said.push_back("D and G from lags of " + shown_length(found.window.from) + " to " +
                        shown_length(found.window.to) + (options.input.window.empty() ? " (automatic)" : " (given)"));
@@ -115,7 +114,7 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
                 ? "the profile repeats itself every " + shown_length(found.repetition.period) + " (autocorrelation " +
                       rounded(found.repetition.correlation, 2) +
                       "): the face has a lay, and a profile cannot show the length of its ridges; K may be up to " +
-                      rounded(parts::lay_factor) + " times higher; measure a map"
+                      rounded(detail::lay_factor) + " times higher; measure a map"
                 : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
                       "): laws over a distribution of peaks assume an isotropic surface; hybrid and boundary_elements "
                       "take the map as it is");
@@ -135,13 +134,13 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
 }  // namespace
 
 std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
-                                       const parts::SurfaceParameters<double>& values) {
+                                       const SurfaceParameters<double>& values) {
     std::vector<std::string> lines;
     const auto add_percent = [&](MeasuredConcern concern, Parameter which) {
         const Measurement<double>* one = values.find(which);
         if (has(concerns, concern) && one &&
-            parts::is_known(*one))  // what is not known to a factor of two is named below
-            lines.push_back(std::string(parts::row_of(which).symbol) + " is known to " +
+            detail::is_known(*one))  // what is not known to a factor of two is named below
+            lines.push_back(std::string(detail::row_of(which).symbol) + " is known to " +
                             shown_percent(one->error / one->value) + " only");
     };
     if (has(concerns, MeasuredConcern::few_peaks))
@@ -154,8 +153,8 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
             "be used as a pair");
     if (has(concerns, MeasuredConcern::parameter_unknown)) {
         std::string names;
-        for (const Parameter which : parts::unknown_parameters(values))
-            names += (names.empty() ? "" : ", ") + std::string(parts::row_of(which).symbol) + " (" +
+        for (const Parameter which : detail::unknown_parameters(values))
+            names += (names.empty() ? "" : ", ") + std::string(detail::row_of(which).symbol) + " (" +
                      shown_percent(values.find(which)->error / values.find(which)->value) + ")";
         lines.push_back(names +
                         ": not known to a factor of two; a result that depends on it, and its band, are doubtful");
@@ -165,8 +164,8 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
 
 bool is_doubtful(const MeasuredSurface& surface) {
     return has(surface.found.concerns, MeasuredConcern::implausible_gradient) ||
-           parts::is_profile_with_lay(surface.found) ||
-           !parts::unknown_parameters(surface.found, surface.found).empty();
+           detail::is_profile_with_lay(surface.found) ||
+           !detail::unknown_parameters(surface.found, surface.found).empty();
 }
 
 namespace {
@@ -174,7 +173,7 @@ namespace {
 /// \throws option_error, domain_error for options that do not fit the kind of the surface.
 void refuse_options(const MeasureOptions& options, const Instrument& instrument, bool profile) {
     const std::string file = display_name(options.input.file);
-    if (profile && options.input.peaks == parts::PeakSource::summits)
+    if (profile && options.input.peaks == PeakSource::summits)
         throw option_error(options.input.name("peaks") + " = \"summits\" is for a map; " + file +
                            " holds a profile, whose R and D_p come from its curvature and its peaks");
     if (!profile && instrument.tip_radius > 0)
@@ -252,10 +251,10 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
 
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surface<double>& found) {
     const bool profile = of.is_profile();
-    const auto unknown = parts::unknown_parameters(of.found, found);
+    const auto unknown = detail::unknown_parameters(of.found, found);
     const auto line = [&](Parameter which, std::string unit, std::string how) {
-        return ParameterLine{std::string(parts::row_of(which).key), std::move(unit), *found.find(which), std::move(how),
-                             std::count(unknown.begin(), unknown.end(), which) == 0};
+        return ParameterLine{std::string(detail::row_of(which).key), std::move(unit), *found.find(which),
+                             std::move(how), std::count(unknown.begin(), unknown.end(), which) == 0};
     };
     std::vector<ParameterLine> lines{line(Parameter::rms_height, "m", "root of the mean square about the mean")};
     if (found.find(Parameter::peak_radius))
@@ -265,7 +264,7 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surf
         lines.push_back(line(Parameter::peak_density, "/m^2",
                              profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area"));
     const auto add = [&](const char* name, const Measurement<double>& measurement, const char* how) {
-        lines.push_back({name, "m", measurement, how, parts::is_known(measurement)});
+        lines.push_back({name, "m", measurement, how, detail::is_known(measurement)});
     };
     if (found.max_peak_height.value > 0)
         add("max_peak_height", found.max_peak_height, "highest point; the error is a lower bound");

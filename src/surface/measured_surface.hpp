@@ -4,8 +4,8 @@
 
 #include "surface/surface_file.hpp"
 
-#include <fstiff/core/progress.hpp>
-#include <fstiff/measured/measure.hpp>
+#include <fstiff/core/parallel.hpp>
+#include <fstiff/measure/measure.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -57,7 +57,7 @@ struct MeasuredSurface {
 
 /// Measures one part of a surface, by its place.
 using MeasurePart = std::function<MeasuredSurface(MeasureOptions, std::size_t)>;
-/// \p count files or arrays of one surface, pooled (measured/pooled_surface.hpp). Messages call each a \p noun; unless
+/// \p count files or arrays of one surface, pooled (measure/pooled_surface.hpp). Messages call each a \p noun; unless
 /// \p again they are measured once. One is that of measure_surface(); one that is there twice, by its SHA-256, counts
 /// once, with a warning. \throws domain_error for parts of unlike kinds, or whose steps differ without one lambda_s.
 [[nodiscard]] MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const MeasurePart& measure,
@@ -77,7 +77,7 @@ using MeasurePart = std::function<MeasuredSurface(MeasureOptions, std::size_t)>;
 /// The sentences on \p concerns of few_peaks to parameter_unknown; \p peaks gave R and D_p, which are in \p values with
 /// their errors.
 [[nodiscard]] std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
-                                                     const parts::SurfaceParameters<double>& values);
+                                                     const SurfaceParameters<double>& values);
 
 /// Whether no result can rest on \p surface: it has unknown_parameters(), an rms gradient that no surface has, or is a
 /// profile of a face with a lay.

@@ -41,7 +41,7 @@ std::vector<double> heights_of(const std::string& text, const std::string& name)
 }
 
 PeakDensity of_profile(const SurfaceOptions& options, SurfaceInput input) {
-    parts::PreparedProfile<double> levelled = level_profile(options, input);
+    PreparedProfile<double> levelled = level_profile(options, input);
     const auto statistics = about_file(options.file, [&] { return peak_statistics(levelled.profile); });
     return {.density = PeakDistribution<double>(statistics.r, statistics.theta),
             .from = "profile",
@@ -67,7 +67,7 @@ PeakDensity of_numbers(const PeakDensityRequest& request) {
 
 /// The profile that the density is of.
 void add_profile(Document& document, const PeakDensityRequest& request, const PeakDensity& found) {
-    const parts::PreparedProfile<double>& levelled = *found.levelled;
+    const PreparedProfile<double>& levelled = *found.levelled;
     const std::string form = form_name(levelled);
     add_source(document, request.surface, *found.input, form);
     document.json.update({{"points", found.input->points()},

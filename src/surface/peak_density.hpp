@@ -44,7 +44,7 @@ struct PeakDensity {
     std::string from;             ///< "r, theta", "profile" ...
     std::vector<double> heights;  ///< in rms heights
     std::optional<SurfaceInput> input{};
-    std::optional<parts::PreparedProfile<double>> levelled{};
+    std::optional<PreparedProfile<double>> levelled{};
     std::optional<PeakStatistics<double>> statistics{};
 };
 

@@ -13,32 +13,32 @@ namespace {
 
 /// Appended to the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
 void add_material_ratio(RoughnessTable& table, const std::string& letter, std::span<const double> heights) {
-    std::optional<parts::MaterialRatio<double>> found;
+    std::optional<detail::MaterialRatio<double>> found;
     std::string refusal;
     try {
-        found = parts::material_ratio(heights);
+        found = detail::material_ratio(heights);
     } catch (const domain_error& error) {
         refusal = error.what();
     }
-    const auto add = [&](const char* symbol, const char* unit, double parts::MaterialRatio<double>::*of,
+    const auto add = [&](const char* symbol, const char* unit, double detail::MaterialRatio<double>::*of,
                          const char* meaning) {
         table.lines.push_back(
             {letter + symbol, unit, found ? std::optional((*found).*of) : std::nullopt, found ? meaning : refusal});
     };
-    add("k", "m", &parts::MaterialRatio<double>::core_height, "core of the material ratio curve");
-    add("pk", "m", &parts::MaterialRatio<double>::reduced_peak_height, "peaks above the core, as a triangle");
-    add("vk", "m", &parts::MaterialRatio<double>::reduced_valley_depth, "valleys below the core, as a triangle");
-    add("mr1", "", &parts::MaterialRatio<double>::peak_share, "share of the points above the core");
-    add("mr2", "", &parts::MaterialRatio<double>::core_and_peak_share, "share of the points in and above the core");
+    add("k", "m", &detail::MaterialRatio<double>::core_height, "core of the material ratio curve");
+    add("pk", "m", &detail::MaterialRatio<double>::reduced_peak_height, "peaks above the core, as a triangle");
+    add("vk", "m", &detail::MaterialRatio<double>::reduced_valley_depth, "valleys below the core, as a triangle");
+    add("mr1", "", &detail::MaterialRatio<double>::peak_share, "share of the points above the core");
+    add("mr2", "", &detail::MaterialRatio<double>::core_and_peak_share, "share of the points in and above the core");
 }
 
 }  // namespace
 
-RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled, const CutOff<double>& lambda_c) {
-    const parts::PreparedProfile<double> filtered = parts::with_drawing_cut_off(levelled, lambda_c);
+RoughnessTable roughness_table(const PreparedProfile<double>& levelled, const CutOff<double>& lambda_c) {
+    const PreparedProfile<double> filtered = with_drawing_cut_off(levelled, lambda_c);
     const Profile<double>& profile = filtered.profile;
     const auto found = roughness_parameters(profile, filtered.cut_offs.lambda_c);
-    const auto length = parts::autocorrelation_length(autocorrelation(profile));
+    const auto length = detail::autocorrelation_length(autocorrelation(profile));
     RoughnessTable table{.standard = "ISO 21920-2:2021",
                          .lines = {},
                          .sections = {},
@@ -65,7 +65,7 @@ RoughnessTable roughness_table(const parts::PreparedProfile<double>& levelled, c
     return table;
 }
 
-RoughnessTable roughness_table(const parts::PreparedMap<double>& levelled) {
+RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
     const auto found = areal_parameters(map, levelled.areal);
     RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
@@ -80,10 +80,10 @@ RoughnessTable roughness_table(const parts::PreparedMap<double>& levelled) {
                    {"Sdr", "", found.developed_area_ratio,
                     found.developed_area_ratio ? "area of the surface over that of its plane, less 1"
                                                : "no four points of a cell are all there"}};
-    parts::TextureParameters<double> texture;
+    detail::TextureParameters<double> texture;
     std::string no_length = "the autocorrelation stays above 0.2 to half of each side", no_ratio = no_length;
     if (map.rows() >= 4 && map.columns() >= 4) {
-        texture = parts::texture_parameters(parts::areal_autocorrelation(map));
+        texture = detail::texture_parameters(detail::areal_autocorrelation(map));
         if (texture.shortest && !texture.aspect_ratio)
             no_ratio = "below " + rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
                        rounded(texture.longest_direction * 180 / std::numbers::pi_v<double>, 3) + " degrees from x";

@@ -69,8 +69,8 @@ std::vector<SpectrumCurve> curves_of(const SpectrumRequest& request, const Heigh
                 psd_curve("sections along x", "_x", found.along_x.wavenumber, found.along_x.value),
                 psd_curve("sections along y", "_y", found.along_y.wavenumber, found.along_y.value)};
     }
-    const auto found = parts::areal_autocorrelation(map);
-    auto radial = parts::radial_autocorrelation(found);
+    const auto found = detail::areal_autocorrelation(map);
+    auto radial = detail::radial_autocorrelation(found);
     SpectrumCurve all = acf_curve("mean of all directions", "", std::move(radial.lag), std::move(radial.value));
     all.count_key = "lags";
     all.counts = std::move(radial.lags);
@@ -142,10 +142,10 @@ Spectrum spectrum_of(const SpectrumRequest& request, const SurfaceInput& input) 
                         .cut_offs = levelled.cut_offs};
     };
     if (input.surface.is_profile()) {
-        const parts::PreparedProfile<double> levelled = level_profile(request.surface, input);
+        const PreparedProfile<double> levelled = level_profile(request.surface, input);
         return result_of(levelled, levelled.profile, true, levelled.rms_gradient);
     }
-    const parts::PreparedMap<double> levelled = level_map(request.surface, input);
+    const PreparedMap<double> levelled = level_map(request.surface, input);
     return result_of(levelled, levelled.map, false, levelled.areal.rms_gradient);
 }
 

@@ -6,7 +6,7 @@
 #include "surface/surface_file.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/surface/spectrum_window.hpp>
+#include <fstiff/surface/spectrum.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -23,8 +23,8 @@ enum class SpectrumKind { psd, acf };
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::SpectrumKind> = name_list<scene::SpectrumKind>({{scene::SpectrumKind::psd, "psd"},
-                                                                                   {scene::SpectrumKind::acf, "acf"}});
+inline constexpr auto names<scene::SpectrumKind> =
+    detail::name_list<scene::SpectrumKind>({{scene::SpectrumKind::psd, "psd"}, {scene::SpectrumKind::acf, "acf"}});
 
 }  // namespace fstiff
 
@@ -58,7 +58,7 @@ struct Spectrum {
     std::vector<SpectrumCurve> curves;            ///< of a map: all directions, along x, along y
     std::string form, convention, source;         ///< how the numbers are normalised, and by whom
     double rms_as_read{}, rms{}, rms_gradient{};  ///< heights [m]
-    parts::CutOffs<double> cut_offs;
+    CutOffs<double> cut_offs;
 };
 
 /// \throws domain_error in one sentence with the name of the file, and for the psd of a profile with missing points.

@@ -16,12 +16,12 @@ namespace fstiff::scene {
 namespace {
 
 /// The form called \p name; \p more follows the choices in the refusal.
-template <parts::NamedEnum FormOf>
+template <detail::NamedEnum FormOf>
 FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
                const std::string& more = "") {
-    if (const auto form = parts::find_named<FormOf>(name)) return *form;
+    if (const auto form = detail::find_named<FormOf>(name)) return *form;
     throw option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " + std::string(what) +
-                       " must be one of " + parts::choices_text<FormOf>() + more);
+                       " must be one of " + detail::choices_text<FormOf>() + more);
 }
 
 void refuse_cutoff(const SurfaceOptions& options) {
@@ -176,29 +176,29 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     });
 }
 
-std::string form_name(const parts::LevelledProfile<double>& levelled) {
+std::string form_name(const LevelledProfile<double>& levelled) {
     return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed));
 }
-std::string form_name(const parts::LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
+std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
 
-parts::PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
+PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
     const auto how = options_for_profile(options, input);
-    return about_file(options.file, [&] { return parts::prepare(input.surface.profile(), how); });
+    return about_file(options.file, [&] { return prepare(input.surface.profile(), how); });
 }
 
-parts::PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input) {
+PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input) {
     const auto how = options_for_map(options, input);
-    return about_file(options.file, [&] { return parts::prepare(input.surface.map(), how); });
+    return about_file(options.file, [&] { return prepare(input.surface.map(), how); });
 }
 
-parts::PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
+PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
     const auto how = options_for_map(options, input);
-    return about_file(options.file, [&] { return parts::prepare(input.take_map(), how); });
+    return about_file(options.file, [&] { return prepare(input.take_map(), how); });
 }
 
 std::string gradient_warning(double rms_gradient, std::string_view origin) {
-    if (parts::is_plausible_gradient(rms_gradient)) return "";
-    const bool flat = rms_gradient < parts::min_plausible_gradient<double>;
+    if (detail::is_plausible_gradient(rms_gradient)) return "";
+    const bool flat = rms_gradient < detail::min_plausible_gradient<double>;
     return "the rms gradient" + (std::isfinite(rms_gradient) ? ", " + rounded(rms_gradient, 3) + "," : std::string()) +
            " is " + (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is that " +
            (flat ? "flat" : "steep") + "; a unit of its lengths is likely wrong";
@@ -207,7 +207,7 @@ std::string gradient_warning(double rms_gradient, std::string_view origin) {
 std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
                                           std::optional<double> rms_gradient) {
     std::vector<std::string> all = input.surface.record.warnings;
-    if (rms_gradient && !parts::is_plausible_gradient(*rms_gradient))
+    if (rms_gradient && !detail::is_plausible_gradient(*rms_gradient))
         all.push_back(gradient_warning(*rms_gradient, "measured"));
     if (input.missing() > 0)
         all.push_back(std::to_string(input.missing()) + " of " + std::to_string(input.points()) +

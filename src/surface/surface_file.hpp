@@ -6,7 +6,7 @@
 #include "surface/surface_options.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/measured/prepare.hpp>
+#include <fstiff/measure/prepare.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -69,7 +69,7 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
                       double length);
 
 /// The cut-offs and their reasons.
-[[nodiscard]] std::string sentence_of(const parts::CutOffs<double>& cut_offs);
+[[nodiscard]] std::string sentence_of(const CutOffs<double>& cut_offs);
 
 /// The options of the library for a surface, of a profile or of a map.
 /// \throws option_error for the form of the other kind or a cut-off without its filter, domain_error when the surface
@@ -79,15 +79,15 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
 [[nodiscard]] fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, const SurfaceInput& input);
 
 /// The name of the form that was removed: one of Form, or gaussian_form; one of MapForm.
-[[nodiscard]] std::string form_name(const parts::LevelledProfile<double>& levelled);
-[[nodiscard]] std::string form_name(const parts::LevelledMap<double>& levelled);
+[[nodiscard]] std::string form_name(const LevelledProfile<double>& levelled);
+[[nodiscard]] std::string form_name(const LevelledMap<double>& levelled);
 
 /// prepare() for a profile. \throws as options_for_profile() and, with the name of the file, prepare().
-[[nodiscard]] parts::PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input);
+[[nodiscard]] PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input);
 /// prepare() for a map. \throws as above.
-[[nodiscard]] parts::PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input);
+[[nodiscard]] PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input);
 /// The same for an \p input that is not needed afterwards and gives up its map.
-[[nodiscard]] parts::PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input);
+[[nodiscard]] PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input);
 
 /// A warning about an rms gradient that no surface has, with its \p origin; empty for any other.
 [[nodiscard]] std::string gradient_warning(double rms_gradient, std::string_view origin);

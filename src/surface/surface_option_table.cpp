@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/measured/prepare.hpp>
+#include <fstiff/measure/prepare.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -17,16 +17,16 @@ std::vector<std::string_view> words_of_form(SurfaceKind kind) {
             if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
     };
     if (kind != SurfaceKind::map) {
-        add(parts::choices<Form>());
+        add(detail::choices<Form>());
         words.push_back(gaussian_form);
     }
-    if (kind != SurfaceKind::profile) add(parts::choices<MapForm>());
+    if (kind != SurfaceKind::profile) add(detail::choices<MapForm>());
     return words;
 }
 
 /// ", profile, triples, ... or opdx": all but auto.
 std::string forms() {
-    std::string text = parts::choices_text<io::SurfaceFormat>().substr(name_of(io::SurfaceFormat::automatic).size());
+    std::string text = detail::choices_text<io::SurfaceFormat>().substr(name_of(io::SurfaceFormat::automatic).size());
     return text.replace(text.rfind(", "), 2, " or ");
 }
 
@@ -105,7 +105,7 @@ constexpr SurfaceOptionRow rows[] = {
     {"spikes", cleaning, &Of::spikes, if_not_default,
      "points farther from the median of their neighbours than this many robust standard deviations, such as 5, "
      "become missing",
-     {.low = parts::min_spike_limit, .high = parts::max_spike_limit}},
+     {.low = detail::min_spike_limit, .high = detail::max_spike_limit}},
     {"fill", cleaning, &Of::fill, if_not_default,
      "fill missing points: by straight lines in a profile, by Laplace's equation in a map"},
     {"channel", file, &Of::channel, if_not_default,

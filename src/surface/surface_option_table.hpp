@@ -36,7 +36,7 @@ enum class OptionGroup {
 using SurfaceField = std::variant<std::string SurfaceOptions::*, Amount SurfaceOptions::*, int SurfaceOptions::*,
                                   double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
                                   std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
-                                  parts::PeakSource SurfaceOptions::*>;
+                                  PeakSource SurfaceOptions::*>;
 
 /// When an option is in a JSON document.
 enum class Echo { always, if_not_default };
@@ -89,7 +89,7 @@ void SurfaceOptions::each_field(Take take) {
 }
 
 /// Columns of a profile of text, as io/number_table.hpp bounds them.
-inline constexpr int most_columns = static_cast<int>(io::max_profile_columns);
+inline constexpr int most_columns = static_cast<int>(io::detail::max_profile_columns);
 
 /// \p key with dashes in place of underscores.
 [[nodiscard]] std::string with_dashes(std::string_view key);

@@ -3,7 +3,7 @@
 
 #include "document/file.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "request/field.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/measured/measure_options.hpp>
+#include <fstiff/measure/options.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 
 #include <optional>
@@ -40,8 +40,8 @@ struct SurfaceOptions {
     std::string detrend;                            ///< empty: "line" of a profile, "plane" of a map
     Amount cutoff;                                  ///< of detrend = "gaussian"
     Amount lambda_s, lambda_c;  ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
-    CutOffFilter filter = CutOffFilter::gaussian;          ///< of lambda_c
-    parts::PeakSource peaks = parts::PeakSource::islands;  ///< of a map
+    CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
+    PeakSource peaks = PeakSource::islands;        ///< of a map
     Amount tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
     Amount window;                  ///< of the lags that give D: the shortest and the longest
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".

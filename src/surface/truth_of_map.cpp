@@ -59,11 +59,11 @@ void add_doubts(Document& document, const TruthOfMap& solved, const std::string&
 TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) {
     if (input.surface.is_profile())
         throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
-    for (const double pressure : options.pressures) require_positive("pressure", pressure);
+    for (const double pressure : options.pressures) detail::require_positive("pressure", pressure);
     SurfaceOptions surface = options.surface;
     if (const std::string text = surface.lambda_s.text("m"); text.empty() || text == "auto")
         surface.lambda_s = "none";  // K is of all short waves
-    const parts::PreparedMap<double> map = level_map(surface, input);
+    const PreparedMap<double> map = level_map(surface, input);
     TruthOfMap solved;
     solved.file = display_name(options.surface.file);
     solved.form = form_name(map) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");
@@ -96,7 +96,7 @@ Rows rows_of(const TruthOfMap& solved) {
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, solved.at, [](Point one) { return one.state.pressure; });
     rows.add({"p_star", "p*", 1, 3}, solved.at, [&](Point one) {
-        return Cell::finite(parts::dimensionless_pressure(one.state.pressure, solved.modulus, solved.rms_gradient));
+        return Cell::finite(detail::dimensionless_pressure(one.state.pressure, solved.modulus, solved.rms_gradient));
     });
     rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, solved.at,
              [](Point one) { return Cell::finite(one.state.stiffness); });

@@ -5,7 +5,7 @@
 #include "document/document.hpp"
 #include "surface/surface_file.hpp"
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/halfspace/truth.hpp>
 
 #include <optional>

@@ -5,7 +5,7 @@
 
 #include "sweep/lines.hpp"
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 
 #include <cstdint>
 #include <functional>

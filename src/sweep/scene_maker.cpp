@@ -4,7 +4,7 @@
 #include "scene/readers.hpp"
 #include "sweep/template.hpp"
 
-#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 #include <algorithm>
 #include <exception>

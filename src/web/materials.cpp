@@ -5,5 +5,5 @@
 #include <cstdio>
 
 int main() {
-    for (const auto& material : fstiff::parts::named_materials) std::puts(material.name.data());
+    for (const auto& material : fstiff::detail::named_materials) std::puts(material.name.data());
 }

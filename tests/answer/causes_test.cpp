@@ -11,8 +11,7 @@
 namespace answer_test {
 
 using namespace fstiff;
-using parts::AnswerQuestion;
-using parts::Cause;
+using detail::AnswerQuestion;
 using test::relative_error;
 
 namespace {
@@ -20,11 +19,11 @@ namespace {
 const std::vector<LawName> of_map{LawName::hybrid, LawName::boundary_elements, LawName::plastic, LawName::hertz};
 
 LawName answers(std::vector<LawName> available, double points_in_contact) {
-    return parts::answering_law<double>({.available = std::move(available), .points_in_contact = points_in_contact});
+    return detail::answering_law<double>({.available = std::move(available), .points_in_contact = points_in_contact});
 }
 
-double& low_of(parts::Causes<double>& causes, Cause cause) { return causes[static_cast<std::size_t>(cause)].low; }
-double& high_of(parts::Causes<double>& causes, Cause cause) { return causes[static_cast<std::size_t>(cause)].high; }
+double& low_of(Causes<double>& causes, Cause cause) { return causes[static_cast<std::size_t>(cause)].low; }
+double& high_of(Causes<double>& causes, Cause cause) { return causes[static_cast<std::size_t>(cause)].high; }
 
 }  // namespace
 
@@ -49,17 +48,17 @@ TEST_CASE("Peaks alone are answered by Hertz or Greenwood and Williamson, and no
 }
 
 TEST_CASE("Causes of a band add by squares, each side by itself") {
-    parts::Causes<double> causes{};
-    CHECK(parts::band_of(causes).low == 0);
-    CHECK(parts::band_of(causes).high == 0);
-    for (const double share : parts::shares_of(causes)) CHECK(share == 0);
+    Causes<double> causes{};
+    CHECK(detail::band_of(causes).low == 0);
+    CHECK(detail::band_of(causes).high == 0);
+    for (const double share : shares_of(causes)) CHECK(share == 0);
     low_of(causes, Cause::law) = -0.3, high_of(causes, Cause::law) = 0.12;
     low_of(causes, Cause::cut_offs) = -0.4, high_of(causes, Cause::cut_offs) = 0.05;
     high_of(causes, Cause::lay) = 3;
-    const auto whole = parts::band_of(causes);
+    const auto whole = detail::band_of(causes);
     CHECK(relative_error(whole.low, -0.5) < 1e-15);
     CHECK(relative_error(whole.high, std::sqrt(9.0169)) < 1e-15);
-    const auto shares = parts::shares_of(causes);
+    const auto shares = shares_of(causes);
     const double all = 0.09 + 0.16 + 9.0169;
     CHECK(relative_error(shares[static_cast<std::size_t>(Cause::law)], (0.09 + 0.0144) / all) < 1e-14);
     CHECK(relative_error(shares[static_cast<std::size_t>(Cause::lay)], 9 / all) < 1e-14);
@@ -72,20 +71,20 @@ TEST_CASE("Causes of a band add by squares, each side by itself") {
 TEST_CASE("K of a single surface scatters by 0.77 over the root of its contacts") {
     // one standard deviation at 100, 40, 15 and 5 contacts, as maps by seed gave them
     for (const auto& [contacts, percent] : {std::pair{100.0, 7.7}, {40.0, 11.0}, {15.0, 20.0}, {5.0, 36.0}}) {
-        const auto spread = parts::scatter_of_contacts(contacts);
+        const auto spread = detail::scatter_of_contacts(contacts);
         CHECK(relative_error(spread.high / 1.6448536269514722, percent / 100) < 0.12);
         CHECK(spread.low == -spread.high);
     }
-    CHECK(relative_error(parts::scatter_of_contacts(100.0).high, 0.126653729275263) < 1e-14);
-    CHECK(parts::scatter_of_contacts(0.01).high == parts::scatter_of_contacts(1.0).high);
-    CHECK(parts::scatter_of_contacts(4.0).high == parts::scatter_of_contacts(1.0).high / 2);
-    CHECK(parts::scatter_of_contacts(1e300).high < 1e-149);
+    CHECK(relative_error(detail::scatter_of_contacts(100.0).high, 0.126653729275263) < 1e-14);
+    CHECK(detail::scatter_of_contacts(0.01).high == detail::scatter_of_contacts(1.0).high);
+    CHECK(detail::scatter_of_contacts(4.0).high == detail::scatter_of_contacts(1.0).high / 2);
+    CHECK(detail::scatter_of_contacts(1e300).high < 1e-149);
 }
 
 TEST_CASE("Every cause has a word of its own") {
     std::set<std::string_view> words;
-    for (std::size_t i = 0; i < parts::cause_count; ++i) words.insert(name_of(static_cast<Cause>(i)));
-    CHECK(words.size() == parts::cause_count);
+    for (std::size_t i = 0; i < detail::cause_count; ++i) words.insert(name_of(static_cast<Cause>(i)));
+    CHECK(words.size() == detail::cause_count);
     CHECK(name_of(Cause::measurement) == "measurement");
     CHECK(name_of(Cause::cut_offs) == "cut_offs");
     CHECK(name_of(Cause::long_waves) == "long_waves");

@@ -3,7 +3,7 @@
 // (bench/face_truth.csv and face_traces.f32 by bench/make_faces.py).
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/math/tukey.hpp>
-#include <fstiff/measured/measure.hpp>
+#include <fstiff/measure/measure.hpp>
 
 #include "support/catch.hpp"
 #include "support/table.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/answer/law_error.hpp>
+#include <fstiff/answer/causes.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -10,13 +10,13 @@
 namespace law_error_test {
 
 using namespace fstiff;
-using parts::KnownAs;
-using parts::law_error;
+using detail::KnownAs;
+using detail::law_error;
 
-using Question = parts::LawErrorQuestion<double>;
+using Question = detail::LawErrorQuestion<double>;
 
 /// The error of the law of \p question for heights of this skewness and kurtosis.
-parts::LawError<double> of_shape(Question question, Measurement<double> skewness, Measurement<double> kurtosis) {
+LawError<double> of_shape(Question question, Measurement<double> skewness, Measurement<double> kurtosis) {
     question.skewness = skewness, question.kurtosis = kurtosis;
     return law_error(question);
 }
@@ -25,16 +25,16 @@ TEST_CASE("The error of a law is its table at the pressures of the table, and be
     for (const auto& [law, name] : names<LawName>)
         for (const KnownAs known : {KnownAs::map, KnownAs::trace, KnownAs::numbers, KnownAs::height}) {
             CAPTURE(name, static_cast<int>(known));
-            const parts::LawErrorRow row = parts::law_error_row(law, known);
+            const detail::LawErrorRow row = detail::law_error_row(law, known);
             for (std::size_t i = 0; i < row.low.size(); ++i) {
-                const double p = parts::law_error_pressures[i];
+                const double p = detail::law_error_pressures[i];
                 const auto error = law_error<double>(Question{.law = law, .known = known, .p_star = p});
                 CHECK(test::relative_error(error.low, -row.low[i] / 100.0) < 1e-14);
                 CHECK(test::relative_error(error.high, row.high[i] / 100.0) < 1e-14);
                 CHECK(row.low[i] > 0);
                 CHECK(row.high[i] > 0);
                 if (i == 0) continue;
-                const double middle = std::sqrt(p * parts::law_error_pressures[i - 1]);
+                const double middle = std::sqrt(p * detail::law_error_pressures[i - 1]);
                 const auto between = law_error<double>(Question{.law = law, .known = known, .p_star = middle});
                 CHECK(test::relative_error(between.low, -(row.low[i - 1] + row.low[i]) / 200.0) < 1e-12);
                 CHECK(test::relative_error(between.high, (row.high[i - 1] + row.high[i]) / 200.0) < 1e-12);
@@ -55,7 +55,7 @@ TEST_CASE("The error of a law grows beyond its table without a step, and is the 
     CHECK(at(1e300).high == 3);
     CHECK(at(0).low == -3);
     const auto unknown = at(std::numeric_limits<double>::quiet_NaN());
-    for (const double p : parts::law_error_pressures) {
+    for (const double p : detail::law_error_pressures) {
         CHECK(unknown.low <= at(p).low);
         CHECK(unknown.high >= at(p).high);
     }
@@ -101,7 +101,7 @@ TEST_CASE(
 
 TEST_CASE("The error of plastic is that of p/H, does not grow where K goes as p/H, and that of hybrid for a great H") {
     Question question{.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 1e-6, .hardness = 1e-4};
-    const parts::LawErrorRow row = parts::law_error_row(LawName::plastic, KnownAs::numbers);
+    const detail::LawErrorRow row = detail::law_error_row(LawName::plastic, KnownAs::numbers);
     // hybrid has the part 4 (H/(E g))^2 of the square, and its own error grows below the least p*
     CHECK(test::relative_error(law_error(question).high, row.high[3] / 100.0) < 1e-4);
     question.hardness = 1e-5;
@@ -120,8 +120,8 @@ TEST_CASE("The error of plastic is that of p/H, does not grow where K goes as p/
     CHECK(law_error(question).high == of_hybrid);
     // half of the squares of either at H/(E g) = 1/2
     question = {.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 0.005, .hardness = 0.5};
-    const parts::LawErrorRow elastic = parts::law_error_row(LawName::hybrid, KnownAs::numbers);
-    const double at_half = parts::at_pressure(elastic.high, 0.005);
+    const detail::LawErrorRow elastic = detail::law_error_row(LawName::hybrid, KnownAs::numbers);
+    const double at_half = detail::at_pressure(elastic.high, 0.005);
     CHECK(test::relative_error(law_error(question).high, std::hypot(row.high[3] / 100.0, at_half) / std::sqrt(2.0)) <
           1e-12);
 }

@@ -32,7 +32,7 @@ public:
         const double E = *joint.effective_modulus;
         switch (one_of(4)) {
             case 0: joint.upper.hardness = std::numeric_limits<double>::infinity(); break;
-            case 1: joint.upper.hardness_range = parts::PriorRange{0.005 * E, 0.012 * E, 0.05 * E}; break;
+            case 1: joint.upper.hardness_range = PriorRange{0.005 * E, 0.012 * E, 0.05 * E}; break;
             default: joint.upper.hardness = log_uniform(0.002, 0.3) * E;
         }
         return joint;

@@ -4,7 +4,7 @@
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
-#include <fstiff/topography/shifted_sum.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include "support/catch.hpp"
 
@@ -50,7 +50,7 @@ TEST_CASE("Two maps have one K whichever is the upper one, and its band holds th
             CHECK(K.low == exchanged.low);
             CHECK(K.high == exchanged.high);
             for (const Eigen::Index shift : {5, 17, 29, 41, 53}) {
-                const BoundaryElementContact<double> solved(parts::shifted_sum(rough, fine, shift, 64 - shift), 1e11,
+                const BoundaryElementContact<double> solved(detail::shifted_sum(rough, fine, shift, 64 - shift), 1e11,
                                                             {.edges = Edges::mirrored});
                 const double truth = solved.at_pressure(pressures[i]).stiffness.value;
                 inside += K.low <= truth && truth <= K.high, ++all;

@@ -26,7 +26,8 @@ TEST_CASE("One circular spot conducts 2 k a, as two bodies in series of 4 k a ea
 }
 
 TEST_CASE("A film lies between the spots and nothing, and the gap and radiation have their limits") {
-    using namespace fstiff::parts;
+    using namespace fstiff;
+    using namespace fstiff::detail;
     CHECK(under_film(1e4, 0.01, 0.0) == 1e4);
     CHECK(test::relative_error(under_film(1e12, 0.01, 1e-6), 1e4) < 1e-6);  // the film alone, A_r/r
     CHECK(test::relative_error(1 / under_film(1e4, 0.02, 1e-6), 1e-4 + 1e-6 / 0.02) < 1e-15);
@@ -60,9 +61,9 @@ TEST_CASE("Media by name are those of other tables, and of kinetic theory") {
                 {"air", 0.0262, 18.5e-6, 28.96e-3}};
     const double R = 8.314, T = 293.15, p = 101325;
     for (const auto& row : rows) {
-        const auto found = std::find_if(fstiff::parts::named_media.begin(), fstiff::parts::named_media.end(),
+        const auto found = std::find_if(fstiff::detail::named_media.begin(), fstiff::detail::named_media.end(),
                                         [&](const auto& one) { return one.name == row.name; });
-        REQUIRE(found != fstiff::parts::named_media.end());
+        REQUIRE(found != fstiff::detail::named_media.end());
         const auto& gas = found->gas;
         INFO(row.name);
         CHECK(test::relative_error(gas.conductivity, row.at_300_K) < 0.03);
@@ -74,7 +75,7 @@ TEST_CASE("Media by name are those of other tables, and of kinetic theory") {
     }
     // Ramires and others, J. Phys. Chem. Ref. Data 24 (1995) 1377, of water at 1 bar
     const double t = T / 298.15, water = 0.6065 * (-1.48445 + 4.12292 * t - 1.63866 * t * t);
-    const auto& media = fstiff::parts::named_media;
+    const auto& media = fstiff::detail::named_media;
     const auto found = std::find_if(media.begin(), media.end(), [](const auto& one) { return one.name == "water"; });
     CHECK(test::relative_error(found->gas.conductivity, water) < 0.002);
 }

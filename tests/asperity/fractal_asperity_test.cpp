@@ -178,7 +178,7 @@ TEMPLATE_TEST_CASE(
                                  family.stiffness(w)) <= 8);
                 CHECK(test::ulps(fstiff::detail::fractal_stiffness_from_area(given.area(fractal, w), f.dimension),
                                  given.stiffness(fractal, w)) <= 8);
-                const T ratio = fstiff::parts::fractal_stiffness_factor(f.dimension);
+                const T ratio = fstiff::detail::fractal_stiffness_factor(f.dimension);
                 CHECK(test::ulps(given.load(consistent, w), ratio * given.load(hertz, w)) <= 6);
             }
         }
@@ -208,7 +208,8 @@ TEST_CASE("k_n is the derivative of the load along the family, not of one asperi
                 derivative([&](Wide x) { return 4 * x * std::sqrt(x * asperity.radius()) / 3; }, Wide(w) * 0.9L);
             CHECK(test::relative_error<Wide>(asperity.stiffness(hertz, w * 0.9), of_one) < 1e-13L);
             const Wide of_one_here = asperity.stiffness(hertz, w * (1 - 1e-15));
-            CHECK(test::relative_error<Wide>(along / of_one_here, fstiff::parts::fractal_stiffness_factor(d)) < 1e-13L);
+            CHECK(test::relative_error<Wide>(along / of_one_here, fstiff::detail::fractal_stiffness_factor(d)) <
+                  1e-13L);
         }
     }
 }

@@ -18,7 +18,7 @@ using fstiff::AsperityLaw;
 using fstiff::FractalConsistentLaw;
 using fstiff::FractalLaw;
 using fstiff::HertzLaw;
-using fstiff::parts::PowerLaw;
+using fstiff::detail::PowerLaw;
 
 namespace {
 
@@ -98,7 +98,7 @@ TEST_CASE("stiffness is the derivative of the load for hertz and fractal_consist
             CHECK(test::relative_error(hertz.stiffness(omega, radius), slope(hertz)) < 1e-13);
             CHECK(test::relative_error(consistent.stiffness(omega, radius), slope(consistent)) < 1e-13);
             CHECK(test::relative_error(fractal.stiffness(omega, radius) / slope(fractal),
-                                       fstiff::parts::fractal_stiffness_factor(d)) < 1e-13);
+                                       fstiff::detail::fractal_stiffness_factor(d)) < 1e-13);
         }
     }
 }
@@ -111,13 +111,13 @@ TEMPLATE_TEST_CASE("the factor f has its published values, its limits and its po
     };
     // Three decimals for Table 2 of the paper: half a unit of the last is the tolerance.
     for (const auto& row : {Row{T(1.62), T(2.421)}, {T(1.58), T(2.254)}, {T(1.7), T(2.889)}})
-        CHECK(std::abs(fstiff::parts::fractal_stiffness_factor(row.dimension) - row.factor) <= T(5e-4));
-    CHECK(test::ulps(fstiff::parts::fractal_stiffness_factor(T(1.5)), T(2)) <= 1);
-    CHECK(test::ulps(fstiff::parts::fractal_stiffness_factor(1 + eps), T(4) / 3) <= 2);
-    CHECK(test::ulps(fstiff::parts::fractal_stiffness_factor(2 - eps), 2 / (3 * eps)) <= 4);
-    for (int i = 1; i < 100; ++i) CHECK(fstiff::parts::fractal_stiffness_factor(1 + T(i) / 100) > T(4) / 3);
-    constexpr T at_compile_time = fstiff::parts::fractal_stiffness_factor(T(1.5));
-    CHECK(at_compile_time == fstiff::parts::fractal_stiffness_factor(T(1.5)));
+        CHECK(std::abs(fstiff::detail::fractal_stiffness_factor(row.dimension) - row.factor) <= T(5e-4));
+    CHECK(test::ulps(fstiff::detail::fractal_stiffness_factor(T(1.5)), T(2)) <= 1);
+    CHECK(test::ulps(fstiff::detail::fractal_stiffness_factor(1 + eps), T(4) / 3) <= 2);
+    CHECK(test::ulps(fstiff::detail::fractal_stiffness_factor(2 - eps), 2 / (3 * eps)) <= 4);
+    for (int i = 1; i < 100; ++i) CHECK(fstiff::detail::fractal_stiffness_factor(1 + T(i) / 100) > T(4) / 3);
+    constexpr T at_compile_time = fstiff::detail::fractal_stiffness_factor(T(1.5));
+    CHECK(at_compile_time == fstiff::detail::fractal_stiffness_factor(T(1.5)));
 }
 
 TEMPLATE_TEST_CASE("a law of an Eigen array is the law of its elements", "[laws]", float, double) {
@@ -162,7 +162,7 @@ TEMPLATE_TEST_CASE("a fractal dimension outside (1, 2) is refused by name", "[la
     for (const T bad : {T(1), T(2), T(0), T(-1.5), T(3), inf, -inf, nan}) {
         for (const std::string& text :
              {test::refusal([&] { FractalLaw<T> law(bad); }), test::refusal([&] { FractalConsistentLaw<T> law(bad); }),
-              test::refusal([&] { (void)fstiff::parts::fractal_stiffness_factor(bad); })}) {
+              test::refusal([&] { (void)fstiff::detail::fractal_stiffness_factor(bad); })}) {
             CAPTURE(bad, text);
             CHECK(text.find("fractal_dimension = ") == 0);
             CHECK(text.find(": must be between 1 and 2, both excluded") != std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/asperity/material.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -11,8 +11,8 @@
 
 namespace named_materials_test {
 
-using fstiff::parts::find_material;
-using fstiff::parts::named_materials;
+using fstiff::find_material;
+using fstiff::detail::named_materials;
 
 TEST_CASE("The modulus of a named material is that of its density and speeds of sound") {
     for (const auto& one : named_materials) {
@@ -63,7 +63,7 @@ TEST_CASE("A material is found in any spelling of its name, and once") {
 
 TEST_CASE("No name of a material is that of another") {
     for (const auto& one : named_materials)
-        CHECK(any_name(one, [&](std::string_view name) {
+        CHECK(fstiff::detail::any_name(one, [&](std::string_view name) {
                   INFO(name);
                   CHECK(find_material(name) == &one);
                   return false;
@@ -71,7 +71,7 @@ TEST_CASE("No name of a material is that of another") {
 }
 
 TEST_CASE("An unknown name has the materials next to it") {
-    using fstiff::parts::near_materials;
+    using fstiff::detail::near_materials;
     const auto near = [](std::string_view name, std::string_view wanted) {
         const auto found = near_materials(name);
         return std::count(found.begin(), found.end(), wanted) == 1;
@@ -89,7 +89,7 @@ TEST_CASE("The range of a hardness holds what handbooks give") {
     // quenched 100Cr6 (ISO 683-17, 700 to 850 HV), Ti-6Al-4V annealed (ASM, 349 HV), C11000 H04 (CDA, 105 HV)
     const auto holds = [](const char* name, double vickers) {
         const auto range = find_material(name)->hardness();
-        const double pressure = vickers * fstiff::parts::vickers_pressure;
+        const double pressure = vickers * fstiff::detail::vickers_pressure;
         INFO(name << " " << vickers);
         CHECK((range.low <= pressure && pressure <= range.high));
     };
@@ -100,7 +100,7 @@ TEST_CASE("The range of a hardness holds what handbooks give") {
         const auto [low, middle, high] = one.hardness();
         CHECK((0 < low && low < middle && middle < high));
         CHECK((low > 0.003 * one.elastic.youngs_modulus && high < 0.2 * one.elastic.youngs_modulus));
-        const auto of_elastic = fstiff::parts::hardness_of_elastic(one.elastic);
+        const auto of_elastic = fstiff::detail::hardness_of_elastic(one.elastic);
         CHECK((of_elastic.low < middle && middle < of_elastic.high));  // E and nu alone know less
     }
 }

@@ -38,7 +38,7 @@ TEST_CASE("load, area and stiffness of one plastic asperity: the table to 1e-13"
         if (name == "hertz") check(HertzLaw<double>{});
         if (name == "plastic") check(PlasticLaw<double>(H, E));
         if (name == "jackson_green") check(JacksonGreenLaw<double>(material));
-        if (name == "jackson_green_2005") check(JacksonGreenLaw<double>(material, parts::HardnessLaw::exponent));
+        if (name == "jackson_green_2005") check(JacksonGreenLaw<double>(material, HardnessLaw::exponent));
         if (name == "kogut_etsion") check(KogutEtsionLaw<double>(material));
         if (name == "kogut_etsion+ekk_unloading") check(KogutEtsionLaw<double>(material), false);
     }
@@ -58,7 +58,7 @@ TEST_CASE("the mean pressure of a plastic asperity is the hardness") {
     const PlasticLaw<double> law(1.12e9, 112e9);
     for (const double omega : {1e-9, 3e-7})
         CHECK(test::ulps(law.load(omega, 2e-5) * 112e9 / law.area(omega, 2e-5), 1.12e9) <= 4);
-    static_assert(parts::PowerLaw<PlasticLaw<double>>);
+    static_assert(detail::PowerLaw<PlasticLaw<double>>);
 }
 
 TEST_CASE("constants of a material that are none are refused") {

@@ -349,7 +349,7 @@ static void check_law(const fstiff_law* law) {
     }
     CHECK(fstiff_law_at_separations(law, in_place, 7, in_place, stiffness, status) == FSTIFF_OK);
     for (size_t i = 0; i < 7; ++i) {
-        CHECK(fabs(in_place[i] / p[i] - 1) < 200 * 2.3e-16); /* the bound of contact/contact_law.hpp */
+        CHECK(fabs(in_place[i] / p[i] - 1) < 200 * 2.3e-16); /* the bound of tabulated/contact_law.hpp */
         CHECK(fabs(stiffness[i] / k[i] - 1) < 200 * 2.3e-16);
         CHECK(status[i] == FSTIFF_OK);
     }

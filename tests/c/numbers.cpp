@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reference of interface_test.c: numbers of the C++ library, made without the C interface and without scenes but
 // for one. Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
-#include <fstiff/asperity/mindlin.hpp>
-#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/tangential_law.hpp>
-#include <fstiff/measured/measure.hpp>
-#include <fstiff/profile/level.hpp>
+#include <fstiff/measure/measure.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include "scene/results.hpp"
@@ -43,7 +43,7 @@ void print_states(const std::string& key, const Contact& contact, const std::vec
     }
 }
 
-void print_measured(const char* key, const parts::SurfaceParameters<double>& found) {
+void print_measured(const char* key, const SurfaceParameters<double>& found) {
     std::vector<double> all;
     for (const auto* one : {&found.rms_height, &found.peak_radius, &found.peak_density})
         all.insert(all.end(), {one->value, one->error});
@@ -123,12 +123,12 @@ int main(int, char** argv) {
     surface.hurst = 0.7, surface.rms = 1e-6;
     const Profile<double> profile = self_affine_profile(surface, 4096, 1e-6);
     print("profile", profile.heights);
-    print_measured("profile/measured", parts::surface_parameters<double>(parts::level(profile, Form::line), {}));
+    print_measured("profile/measured", detail::surface_parameters<double>(detail::level(profile, Form::line), {}));
     print_measured("profile/default", measure(profile));
     const HeightMap<double> map = self_affine_map(surface, 96, 64, 1e-6, 1.5e-6);
     print("map", {map.heights.data(), map.heights.data() + map.size()});
     print("map/sides", {static_cast<double>(map.rows()), static_cast<double>(map.columns()), map.dx, map.dy});
-    print_measured("map/measured", parts::surface_parameters<double>(parts::level(map, MapForm::plane), {}));
+    print_measured("map/measured", detail::surface_parameters<double>(detail::level(map, MapForm::plane), {}));
     print_measured("map/default", measure(map));
     return std::fclose(out);
 }

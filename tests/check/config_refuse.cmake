@@ -26,7 +26,7 @@ compile("" -std=c++20 -fassociative-math -fno-signed-zeros -fno-trapping-math)
 compile("" -std=c++20 -freciprocal-math)
 
 # The scalars are two, also where the compiler counts others among the floating-point numbers.
-file(WRITE ${WORK}/scalars.cpp "#include <fstiff/core/concepts.hpp>
+file(WRITE ${WORK}/scalars.cpp "#include <fstiff/core/numbers.hpp>
 #if defined(__SIZEOF_FLOAT128__)
 static_assert(!fstiff::Real<__float128>);
 #endif

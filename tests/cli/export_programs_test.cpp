@@ -192,9 +192,9 @@ TEST_CASE("The cards of friction stick with the tangential stiffness at one pres
               1e-4);
     }
     const std::string text = test::run_fstiff("export - --to calculix --units m,N,Pa", scene).out;
-    CHECK(test::contains(text, "holds at " + fstiff::parts::rounded_text(middle, 10) + " Pa; it is " +
-                                   fstiff::parts::rounded_text(truth.tangential.front(), 4) + " at 1000000 Pa and " +
-                                   fstiff::parts::rounded_text(truth.tangential.back(), 4) + " at 50000000 Pa"));
+    CHECK(test::contains(text, "holds at " + fstiff::detail::rounded_text(middle, 10) + " Pa; it is " +
+                                   fstiff::detail::rounded_text(truth.tangential.front(), 4) + " at 1000000 Pa and " +
+                                   fstiff::detail::rounded_text(truth.tangential.back(), 4) + " at 50000000 Pa"));
 }
 
 TEST_CASE("MOOSE and COMSOL find every column by overclosure and by pressure") {

@@ -3,9 +3,9 @@
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
 
-#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ TEST_CASE("export writes the law of the answer, the K that run prints, and where
     CHECK(hertz.err.find("slope") == std::string::npos);
     const double K = run.number(30, "stiffness_Pa_per_m");
     CHECK(test::contains(
-        outcome.out, "** answer    at 100000000 Pa K is " + fstiff::parts::rounded_text(K, 4) + " Pa/m, 90 % band "));
+        outcome.out, "** answer    at 100000000 Pa K is " + fstiff::detail::rounded_text(K, 4) + " Pa/m, 90 % band "));
     CHECK(outcome.status == 0);
     CHECK(test::contains(outcome.err, "warning: the slope of the table is -dp/dd, 0."));
     const auto fractal = test::run_fstiff("export --to abaqus --law fractal");

@@ -14,8 +14,8 @@ TEST_CASE("The readable fit prints its decisions about the file") {
     std::string text = "x [\xC2\xB5m];z [nm]\r\n";
     const auto profile = fstiff::self_affine_profile<double>({.hurst = 0.5, .rms = 1e-6}, 1024, 0.5e-6);
     for (std::size_t i = 0; i < profile.size(); ++i) {
-        std::string row = fstiff::parts::shortest_text(static_cast<double>(i) * 0.5) + ";" +
-                          fstiff::parts::shortest_text(profile.heights[i] * 1e9) + "\r\n";
+        std::string row = fstiff::detail::shortest_text(static_cast<double>(i) * 0.5) + ";" +
+                          fstiff::detail::shortest_text(profile.heights[i] * 1e9) + "\r\n";
         std::replace(row.begin(), row.end(), '.', ',');
         text += row;
     }

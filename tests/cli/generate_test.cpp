@@ -39,7 +39,7 @@ TEST_CASE("A generated file holds the heights of the library, bit for bit") {
     SECTION("self-affine profile, and without plateau") {
         how.longest_wavelength = 50e-6;
         how.shortest_wavelength = 4e-6;
-        how.long_waves = fstiff::parts::LongWaves::none;
+        how.long_waves = fstiff::LongWaves::none;
         const auto read = surface_of(
             "profile --points 512 --spacing '1 um' --hurst 0.7 --rms '1 um' --seed 5 --longest '50 um' "
             "--shortest '4 um' --long-waves none");

@@ -192,7 +192,7 @@ TEST_CASE("formats lists every form that --input-format takes") {
     CHECK(list.status == 0);
     CHECK(test::contains(text.out, "The first nineteen are") ==
           (fstiff::names<fstiff::io::SurfaceFormat>.size() == 20));
-    for (const std::string_view name : fstiff::parts::choices<fstiff::io::SurfaceFormat>()) {
+    for (const std::string_view name : fstiff::detail::choices<fstiff::io::SurfaceFormat>()) {
         if (name == "auto") continue;
         INFO(name);
         CHECK(test::contains(list.out, "\n" + std::string(name) + ","));

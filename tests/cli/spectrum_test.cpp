@@ -7,9 +7,9 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/profile/autocorrelation.hpp>
-#include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
@@ -97,16 +97,16 @@ TEST_CASE("The spectrum of a profile is that of the library, to the last digit")
 
 TEST_CASE("The spectra of a map are those of the library, each with its own places") {
     const std::string text = map_text();
-    const auto map = fstiff::parts::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
+    const auto map = fstiff::detail::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
     const auto expected = fstiff::radial_spectrum(map);
     const auto psd = document_of("measure --show spectrum -", text)["psd"];
     CHECK(psd["psd_m4"].get<std::vector<double>>() == expected.value);
     CHECK(psd["waves"].get<std::vector<std::size_t>>() == expected.waves);
     CHECK(psd["psd_x_m3"].get<std::vector<double>>() == expected.along_x.value);
     CHECK(psd["wavenumber_y_rad_per_m"].get<std::vector<double>>() == expected.along_y.wavenumber);
-    const auto correlation = fstiff::parts::areal_autocorrelation(map);
+    const auto correlation = fstiff::detail::areal_autocorrelation(map);
     const auto acf = document_of("measure --show spectrum - --of acf", text)["acf"];
-    CHECK(acf["acf"].get<std::vector<double>>() == fstiff::parts::radial_autocorrelation(correlation).value);
+    CHECK(acf["acf"].get<std::vector<double>>() == fstiff::detail::radial_autocorrelation(correlation).value);
     CHECK(acf["acf_x"][5] == correlation.at(5, 0));
     CHECK(acf["acf_y"][48] == correlation.at(0, 48));
     // of an oblong map the columns end one after the other

@@ -31,7 +31,7 @@ void print_contact() {
 void print_surfaces() {
     const auto trace =
         fstiff::self_affine_profile<double>({.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 500e-6}, 4096, 0.5e-6);
-    const auto level = fstiff::parts::level(trace, fstiff::Form::line);
+    const auto level = fstiff::detail::level(trace, fstiff::Form::line);
     print("kurtosis", fstiff::height_statistics(level.profile).kurtosis.value);
     print("rms curvature", fstiff::peak_statistics(level.profile).rms_curvature);
     print("S of the fourth lag", fstiff::structure_function(level.profile).value[3]);

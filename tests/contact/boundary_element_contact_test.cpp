@@ -2,7 +2,7 @@
 // Truth: boundary elements themselves; the way back from a separation; -dp/dd by difference, which K is where the set
 // of contacts changes smoothly.
 #include <fstiff/contact/boundary_element_contact.hpp>
-#include <fstiff/contact/contact_curve.hpp>
+#include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
 #include "support/accuracy.hpp"
@@ -18,8 +18,8 @@ namespace boundary_element_contact_test {
 
 using namespace fstiff;
 
-static_assert(parts::HasStates<BoundaryElementContact<double>, double>);
-static_assert(parts::HasStates<SummitContact<double>, double>);
+static_assert(detail::HasStates<BoundaryElementContact<double>, double>);
+static_assert(detail::HasStates<SummitContact<double>, double>);
 static_assert(!Contact<BoundaryElementContact<double>, double>);  // no table: every state is a solution
 
 namespace {
@@ -37,7 +37,7 @@ TEST_CASE("boundary elements as a contact have the states of the solver, bit for
     const double E = 2;
     const std::vector<double> pressures{0.01, 0.05};
     for (const Eigen::Index points : {32, 64}) {
-        const parts::TruthOptions<double> options{.points = points, .edges = Edges::periodic};
+        const TruthOptions<double> options{.points = points, .edges = Edges::periodic};
         const BoundaryElementContact<double> contact(map, E, options);
         const auto solved = truth(map, E, pressures, options);
         const auto curve = curve_at_pressures(contact, pressures);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the contact itself, one state a call; a contact made for the test that reports its limits.
-#include <fstiff/contact/contact_curve.hpp>
+#include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
@@ -106,7 +106,7 @@ TEST_CASE("A state is in range while twice each of its numbers is") {
     const auto with = [](Estimate<double> ContactState<double>::*which, double value, double error) {
         ContactState<double> state;
         (state.*which).value = value, (state.*which).error = error;
-        return parts::in_range(state);
+        return detail::in_range(state);
     };
     constexpr double most = std::numeric_limits<double>::max();
     using State = ContactState<double>;

@@ -25,29 +25,29 @@ TEST_CASE("Gaussian height moments: the table to 1e-12, and to the accuracy stat
         const double n = table.input(row, "n"), h = table.input(row, "h");
         const auto truth = static_cast<double>(table.number(row, "value"));
         INFO("n " << n << " h " << h);
-        CHECK(test::ulps(parts::height_moment(n, h), truth) <= (n == 2.5 ? 40 : 16));
+        CHECK(test::ulps(detail::height_moment(n, h), truth) <= (n == 2.5 ? 40 : 16));
     }
 }
 
 TEST_CASE("exponential height moments are incomplete gamma functions") {
     for (const double n : {0.0, 0.5, 1.0, 1.5, 2.5}) {
         for (const double h : {0.0, 0.5, 3.0, 40.0})
-            CHECK(test::ulps(parts::height_moment(n, h, parts::Heights::exponential),
-                             std::tgamma(n + 1) * std::exp(-h)) <= 20);
+            CHECK(test::ulps(detail::height_moment(n, h, Heights::exponential), std::tgamma(n + 1) * std::exp(-h)) <=
+                  20);
         for (const double h : {-1e-3, -0.3, -2.0, -20.0}) {
             INFO("n " << n << " h " << h);
-            CHECK(test::relative_error(parts::height_moment(n, h, parts::Heights::exponential),
+            CHECK(test::relative_error(detail::height_moment(n, h, Heights::exponential),
                                        std::exp(-h) * gsl_sf_gamma_inc(n + 1, -h)) < 1e-13);
         }
     }
-    CHECK_FALSE(test::refusal([] { static_cast<void>(parts::height_moment(0.7, 1.0)); }).empty());
+    CHECK_FALSE(test::refusal([] { static_cast<void>(detail::height_moment(0.7, 1.0)); }).empty());
     CHECK_FALSE(test::refusal([] {
-                    static_cast<void>(parts::height_moment(0.5, std::nan(""), parts::Heights::exponential));
+                    static_cast<void>(detail::height_moment(0.5, std::nan(""), Heights::exponential));
                 }).empty());
 }
 
 TEST_CASE("exponential heights: K, area and contacts are proportional to pressure") {
-    const GreenwoodWilliamson<double> contact(fine, modulus, parts::Heights::exponential);
+    const GreenwoodWilliamson<double> contact(fine, modulus, Heights::exponential);
     const auto low = contact.at_pressure(1e3), high = contact.at_pressure(1e7);
     // K/p = 2 Gamma(3/2)/((4/3) Gamma(5/2) sigma) = 1/sigma
     CHECK(test::relative_error(low.stiffness.value / 1e3, 1 / fine.rms_height) < 1e-12);
@@ -57,7 +57,7 @@ TEST_CASE("exponential heights: K, area and contacts are proportional to pressur
 }
 
 TEST_CASE("pressure and separation are each other's inverse and K is -dp/dd") {
-    for (const parts::Heights heights : {parts::Heights::gaussian, parts::Heights::exponential}) {
+    for (const Heights heights : {Heights::gaussian, Heights::exponential}) {
         const GreenwoodWilliamson<double> contact(test::sand_blasted_fine.roughness(), 112.6e9, heights);
         for (const double pressure : {1e-100, 1.0, 1e6, 1e9, 1e13}) {
             const auto at = contact.at_pressure(pressure);

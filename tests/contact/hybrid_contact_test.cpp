@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem_maps.csv; the exact spectrum of maps
 // that repeat themselves.
-#include <fstiff/contact/contact_law.hpp>
-#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
-#include <fstiff/topography/gaussian_order.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"
@@ -31,7 +30,7 @@ Hybrid hybrid_at(const test::Table& table, std::size_t row) {
     const SpectralMoments<double> moments{at("m0"), at("m2"), at("m4")};
     const double E = at("effective_modulus");
     return {RoughContact(surface, PeakDistribution<double>(at("r"), at("theta")), HertzLaw<double>{}, E),
-            PerssonContact<double>(band_of_moments(moments, at("hurst")), E, 0.45, 0.0)};
+            PerssonContact<double>(detail::band_of_moments(moments, at("hurst")), E, 0.45, 0.0)};
 }
 
 }  // namespace
@@ -100,12 +99,12 @@ TEST_CASE("hybrid of a map's own summits and bearing curve is near boundary elem
     double least = 2, largest = 0;
     for (std::size_t row = 0; row < bem.size(); ++row) {
         const HeightMap<double> map = test::half_space_map(bem.text(row, "map"));
-        const parts::GaussianOrder<double> order = parts::gaussian_order(map);
-        const parts::BearingContact<double> crowded(
-            PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0), order.curve, order.rms_height);
+        const detail::GaussianOrder<double> order = detail::gaussian_order(map);
+        const BearingContact<double> crowded(PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0),
+                                             order.curve, order.rms_height);
         const Summits<double> summits = summits_of(map);
         const HybridContact hybrid(SummitContact<double>(summits, 1.0), crowded,
-                                   parts::hand_over_of(summits, crowded, Edges::periodic));
+                                   detail::hand_over_of(summits, crowded, Edges::periodic));
         const double ratio = hybrid.stiffness(bem.input(row, "p_over_E")) / bem.input(row, "stiffness_times_L_over_E");
         CAPTURE(bem.text(row, "map"), bem.input(row, "p_star"), ratio);
         CHECK(std::abs(ratio - 1) < 0.1);
@@ -118,14 +117,14 @@ TEST_CASE("hybrid of a map's own summits and bearing curve is near boundary elem
 TEST_CASE(
     "A hand-over is continuous, fades out over a factor of 8, and keeps its ratios on surfaces drawn about a map") {
     const HeightMap<double> map = test::half_space_map("gaussian");
-    const parts::BearingContact<double> crowded(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
+    const BearingContact<double> crowded(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
     const Summits<double> summits = summits_of(map);
     const SummitContact<double> peaks(summits, 1.0);
-    const parts::HandOver<double> join = parts::hand_over_of(summits, crowded, Edges::periodic);
+    const HandOver<double> join = detail::hand_over_of(summits, crowded, Edges::periodic);
     const HybridContact hybrid(peaks, crowded, join);
     const double p = join.pressure();
     CHECK(test::relative_error(crowded.at_pressure(p).real_area_fraction.value, 0.06) < 0.02);
-    const parts::MutualSummits<double> mutual(summits, 1.0, Edges::periodic);
+    const detail::MutualSummits<double> mutual(summits, 1.0, Edges::periodic);
     for (const double part : {1.0, 0.5, 0.25})  // at its own pressures the table is what it was made of
         CHECK(test::relative_error(hybrid.stiffness(part * p), mutual.at_pressure(part * p).stiffness.value) < 1e-5);
     CHECK(test::relative_error(hybrid.stiffness(0.7 * p), mutual.at_pressure(0.7 * p).stiffness.value) < 0.02);
@@ -139,7 +138,7 @@ TEST_CASE(
     // twice as high, everything is the same under twice the pressure
     Summits<double> high = summits;
     high.rms_height *= 2;
-    for (parts::Summit<double>& one : high.summits) one.height *= 2, one.max_curvature *= 2, one.min_curvature *= 2;
+    for (Summit<double>& one : high.summits) one.height *= 2, one.max_curvature *= 2, one.min_curvature *= 2;
     const SummitContact<double> high_peaks(high, 1.0);
     const HybridContact taller(high_peaks, crowded.scaled(2), join.of(high_peaks, 2));
     for (const double x : {0.1 * p, p, 3 * p})

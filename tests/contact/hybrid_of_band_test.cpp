@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: boundary elements of tests/data/broad.csv (bench/broad.cpp, tools/make_broad.py; the seeds 1 and 3 were
 // fitted) and of tests/data/bem.csv; published molecular dynamics; the parts of the law, combined anew.
-#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -30,7 +30,7 @@ struct Map {
     std::vector<Point> solved;
 
     [[nodiscard]] double alpha() const { return moments.bandwidth(); }
-    [[nodiscard]] BandSpectrum<double> band() const { return band_of_moments(moments, hurst); }
+    [[nodiscard]] BandSpectrum<double> band() const { return detail::band_of_moments(moments, hurst); }
 };
 
 std::vector<Map> maps() {
@@ -114,7 +114,7 @@ TEST_CASE("the hybrid contact of numbers against boundary elements of other code
         const auto at = [&](const char* column) { return bem.input(row, column); };
         if (at("p_star") < 0.003) continue;
         const SpectralMoments<double> moments{at("m0"), at("m2"), at("m4")};
-        const auto contact = hybrid_of_band(band_of_moments(moments, hurst.at(bem.text(row, "family"))), 1.0);
+        const auto contact = hybrid_of_band(detail::band_of_moments(moments, hurst.at(bem.text(row, "family"))), 1.0);
         const double ratio = contact.stiffness(at("p_over_E")) / at("stiffness_times_L_over_E");
         found.add(ratio);
         ten += std::abs(ratio - 1) <= 0.10;
@@ -157,7 +157,7 @@ TEST_CASE("the hybrid contact of numbers at alpha of 700 and 1000: single maps w
 TEST_CASE(
     "K of the hybrid contact of numbers against published molecular dynamics: H = 0.8, two decades, alpha = 140") {
     // Zhou et al., Int. J. Solids Struct. (2024) 112684: the mean gap over the rms height; K sigma/p of its chords
-    const auto band = band_of_moments(parts::moments_of_gradient(1.0, 1.0, 140.0), 0.8);
+    const auto band = detail::band_of_moments(detail::moments_of_gradient(1.0, 1.0, 140.0), 0.8);
     const auto contact = hybrid_of_band(band, 1.0);
     const PerssonContact<double> published(band, 1.0, 0.45, 0.0);
     const std::vector<std::array<double, 2>> chords{{0.00114328, 3.086}, {0.0080842, 2.292}, {0.0255645, 2.122},
@@ -176,8 +176,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the hybrid contact of numbers is put together from its parts") {
-    const auto band = band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 50.0), 0.7);
-    const auto short_band = parts::cut_at_bandwidth(band, 6.0);
+    const auto band = detail::band_of_moments(detail::moments_of_gradient(1e-6, 0.1, 50.0), 0.7);
+    const auto short_band = detail::cut_at_bandwidth(band, 6.0);
     const auto contact = hybrid_of_band(band, 1e11, 0.5);
     const double p = 2e7;
     const auto hills = detail::peaks_of_band(short_band, 1e11).at_pressure(p);
@@ -197,8 +197,8 @@ TEST_CASE("the hybrid contact of numbers is put together from its parts") {
 }
 
 TEST_CASE("a narrow band is not cut and K hardly depends on the shortest wave of a broad one") {
-    const auto narrow = band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 5.9), 0.7);
-    CHECK(parts::cut_at_bandwidth(narrow, 6.0).q2 == narrow.q2);
+    const auto narrow = detail::band_of_moments(detail::moments_of_gradient(1e-6, 0.1, 5.9), 0.7);
+    CHECK(detail::cut_at_bandwidth(narrow, 6.0).q2 == narrow.q2);
     // q2 doubled again and again: the same waves, and more of them
     BandSpectrum<double> band = narrow;
     std::vector<double> of_cut, of_whole;
@@ -235,13 +235,14 @@ TEST_CASE("real area of the hybrid contact of numbers: boundary elements on two 
 }
 
 TEST_CASE("beyond 0.75 E g the hybrid contact of numbers reports that it is closed") {
-    const auto contact = hybrid_of_band(band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 50.0), 0.7), 1e11);
+    const auto contact =
+        hybrid_of_band(detail::band_of_moments(detail::moments_of_gradient(1e-6, 0.1, 50.0), 0.7), 1e11);
     const double most = 0.75e10;
     CHECK(contact.at_pressure(0.999 * most).stiffness.value > 0);
     const std::string refusal = test::refusal([&] { (void)contact.at_pressure(1.001 * most); });
     CHECK(refusal.find("the bulk carries") != std::string::npos);
     const BandSpectrum<double> band{1, 0.8, 1, 1, 8};
-    CHECK(test::refusal([&] { (void)parts::cut_at_bandwidth(band, 2.0); }).find("alpha of the cut") == 0);
+    CHECK(test::refusal([&] { (void)detail::cut_at_bandwidth(band, 2.0); }).find("alpha of the cut") == 0);
     CHECK(test::refusal([&] { (void)PeakDistribution<double>::isotropic(1.0); }).find("Nayak's alpha") == 0);
 }
 

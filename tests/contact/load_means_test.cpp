@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the last column of tests/data/plastic_curves.csv (9 digits, two quadratures); one radius in one dimension.
-#include <fstiff/contact/load_means.hpp>
+#include <fstiff/contact/rough_contact.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -28,9 +28,9 @@ TEST_CASE("load-weighted interference of plastic peaks: the nine digits of the t
             CAPTURE(name, law, row);
             const RoughContact contact(surface.roughness(), peaks, of, E);
             const double eta = contact.at_pressure(table.input(row, "pressure_Pa")).eta;
-            const auto fine = parts::load_means(contact, eta, critical_over_radius, 1e-9).interference;
+            const auto fine = detail::load_means(contact, eta, critical_over_radius, 1e-9).interference;
             CHECK(test::relative_error(fine.value, truth) < 6e-9);
-            const auto quick = parts::load_means(contact, eta, critical_over_radius).interference;
+            const auto quick = detail::load_means(contact, eta, critical_over_radius).interference;
             CHECK(std::abs(quick.value - truth) <= quick.error + 6e-9 * truth);
             CHECK(quick.error < 2e-3 * truth);
             ++checked;
@@ -48,8 +48,7 @@ TEST_CASE("load-weighted a/R: peaks of one radius in one dimension, and pi a^2 =
     // a/R = sqrt(2 omega/R), so that <a/R> = sqrt(2 sigma/R) <e^(3/2)>/<e> with e the excess height of plastic peaks
     const double E = 112.6e9, sigma = 1e-6, R = 30e-6;
     const Roughness<double> surface{.rms_height = sigma, .peak_radius = R, .peak_density = 1e9};
-    const RoughContact contact(surface, parts::SingleRadius<double>{parts::Heights::gaussian},
-                               PlasticLaw<double>(1.12e9, E), E);
+    const RoughContact contact(surface, SingleRadius<double>{Heights::gaussian}, PlasticLaw<double>(1.12e9, E), E);
     for (const double eta : {-0.5, 1.0, 3.0}) {
         const auto mean = [eta](double power) {
             constexpr int n = 200000;  // the rule of midpoints: e^(3/2) is smooth enough for 1e-9
@@ -60,12 +59,12 @@ TEST_CASE("load-weighted a/R: peaks of one radius in one dimension, and pi a^2 =
             }
             return sum;
         };
-        const auto found = parts::load_means(contact, eta, 1e-4, 1e-9);
+        const auto found = detail::load_means(contact, eta, 1e-4, 1e-9);
         CAPTURE(eta);
         CHECK(test::relative_error(found.radius_ratio.value, std::sqrt(2 * sigma / R) * mean(1.5) / mean(1)) < 1e-8);
         CHECK(test::relative_error(found.interference.value, sigma / (1e-4 * R) * mean(2) / mean(1)) < 1e-8);
     }
-    CHECK(test::refusal([&] { (void)parts::load_means(contact, 1.0, 0.0); }).find("critical_over_radius") !=
+    CHECK(test::refusal([&] { (void)detail::load_means(contact, 1.0, 0.0); }).find("critical_over_radius") !=
           std::string::npos);
 }
 
@@ -74,7 +73,7 @@ TEST_CASE("a law with its own omega_c needs no other") {
     const KogutEtsionLaw<double> law(steel);
     const RoughContact contact(test::sand_blasted_fine.roughness(), PeakDistribution<double>::exponential(0.8), law,
                                112.6e9);
-    const auto own = parts::load_means(contact, 2.0), given = parts::load_means(contact, 2.0, 2 * law.critical(1.0));
+    const auto own = detail::load_means(contact, 2.0), given = detail::load_means(contact, 2.0, 2 * law.critical(1.0));
     CHECK(test::relative_error(own.interference.value, 2 * given.interference.value) < 1e-14);
     CHECK(own.radius_ratio.value == given.radius_ratio.value);
 }

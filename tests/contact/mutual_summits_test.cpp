@@ -2,7 +2,7 @@
 // Truth: Hertz's sphere with its images; a dense matrix of lattice sums; the derivative of p; boundary elements of
 // tests/data/bem_maps.csv.
 #include <fstiff/asperity/elliptic_hertz.hpp>
-#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
@@ -22,12 +22,12 @@ namespace mutual_summits_test {
 
 using namespace fstiff;
 
-static_assert(parts::ProportionalContact<parts::MutualSummits<double>, double>);
+static_assert(detail::ProportionalContact<detail::MutualSummits<double>, double>);
 
 TEST_CASE("one summit that repeats: Hertz less the mean field of its images") {
     const double E = 1e11, side = 1e-4, R = 2.5e-5, omega = 1e-7;
     const Summits<double> one{{{2e-6, 4e4, 4e4, 3e-5, 4e-5}}, side * side, side, side, 1e-6};
-    const parts::MutualSummits<double> contact(one, E, Edges::periodic);
+    const detail::MutualSummits<double> contact(one, E, Edges::periodic);
     // the sum of 1/r over a square lattice, less its mean: 4 zeta(1/2) beta(1/2)
     const double C = 3.9002649200019563 * side / (std::numbers::pi * E);
     const double p = 4.0 / 3 * E * std::sqrt(R) * std::pow(omega, 1.5) / (side * side);
@@ -45,7 +45,7 @@ std::pair<double, double> dense(const Summits<double>& of, double p) {
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto& one = of.summits[static_cast<std::size_t>(i)];
         z[i] = one.height;
-        c[i] = parts::elliptic_hertz(one.max_curvature, one.min_curvature).load_factor;
+        c[i] = detail::elliptic_hertz(one.max_curvature, one.min_curvature).load_factor;
         for (Eigen::Index j = 0; j < n; ++j) {
             const auto& other = of.summits[static_cast<std::size_t>(j)];
             g(i, j) = test::lattice_influence(one.x - other.x, one.y - other.y, of.width, of.height);
@@ -83,7 +83,7 @@ TEST_CASE("the push by neighbours and a grid against a dense matrix of lattice s
                   [](const auto& a, const auto& b) { return a.height > b.height; });
         const double p = 2e-3;
         const auto [K, d] = dense(of, p);
-        const auto state = parts::MutualSummits<double>(of, 1.0, Edges::periodic).at_pressure(p);
+        const auto state = detail::MutualSummits<double>(of, 1.0, Edges::periodic).at_pressure(p);
         CAPTURE(height, K, d, state.contact_density.value);
         CHECK(state.contact_density.value * of.area > 119.5);  // all touch
         CHECK(test::relative_error(state.stiffness.value, K) < 1e-8);
@@ -95,7 +95,7 @@ TEST_CASE("the push by neighbours and a grid against a dense matrix of lattice s
 TEST_CASE("summits that push each other down: K is the slope, pressure and separation undo each other") {
     const auto map = test::half_space_map("rougher");
     for (const Edges edges : {Edges::periodic, Edges::mirrored}) {
-        const parts::MutualSummits<double> contact(summits_of(map), 1.0, edges);
+        const detail::MutualSummits<double> contact(summits_of(map), 1.0, edges);
         for (const double p : {3e-5, 3e-4, 1e-3}) {
             const auto state = contact.at_pressure(p), low = contact.at_pressure(p * (1 - 1e-5)),
                        high = contact.at_pressure(p * (1 + 1e-5));
@@ -122,7 +122,7 @@ TEST_CASE("summits that push each other down against boundary elements") {
         const auto summits = summits_of(test::half_space_map(table.text(row, "map")));
         const double p = table.input(row, "p_over_E"), truth = table.input(row, "stiffness_times_L_over_E");
         const double ratio =
-            parts::MutualSummits<double>(summits, 1.0, Edges::periodic).at_pressure(p).stiffness.value / truth;
+            detail::MutualSummits<double>(summits, 1.0, Edges::periodic).at_pressure(p).stiffness.value / truth;
         const double alone = SummitContact<double>(summits, 1.0).at_pressure(p).stiffness.value / truth;
         least = std::min(least, ratio), most = std::max(most, ratio);
         least_alone = std::min(least_alone, alone), most_alone = std::max(most_alone, alone);
@@ -135,7 +135,7 @@ TEST_CASE("summits that push each other down against boundary elements") {
 
 TEST_CASE("summits that are too crowded are refused") {
     const auto map = test::half_space_map("rougher");
-    const parts::MutualSummits<double> contact(summits_of(map), 1.0, Edges::periodic);
+    const detail::MutualSummits<double> contact(summits_of(map), 1.0, Edges::periodic);
     const auto far_on = contact.point_at_pressure(0.1);
     CHECK(far_on.status == PointStatus::out_of_reach);
     CHECK(far_on.reason.find("hybrid and boundary_elements go on") != std::string::npos);

@@ -7,8 +7,8 @@
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/math/normal_distribution.hpp>
-#include <fstiff/surface/bearing_family.hpp>
-#include <fstiff/topography/coarsen.hpp>
+#include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
 
@@ -35,12 +35,12 @@ TEST_CASE("The plastic contact of a map is near boundary elements with a hardnes
     const HeightMap<double> map = test::half_space_map("gaussian");
     const auto elastic = elastic_of(map);
     const double g = map_spectrum(map, Edges::periodic).rms_gradient(), sigma = rms_height(map);
-    const parts::MapCut<double> cut(map, 1.0, Edges::periodic);
+    const detail::MapCut<double> cut(map, 1.0, Edges::periodic);
     for (const double over_gradient : {0.05, 0.2}) {
         const double hardness = over_gradient * g;
         BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic, .hardness = hardness, .tolerance = 1e-6});
         const PlasticContact contact(elastic, cut, hardness);
-        const PlasticContact numbers(elastic, parts::GaussianCut<double>(sigma, g, 1.0), hardness);
+        const PlasticContact numbers(elastic, detail::GaussianCut<double>(sigma, g, 1.0), hardness);
         for (const double share : {0.01, 0.03, 0.3, 0.7}) {
             const double p = share * hardness;
             const auto truth = solver.at_pressure(p);
@@ -57,9 +57,9 @@ TEST_CASE("The plastic contact of a map is near boundary elements with a hardnes
 
 /// Gaussian surface with rms height, gradient and modulus 1, so that H is H/(E g) and K is K sigma/(E g).
 auto gaussian(double alpha, double hurst) {
-    return hybrid_of_band(band_of_moments<double>({1, 0.5, alpha / 4}, hurst), 1.0);
+    return hybrid_of_band(detail::band_of_moments<double>({1, 0.5, alpha / 4}, hurst), 1.0);
 }
-const parts::GaussianCut<double> unit_cut(1, 1, 1);
+const detail::GaussianCut<double> unit_cut(1, 1, 1);
 
 TEST_CASE("K, area and separation of numbers are those of boundary elements up to 0.95 H") {
     const test::Table table("plastic_closing.csv");
@@ -121,7 +121,7 @@ TEST_CASE("K and -dp/dd of plastic contacts rise with p, fall with H, and loadin
     for (int i = 0; i < 300; ++i) {
         const double alpha = 2.5 * std::pow(40, uniform(random)), hurst = 0.2 + 0.79 * uniform(random);
         const double H = 0.01 * std::pow(1000, uniform(random)), skewness = 3 * uniform(random) - 2;
-        const BandSpectrum<double> band = band_of_moments<double>({1, 0.5, alpha / 4}, hurst);
+        const BandSpectrum<double> band = detail::band_of_moments<double>({1, 0.5, alpha / 4}, hurst);
         const auto rises = [&](const auto& elastic) {
             const PlasticContact contact(elastic, unit_cut, H), harder(elastic, unit_cut, 1.01 * H);
             const auto K_of = [](const auto& one, double p) { return one.at_pressure(p).stiffness.value; };
@@ -144,7 +144,7 @@ TEST_CASE("K and -dp/dd of plastic contacts rise with p, fall with H, and loadin
             }
         };
         if (i % 3 == 0)
-            rises(hybrid_of_band(band, parts::bearing_of_moments(skewness, 3.2 + 1.5 * skewness * skewness), 1.0));
+            rises(hybrid_of_band(band, detail::bearing_of_moments(skewness, 3.2 + 1.5 * skewness * skewness), 1.0));
         else
             rises(hybrid_of_band(band, 1.0));
     }
@@ -155,7 +155,7 @@ TEST_CASE("The separation of a plastic contact falls through 0, and its slope is
     for (const double H : {0.02, 0.3, 1.4}) {
         const PlasticContact contact(elastic, unit_cut, H);
         static_assert(Contact<decltype(contact), double>);
-        static_assert(!parts::ProportionalContact<decltype(contact), double>);
+        static_assert(!detail::ProportionalContact<decltype(contact), double>);
         CHECK(std::abs(contact.at_pressure(H / 2).separation.value) < 1e-14);
         for (const double share : {1e-5, 0.01, 0.3, 0.52, 0.9}) {
             if (share * H > 0.75) continue;
@@ -179,7 +179,7 @@ TEST_CASE("The separation of a plastic contact falls through 0, and its slope is
         CHECK(contact.point_at_separation(-40).status == PointStatus::out_of_reach);
     }
     CHECK_THROWS_AS(PlasticContact(elastic, unit_cut, 0.0), domain_error);
-    CHECK_THROWS_AS(parts::GaussianCut<double>(1, -1, 1), domain_error);
+    CHECK_THROWS_AS(detail::GaussianCut<double>(1, -1, 1), domain_error);
 }
 
 }  // namespace plastic_contact_map_test

@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 /// Abbott and Firestone: mean pressure H, elastic on unloading.
 struct PlasticLaw {
     double hardness_over_modulus;
-    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     double load_factor() const { return 2 * pi * hardness_over_modulus; }
     double stiffness_factor() const { return 2 * std::numbers::sqrt2; }
     double area_factor() const { return 2 * pi; }
@@ -78,8 +78,8 @@ double mean_over_peaks(const Scene& s, const F& f) {
 
 /// The same over peaks of one radius.
 template <class F>
-double mean_over_heights(const Scene& s, parts::Heights heights, const F& f) {
-    const bool gaussian = heights == parts::Heights::gaussian;
+double mean_over_heights(const Scene& s, Heights heights, const F& f) {
+    const bool gaussian = heights == Heights::gaussian;
     const double begin = gaussian ? s.eta : std::max(s.eta, 0.0), reach = gaussian ? 10 : 40;
     return test::panels(begin, std::max(s.eta, 0.0) + reach, 24, [&](double height) {
         const double density = gaussian ? std::exp(-height * height / 2) / std::sqrt(2 * pi) : std::exp(-height);
@@ -117,7 +117,7 @@ TEST_CASE("200 random contacts: p, K, area and contacts are the means over the p
             check_state(contact.at_separation(s.eta * s.surface.rms_height), s, law,
                         [&](const auto& f) { return mean_over_peaks(s, f); });
         });
-        for (const parts::Heights heights : {parts::Heights::gaussian, parts::Heights::exponential})
+        for (const Heights heights : {Heights::gaussian, Heights::exponential})
             check_state(
                 GreenwoodWilliamson<double>(s.surface, s.modulus, heights).at_separation(s.eta * s.surface.rms_height),
                 s, HertzLaw<double>{}, [&](const auto& f) { return mean_over_heights(s, heights, f); });

@@ -107,7 +107,7 @@ TEST_CASE("K is -dp/dd for hertz and fractal_consistent, and f times it for frac
         const auto p = [&](double x) { return c.at_separation(x, Quantity::pressure).pressure.value; };
         return -(8 * (p(d + h) - p(d - h)) - (p(d + 2 * h) - p(d - 2 * h))) / (12 * h);
     };
-    const double f = parts::fractal_stiffness_factor(1.62);
+    const double f = detail::fractal_stiffness_factor(1.62);
     for (const double eta : {-1.0, 0.5, 2.0, 3.5}) {
         const double d = eta * fine.rms_height;
         const auto hertz = contact(HertzLaw<double>{});
@@ -132,7 +132,7 @@ TEST_CASE("the paper's conclusions in figures") {
         CHECK((over_gw > 2.46 && over_gw < 2.59));
         CHECK((at_third / at_quarter > 1.05 && at_third / at_quarter < 1.19));
         CHECK(test::ulps(contact(FractalLaw<double>(1.62)).at_pressure(pressure).stiffness.value,
-                         parts::fractal_stiffness_factor(1.62) *
+                         detail::fractal_stiffness_factor(1.62) *
                              contact(HertzLaw<double>{}).at_pressure(pressure).stiffness.value) < 10);
     }
 }
@@ -222,12 +222,12 @@ TEST_CASE("interaction: as printed") {
 }
 
 TEST_CASE("the curvature scale: the printed one, and the one whose peaks have the mean curvature 1/R") {
-    CHECK(test::ulps(parts::rms_curvature(fine, third), 3 * std::sqrt(pi) / (8 * fine.peak_radius)) <= 2);
-    const double consistent = parts::rms_curvature(fine, third, parts::CurvatureScale::consistent);
+    CHECK(test::ulps(detail::rms_curvature(fine, third), 3 * std::sqrt(pi) / (8 * fine.peak_radius)) <= 2);
+    const double consistent = detail::rms_curvature(fine, third, CurvatureScale::consistent);
     CHECK(test::ulps(consistent * third.mean_curvature(), 1 / fine.peak_radius) <= 4);
     // at equal eta K goes as sigma_kappa^(-1/2): lower by 0.866 and 0.830
     const auto ratio = [](const PeakDistribution<double>& peaks) {
-        const RoughContactOptions<double> options{.curvature = parts::CurvatureScale::consistent};
+        const RoughContactOptions<double> options{.curvature = CurvatureScale::consistent};
         return contact(HertzLaw<double>{}, options, peaks).at_separation(1e-6).stiffness.value /
                contact(HertzLaw<double>{}, {}, peaks).at_separation(1e-6).stiffness.value;
     };
@@ -236,17 +236,17 @@ TEST_CASE("the curvature scale: the printed one, and the one whose peaks have th
 }
 
 TEST_CASE("the validity figures of Table 1") {
-    CHECK(std::abs(parts::plasticity_index(fine, modulus, 400e6) - 14.5) < 0.05);
-    CHECK(std::abs(parts::plasticity_index(test::paper_surface("sand_blasted_coarse").roughness(), modulus, 400e6) -
+    CHECK(std::abs(detail::plasticity_index(fine, modulus, 400e6) - 14.5) < 0.05);
+    CHECK(std::abs(detail::plasticity_index(test::paper_surface("sand_blasted_coarse").roughness(), modulus, 400e6) -
                    42) < 0.5);
-    CHECK(std::abs(parts::plasticity_index(test::paper_surface("electrical_discharge").roughness(), modulus, 400e6) -
+    CHECK(std::abs(detail::plasticity_index(test::paper_surface("electrical_discharge").roughness(), modulus, 400e6) -
                    69) < 0.5);
     const double product = fine.rms_height * fine.peak_radius * fine.peak_density;
-    CHECK((product < parts::min_gaussian_product<double> && std::abs(product - 0.0166) < 1e-4));
-    CHECK_FALSE(parts::rms_gradient(fine, quarter).has_value());
-    const double gradient = parts::rms_gradient(fine, third).value();
-    CHECK(test::ulps(gradient, std::sqrt(2 * third.r() * fine.rms_height * parts::rms_curvature(fine, third))) <= 4);
-    const double at_100_MPa = parts::dimensionless_pressure(1e8, modulus, gradient);
+    CHECK((product < detail::min_gaussian_product<double> && std::abs(product - 0.0166) < 1e-4));
+    CHECK_FALSE(detail::rms_gradient(fine, quarter).has_value());
+    const double gradient = detail::rms_gradient(fine, third).value();
+    CHECK(test::ulps(gradient, std::sqrt(2 * third.r() * fine.rms_height * detail::rms_curvature(fine, third))) <= 4);
+    const double at_100_MPa = detail::dimensionless_pressure(1e8, modulus, gradient);
     CHECK((at_100_MPa > 0.001 && at_100_MPa < 0.007));
 }
 

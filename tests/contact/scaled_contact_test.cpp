@@ -5,8 +5,8 @@
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/surface/bearing_family.hpp>
-#include <fstiff/topography/gaussian_order.hpp>
+#include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"
@@ -21,18 +21,18 @@ namespace scaled_contact_test {
 using namespace fstiff;
 
 /// hybrid of the moments \p m under the bearing curve \p curve of the rms \p unit.
-auto law_of(const SpectralMoments<double>& m, const parts::BearingSlope<double>& curve, double unit) {
-    const PerssonContact<double> persson(band_of_moments(m, 0.8), 1.0);
+auto law_of(const SpectralMoments<double>& m, const BearingSlope<double>& curve, double unit) {
+    const PerssonContact<double> persson(detail::band_of_moments(m, 0.8), 1.0);
     const double sigma = std::sqrt(m.m0), alpha = m.bandwidth();
-    const Roughness<double> surface{sigma, parts::peak_radius_of(m), parts::peak_density_of(m)};
+    const Roughness<double> surface{sigma, detail::peak_radius_of(m), detail::peak_density_of(m)};
     HybridContact of(
         RoughContact(surface, PeakDistribution<double>(1 / std::sqrt(alpha), 1e-3), HertzLaw<double>{}, 1.0), persson);
-    return parts::ScaledContact(of, parts::BearingContact<double>(persson, curve.scaled(sigma / unit), sigma));
+    return ScaledContact(of, BearingContact<double>(persson, curve.scaled(sigma / unit), sigma));
 }
 
 TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian one") {
-    const auto contact = law_of(parts::moments_of_gradient(1e-3, 0.1, 8.0), parts::bearing_of_moments(0.0, 3.0), 1);
-    static_assert(parts::ProportionalContact<decltype(contact), double>);
+    const auto contact = law_of(detail::moments_of_gradient(1e-3, 0.1, 8.0), detail::bearing_of_moments(0.0, 3.0), 1);
+    static_assert(detail::ProportionalContact<decltype(contact), double>);
     for (const double p : {1e-5, 1e-3, 1e-2}) {
         const auto state = contact.at_pressure(p), truth = contact.gaussian().at_pressure(p);
         CHECK(test::relative_error(state.stiffness.value, truth.stiffness.value) < 1e-9);
@@ -45,7 +45,7 @@ TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian on
 TEST_CASE("Statistics of a skewed map are nearer to its boundary elements with its bearing curve") {
     const test::Table bem("bem_maps.csv");
     const HeightMap<double> map = test::half_space_map("skewed");
-    const auto order = parts::gaussian_order(map);
+    const auto order = detail::gaussian_order(map);
     // moments of the Gaussian map of the same order
     SpectralMoments<double> m{};
     const detail::ShellGrid<double> grid(map, Edges::periodic);

@@ -23,7 +23,7 @@ struct Parameters {
 
 /// Mean pressure 0.01 E, elastic on unloading.
 struct YieldingLaw {
-    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     static double load_factor() { return 0.06; }
     static double stiffness_factor() { return 2.8; }
     static double area_factor() { return 6.28; }
@@ -33,7 +33,7 @@ struct YieldingLaw {
 /// No physics: load ~ omega^(3/2) R^(Radius/2), and a stiffness that no approach changes.
 template <int Radius>
 struct SquareLaw : YieldingLaw {
-    static constexpr parts::HalfPowers load_powers{3, Radius}, stiffness_powers{0, Radius};
+    static constexpr HalfPowers load_powers{3, Radius}, stiffness_powers{0, Radius};
 };
 
 template <class Law>
@@ -103,8 +103,7 @@ void check(const Parameters& p, const Options& options) {
 }  // namespace
 
 TEST_CASE("derivatives of K at constant pressure agree with differences, for every law and curvature scale") {
-    for (const parts::CurvatureScale scale :
-         {parts::CurvatureScale::bush_gibson_thomas, parts::CurvatureScale::consistent}) {
+    for (const CurvatureScale scale : {CurvatureScale::bush_gibson_thomas, CurvatureScale::consistent}) {
         check<HertzLaw<double>>({}, {.curvature = scale});
         check<FractalLaw<double>>({}, {.curvature = scale});
         check<FractalConsistentLaw<double>>({}, {.curvature = scale});
@@ -184,7 +183,7 @@ struct PlasticByUser {
     auto area(const auto& omega, double radius) const { return (6.28 * radius * omega).eval(); }
 };
 struct PlasticByPowers {
-    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     static double load_factor() { return 0.06; }
     static double stiffness_factor() { return 2.8; }
     static double area_factor() { return 6.28; }
@@ -221,8 +220,8 @@ TEST_CASE("a law without powers is differentiated to 1e-8 like one with powers")
                 same(RoughContact(fine, peaks, PlasticByUser{}, 112.6e9, options),
                      RoughContact(fine, peaks, PlasticByPowers{}, 112.6e9, options), pressure, 1e-8);
             }
-    for (const parts::Heights heights : {parts::Heights::gaussian, parts::Heights::exponential}) {
-        const parts::SingleRadius<double> peaks{heights};
+    for (const Heights heights : {Heights::gaussian, Heights::exponential}) {
+        const SingleRadius<double> peaks{heights};
         same(RoughContact(fine, peaks, test::HertzByUser{}, 112.6e9, patch),
              RoughContact(fine, peaks, HertzLaw<double>{}, 112.6e9, patch), 1e6, 1e-8);
         same(RoughContact(fine, peaks, PlasticByUser{}, 112.6e9), RoughContact(fine, peaks, PlasticByPowers{}, 112.6e9),

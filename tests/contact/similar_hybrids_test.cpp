@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the contact of each surface by itself, hybrid_of_band().
-#include <fstiff/contact/similar_hybrids.hpp>
-#include <fstiff/math/random.hpp>
-#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/math/statistics.hpp>
+#include <fstiff/surface/material_ratio.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -20,9 +20,9 @@ constexpr double modulus = 112.6e9, sigma = 0.8e-6, gradient = 0.07;
 
 /// The largest error over pressures of 1e-5 to 0.3 E g.
 template <class ContactOf>
-double worst(const parts::SimilarHybrids<double>& similar, double alpha, double hurst, const ContactOf& contact_of) {
-    const auto moments = parts::moments_of_gradient(sigma, gradient, alpha);
-    const auto contact = contact_of(band_of_moments(moments, hurst));
+double worst(const detail::SimilarHybrids<double>& similar, double alpha, double hurst, const ContactOf& contact_of) {
+    const auto moments = detail::moments_of_gradient(sigma, gradient, alpha);
+    const auto contact = contact_of(detail::band_of_moments(moments, hurst));
     double most = 0;
     for (double x = 1e-5; x < 0.3; x *= 3.7) {
         const double p = x * modulus * gradient;
@@ -35,7 +35,7 @@ double worst(const parts::SimilarHybrids<double>& similar, double alpha, double 
 }
 
 TEST_CASE("Surfaces drawn about one have K of the table of similar ones") {
-    const parts::SimilarHybrids<double> similar(nullptr);
+    const detail::SimilarHybrids<double> similar(nullptr);
     const auto contact_of = [](const BandSpectrum<double>& band) { return hybrid_of_band(band, modulus); };
     for (const double alpha : {2.6, 3.3, 5.9, 6.1, 9.0, 40.0, 300.0}) {
         INFO("alpha = " << alpha << ", off by " << worst(similar, alpha, 0.8, contact_of));
@@ -50,8 +50,8 @@ TEST_CASE("Surfaces drawn about one have K of the table of similar ones") {
 
 TEST_CASE("The table of similar surfaces takes a bearing curve") {
     for (const auto& [skewness, kurtosis] : {std::pair(-1.2, 5.0), std::pair(0.9, 4.0), std::pair(1.8, 75.0)}) {
-        const parts::BearingSlope<double> curve = parts::bearing_of_moments(skewness, kurtosis);
-        const parts::SimilarHybrids<double> similar(&curve, 0.42);
+        const BearingSlope<double> curve = detail::bearing_of_moments(skewness, kurtosis);
+        const detail::SimilarHybrids<double> similar(&curve, 0.42);
         for (const double alpha : {2.7, 11.0}) {
             const double off = worst(similar, alpha, 0.8, [&](const BandSpectrum<double>& band) {
                 return hybrid_of_band(band, curve, modulus, 0.42);
@@ -64,13 +64,13 @@ TEST_CASE("The table of similar surfaces takes a bearing curve") {
 
 TEST_CASE("Several threads that ask the table of similar surfaces find what one finds") {
     constexpr std::size_t count = 60;
-    const auto K = [](const parts::SimilarHybrids<double>& similar, std::size_t i) {
+    const auto K = [](const detail::SimilarHybrids<double>& similar, std::size_t i) {
         const double alpha = 3 + 0.5 * static_cast<double>(i % 7), x = 1e-4 * std::pow(1.1, static_cast<double>(i));
         return similar
-            .stiffness(parts::moments_of_gradient(sigma, gradient, alpha), 0.8, modulus, x * modulus * gradient)
+            .stiffness(detail::moments_of_gradient(sigma, gradient, alpha), 0.8, modulus, x * modulus * gradient)
             .value();
     };
-    const parts::SimilarHybrids<double> alone(nullptr), shared(nullptr);
+    const detail::SimilarHybrids<double> alone(nullptr), shared(nullptr);
     std::vector<double> found(count);
     const auto ask = [&](std::size_t from, std::size_t by) {
         for (std::size_t i = from; i < count; i += by) found[count - 1 - i] = K(shared, count - 1 - i);
@@ -82,10 +82,10 @@ TEST_CASE("Several threads that ask the table of similar surfaces find what one 
 }
 
 TEST_CASE("The table of similar surfaces has no K where no surface or no contact is, and none beyond its reach") {
-    const parts::SimilarHybrids<double> similar(nullptr);
+    const detail::SimilarHybrids<double> similar(nullptr);
     const auto at = [&](double alpha, double hurst, double x) {
         return similar
-            .stiffness(parts::moments_of_gradient(sigma, gradient, alpha), hurst, modulus, x * modulus * gradient)
+            .stiffness(detail::moments_of_gradient(sigma, gradient, alpha), hurst, modulus, x * modulus * gradient)
             .has_value();
     };
     CHECK(at(4, 0.8, 0.01));

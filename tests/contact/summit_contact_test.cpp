@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: Hertz's formula for one sphere; K as the slope of p; sums over elliptic summits of periodic maps in
 // tests/data/elliptic_summits.csv.
-#include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
 #include "support/accuracy.hpp"
@@ -18,8 +18,8 @@ namespace summit_contact_test {
 
 using namespace fstiff;
 
-static_assert(parts::ProportionalContact<SummitContact<double>, double>);
-static_assert(parts::ProportionalContact<HybridContact<double, SummitContact<double>>, double>);
+static_assert(detail::ProportionalContact<SummitContact<double>, double>);
+static_assert(detail::ProportionalContact<HybridContact<double, SummitContact<double>>, double>);
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Types that are scalars of fstiff.
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include "support/catch.hpp"
 

@@ -33,9 +33,9 @@ struct GlobalLocale {
 }  // namespace
 
 TEST_CASE("a refusal names the parameter and its value and the allowed range", "[error]") {
-    CHECK(test::refusal([] { fstiff::require(false, "theta", 1.75, "between 0 and pi/2"); }) ==
+    CHECK(test::refusal([] { fstiff::detail::require(false, "theta", 1.75, "between 0 and pi/2"); }) ==
           "theta = 1.75: must be between 0 and pi/2");
-    CHECK(test::refusal([] { fstiff::require(true, "theta", 1.75, "between 0 and pi/2"); }) == "");
+    CHECK(test::refusal([] { fstiff::detail::require(true, "theta", 1.75, "between 0 and pi/2"); }) == "");
     CHECK((std::is_base_of_v<std::domain_error, fstiff::domain_error>));
 }
 
@@ -43,23 +43,23 @@ TEMPLATE_TEST_CASE("only finite numbers greater than zero are positive", "[error
     using T = TestType;
     using Limits = std::numeric_limits<T>;
     for (const T good : {Limits::denorm_min(), Limits::min(), T(1), Limits::max()})
-        CHECK(test::refusal([&] { fstiff::require_positive("radius", good); }) == "");
+        CHECK(test::refusal([&] { fstiff::detail::require_positive("radius", good); }) == "");
     for (const T bad :
          {T(0), T(-0.0), -Limits::denorm_min(), T(-1), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()})
-        CHECK(test::refusal([&] { fstiff::require_positive("radius", bad); }).find("radius = ") == 0);
-    CHECK(test::refusal([] { fstiff::require_positive("radius", T(-2.5)); }) ==
+        CHECK(test::refusal([&] { fstiff::detail::require_positive("radius", bad); }).find("radius = ") == 0);
+    CHECK(test::refusal([] { fstiff::detail::require_positive("radius", T(-2.5)); }) ==
           "radius = -2.5: must be finite and greater than 0");
 }
 
 TEST_CASE("the message does not depend on the global locale", "[error]") {
     const GlobalLocale comma(std::locale(std::locale::classic(), new Comma));
-    CHECK(test::refusal([] { fstiff::require(false, "density", 1234567.5, "smaller"); }) ==
+    CHECK(test::refusal([] { fstiff::detail::require(false, "density", 1234567.5, "smaller"); }) ==
           "density = 1234567.5: must be smaller");
 }
 
 TEST_CASE("the message shows the value with the digits of its type", "[error]") {
-    CHECK(test::refusal([] { fstiff::require(false, "x", 0.1f, "more"); }) == "x = 0.1: must be more");
-    CHECK(test::refusal([] { fstiff::require(false, "x", 0.123456789012345, "more"); }) ==
+    CHECK(test::refusal([] { fstiff::detail::require(false, "x", 0.1f, "more"); }) == "x = 0.1: must be more");
+    CHECK(test::refusal([] { fstiff::detail::require(false, "x", 0.123456789012345, "more"); }) ==
           "x = 0.123456789012345: must be more");
 }
 
@@ -67,7 +67,7 @@ namespace {
 
 using fstiff::domain_error;
 using fstiff::file_error;
-using fstiff::parts::Place;
+using fstiff::Place;
 
 domain_error range_error() { return domain_error({.parameter = "theta", .value = "2 rad", .allowed = "below pi/2"}); }
 
@@ -181,13 +181,13 @@ TEST_CASE("a file that cannot be read is an error of its own, not of the caller'
 
 TEST_CASE("a call is located: both errors get the place, others pass", "[error]") {
     const Place place{.file = "scene.toml", .line = 3};
-    CHECK(fstiff::parts::located(place, [] { return 4; }) == 4);
-    CHECK(test::refusal([&] { fstiff::parts::located(place, [] { throw range_error(); }); }) ==
+    CHECK(fstiff::detail::located(place, [] { return 4; }) == 4);
+    CHECK(test::refusal([&] { fstiff::detail::located(place, [] { throw range_error(); }); }) ==
           "scene.toml, line 3: theta = 2 rad: must be below pi/2");
-    CHECK_THROWS_AS(fstiff::parts::located(place, [] { throw file_error("a", "b"); }), file_error);
-    CHECK(test::refusal([&] { fstiff::parts::located(place, [] { throw file_error("a", "b"); }); }) ==
+    CHECK_THROWS_AS(fstiff::detail::located(place, [] { throw file_error("a", "b"); }), file_error);
+    CHECK(test::refusal([&] { fstiff::detail::located(place, [] { throw file_error("a", "b"); }); }) ==
           "scene.toml, line 3: a: b");
-    CHECK_THROWS_AS(fstiff::parts::located(place, [] { throw 4; }), int);
+    CHECK_THROWS_AS(fstiff::detail::located(place, [] { throw 4; }), int);
 }
 
 TEST_CASE("a text that holds NUL has fields within its sentence", "[error]") {
@@ -200,7 +200,7 @@ TEST_CASE("a text that holds NUL has fields within its sentence", "[error]") {
 
 TEMPLATE_TEST_CASE("integers are refused with all their digits", "[error]", int, std::size_t, long long) {
     const TestType value = 1234567890;
-    CHECK(test::refusal([&] { fstiff::require(false, "points", value, "at most 4"); }) ==
+    CHECK(test::refusal([&] { fstiff::detail::require(false, "points", value, "at most 4"); }) ==
           "points = 1234567890: must be at most 4");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An estimate is an aggregate that starts from zero.
-#include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include "support/catch.hpp"
 

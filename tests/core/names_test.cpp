@@ -19,35 +19,34 @@ enum class Silent { one };
 }  // namespace names_test
 
 template <>
-inline constexpr auto fstiff::names<names_test::Fruit> =
-    fstiff::name_list<names_test::Fruit>({{names_test::Fruit::apple, "apple"}, {names_test::Fruit::pear, "pear"}});
+inline constexpr auto fstiff::names<names_test::Fruit> = fstiff::detail::name_list<names_test::Fruit>(
+    {{names_test::Fruit::apple, "apple"}, {names_test::Fruit::pear, "pear"}});
 
 namespace names_test {
 
 using namespace fstiff;
 
 TEST_CASE("Words of an enum follow from one list", "[names]") {
-    static_assert(parts::NamedEnum<Fruit> && !parts::NamedEnum<Silent> && !parts::NamedEnum<int>);
+    static_assert(detail::NamedEnum<Fruit> && !detail::NamedEnum<Silent> && !detail::NamedEnum<int>);
     static_assert(name_of(Fruit::pear) == "pear" && name_of(Fruit::unnamed).empty());
-    static_assert(parts::find_named<Fruit>("apple") == Fruit::apple && !parts::find_named<Fruit>("Apple") &&
-                  !parts::find_named<Fruit>(""));
-    static_assert(parts::choices<Fruit>().size() == 2 && parts::choices<Fruit>()[1] == "pear");
-    CHECK(parts::choices_text<Fruit>() == "apple, pear");
+    static_assert(detail::find_named<Fruit>("apple") == Fruit::apple && !detail::find_named<Fruit>("Apple") &&
+                  !detail::find_named<Fruit>(""));
+    static_assert(detail::choices<Fruit>().size() == 2 && detail::choices<Fruit>()[1] == "pear");
+    CHECK(detail::choices_text<Fruit>() == "apple, pear");
     CHECK(parse<Fruit>("pear", "fruit") == Fruit::pear);
     CHECK(test::refusal([] { (void)parse<Fruit>("plum", "fruit"); }) == "fruit = \"plum\": must be one of apple, pear");
     CHECK(test::refusal([] { (void)parse<Fruit>("", "fruit"); }) == "fruit = \"\": must be one of apple, pear");
 }
 
-TEMPLATE_TEST_CASE("Every word of the library reads back as its value", "[names]", parts::BorderIslands,
-                   parts::CurvatureScale, math::FitStatus, Form, parts::Heights, InteractionReading,
-                   parts::IslandHeight, parts::LongWaves, MapForm, Parameter, parts::PeakSource,
-                   parts::StructureConvention, parts::WindowEnd, io::Dimension, io::SurfaceFormat) {
+TEMPLATE_TEST_CASE("Every word of the library reads back as its value", "[names]", BorderIslands, CurvatureScale,
+                   math::FitStatus, Form, Heights, InteractionReading, IslandHeight, LongWaves, MapForm, Parameter,
+                   PeakSource, StructureConvention, WindowEnd, io::Dimension, io::SurfaceFormat) {
     for (const auto& [value, name] : names<TestType>) {
         CHECK(name_of(value) == name);
         CHECK(parse<TestType>(name, "word") == value);
     }
     const std::string said = test::refusal([] { (void)parse<TestType>("no such word", "word"); });
-    CHECK(said == "word = \"no such word\": must be one of " + parts::choices_text<TestType>());
+    CHECK(said == "word = \"no such word\": must be one of " + detail::choices_text<TestType>());
 }
 
 }  // namespace names_test

@@ -29,7 +29,7 @@ struct Read {
 template <class T>
 Read<T> decimal(std::string_view text) {
     Read<T> read;
-    const auto [end, error] = fstiff::parts::read_decimal(text.data(), text.data() + text.size(), read.value);
+    const auto [end, error] = fstiff::detail::read_decimal(text.data(), text.data() + text.size(), read.value);
     read.length = static_cast<std::size_t>(end - text.data());
     read.error = error;
     return read;
@@ -38,7 +38,7 @@ Read<T> decimal(std::string_view text) {
 template <class T>
 Read<T> hexadecimal(std::string_view text) {
     Read<T> read;
-    const auto [end, error] = fstiff::parts::read_hexadecimal(text.data(), text.data() + text.size(), read.value);
+    const auto [end, error] = fstiff::detail::read_hexadecimal(text.data(), text.data() + text.size(), read.value);
     read.length = static_cast<std::size_t>(end - text.data());
     read.error = error;
     return read;
@@ -81,8 +81,8 @@ TEMPLATE_TEST_CASE("numbers come back from text bit for bit", "[text]", float, d
     using T = TestType;
     int wrong = 0;
     for (const T x : numbers<T>()) {
-        const std::string shortest = fstiff::parts::shortest_text(x), hex = fstiff::parts::hexadecimal_text(x);
-        const std::string digits = fstiff::parts::rounded_text(x, std::numeric_limits<T>::max_digits10);
+        const std::string shortest = fstiff::detail::shortest_text(x), hex = fstiff::detail::hexadecimal_text(x);
+        const std::string digits = fstiff::detail::rounded_text(x, std::numeric_limits<T>::max_digits10);
         wrong += !is_whole(decimal<T>(shortest), x, shortest) || !is_whole(decimal<T>(digits), x, digits) ||
                  !is_whole(hexadecimal<T>(hex), x, hex);
     }
@@ -90,31 +90,31 @@ TEMPLATE_TEST_CASE("numbers come back from text bit for bit", "[text]", float, d
 }
 
 TEST_CASE("text has the digits that were asked for", "[text]") {
-    CHECK(fstiff::parts::shortest_text(0.1) == "0.1");
-    CHECK(fstiff::parts::shortest_text(0.1f) == "0.1");
-    CHECK(fstiff::parts::shortest_text(0.30000000000000004) == "0.30000000000000004");
-    CHECK(fstiff::parts::shortest_text(-1.5e-300) == "-1.5e-300");
-    CHECK(fstiff::parts::shortest_text(3.0) == "3");
-    CHECK(fstiff::parts::rounded_text(2.0 / 3, 4) == "0.6667");
-    CHECK(fstiff::parts::rounded_text(0.1, 17) == "0.10000000000000001");
-    CHECK(fstiff::parts::rounded_text(1234567.5, 15) == "1234567.5");
-    CHECK(fstiff::parts::rounded_text(1e-7, 10) == "1e-07");
-    CHECK(fstiff::parts::rounded_text(0.1f, 6) == "0.1");
-    CHECK(fstiff::parts::rounded_text(0.1f, 7) == "0.1");
-    CHECK(fstiff::parts::fixed_text(2.0 / 3, 1) == "0.7");
-    CHECK(fstiff::parts::fixed_text(-0.04, 1) == "-0.0");
-    CHECK(fstiff::parts::fixed_text(0.1f, 3) == "0.100");
-    CHECK(fstiff::parts::fixed_text(1e300, 2).size() == 304);
-    CHECK(fstiff::parts::hexadecimal_text(0.375) == "1.8p-2");
-    CHECK(fstiff::parts::hexadecimal_text(-3.0f) == "-1.8p+1");
-    CHECK(fstiff::parts::shortest_text(std::numeric_limits<double>::infinity()) == "inf");
-    CHECK(fstiff::parts::rounded_text(-std::numeric_limits<double>::infinity(), 4) == "-inf");
+    CHECK(fstiff::detail::shortest_text(0.1) == "0.1");
+    CHECK(fstiff::detail::shortest_text(0.1f) == "0.1");
+    CHECK(fstiff::detail::shortest_text(0.30000000000000004) == "0.30000000000000004");
+    CHECK(fstiff::detail::shortest_text(-1.5e-300) == "-1.5e-300");
+    CHECK(fstiff::detail::shortest_text(3.0) == "3");
+    CHECK(fstiff::detail::rounded_text(2.0 / 3, 4) == "0.6667");
+    CHECK(fstiff::detail::rounded_text(0.1, 17) == "0.10000000000000001");
+    CHECK(fstiff::detail::rounded_text(1234567.5, 15) == "1234567.5");
+    CHECK(fstiff::detail::rounded_text(1e-7, 10) == "1e-07");
+    CHECK(fstiff::detail::rounded_text(0.1f, 6) == "0.1");
+    CHECK(fstiff::detail::rounded_text(0.1f, 7) == "0.1");
+    CHECK(fstiff::detail::fixed_text(2.0 / 3, 1) == "0.7");
+    CHECK(fstiff::detail::fixed_text(-0.04, 1) == "-0.0");
+    CHECK(fstiff::detail::fixed_text(0.1f, 3) == "0.100");
+    CHECK(fstiff::detail::fixed_text(1e300, 2).size() == 304);
+    CHECK(fstiff::detail::hexadecimal_text(0.375) == "1.8p-2");
+    CHECK(fstiff::detail::hexadecimal_text(-3.0f) == "-1.8p+1");
+    CHECK(fstiff::detail::shortest_text(std::numeric_limits<double>::infinity()) == "inf");
+    CHECK(fstiff::detail::rounded_text(-std::numeric_limits<double>::infinity(), 4) == "-inf");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double of : {nan, std::copysign(nan, -1.0)}) {  // whose sign nobody gave
-        CHECK(fstiff::parts::rounded_text(of, 4) == "nan");
-        CHECK(fstiff::parts::shortest_text(of) == "nan");
-        CHECK(fstiff::parts::fixed_text(of, 2) == "nan");
-        CHECK(fstiff::parts::rounded_text(static_cast<float>(of), 4) == "nan");
+        CHECK(fstiff::detail::rounded_text(of, 4) == "nan");
+        CHECK(fstiff::detail::shortest_text(of) == "nan");
+        CHECK(fstiff::detail::fixed_text(of, 2) == "nan");
+        CHECK(fstiff::detail::rounded_text(static_cast<float>(of), 4) == "nan");
     }
 }
 
@@ -177,9 +177,9 @@ TEST_CASE("a decimal comma in the locale of C changes nothing", "[text]") {
     for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "ps_AF"})
         set = set || std::setlocale(LC_ALL, name) != nullptr;
     if (!set) SKIP_CASE("no locale with a decimal comma is installed");
-    const std::string shortest = fstiff::parts::shortest_text(-1234.5),
-                      rounded = fstiff::parts::rounded_text(1234567.5, 15);
-    const std::string fixed = fstiff::parts::fixed_text(1234567.5f, 1), hex = fstiff::parts::hexadecimal_text(0.375);
+    const std::string shortest = fstiff::detail::shortest_text(-1234.5),
+                      rounded = fstiff::detail::rounded_text(1234567.5, 15);
+    const std::string fixed = fstiff::detail::fixed_text(1234567.5f, 1), hex = fstiff::detail::hexadecimal_text(0.375);
     const auto point = decimal<double>("1.5"), comma = decimal<double>("1,5");
     const double back = hexadecimal<double>(hex).value;
     std::setlocale(LC_ALL, before.c_str());

@@ -6,7 +6,7 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/wave/spring_interface.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -118,7 +118,7 @@ TEST_CASE("Table 1: sigma R D_p against the least of an isotropic Gaussian surfa
         const Surface& r = paper_surfaces[i];
         CHECK(reads(r.rms_height * r.peak_radius * r.peak_density, products[i], 0.0001));
     }
-    CHECK(reads(0.02036 * std::sqrt(1.5), parts::min_gaussian_product<double>, 0.0001));
+    CHECK(reads(0.02036 * std::sqrt(1.5), detail::min_gaussian_product<double>, 0.0001));
 }
 
 TEST_CASE("The conclusions: fractal over Greenwood-Williamson, and the influence of theta") {
@@ -126,7 +126,7 @@ TEST_CASE("The conclusions: fractal over Greenwood-Williamson, and the influence
     const std::array<std::pair<double, double>, 3> over_quarter{{{1.06, 1.18}, {1.05, 1.14}, {1.05, 1.14}}};
     for (std::size_t i = 0; i < 3; ++i) {
         const Surface& surface = paper_surfaces[i];
-        const double f = parts::fractal_stiffness_factor(surface.fractal_dimension);
+        const double f = detail::fractal_stiffness_factor(surface.fractal_dimension);
         const GreenwoodWilliamson<double> gw(surface.roughness(), modulus);
         std::pair<double, double> gw_range{1e9, 0}, theta_range{1e9, 0};
         const auto widen = [](std::pair<double, double>& range, double value) {

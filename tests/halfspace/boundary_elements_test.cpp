@@ -2,7 +2,7 @@
 // Truth: tests/data/bem_maps.csv, by another code, on three maps (tests/data/bem_map_*.f32); the wave of Westergaard,
 // closed.
 #include <fstiff/halfspace/boundary_elements.hpp>
-#include <fstiff/topography/coarsen.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -133,7 +133,7 @@ TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer c
 }
 
 TEST_CASE("previous solutions do not matter to the last digit") {
-    const HeightMap<double> map = parts::coarsened(test::half_space_map("gaussian"), 64);
+    const HeightMap<double> map = detail::coarsened(test::half_space_map("gaussian"), 64);
     for (const double hardness : {0.0, 0.003}) {
         BoundaryElements<double> twice(map, 1.0, {.hardness = hardness}), once(map, 1.0, {.hardness = hardness});
         (void)twice.at_pressure(2e-3);
@@ -147,7 +147,7 @@ TEST_CASE("previous solutions do not matter to the last digit") {
 
 TEST_CASE("the grid half as fine is that map solved by itself") {
     const HeightMap<double> map = test::half_space_map("skewed");
-    BoundaryElements<double> fine(map, 1.0), half(parts::coarsened(map, 128), 1.0);
+    BoundaryElements<double> fine(map, 1.0), half(detail::coarsened(map, 128), 1.0);
     CHECK(test::refusal([&] { (void)fine.on_coarser_grid(); }).find("pressures solved") != std::string::npos);
     (void)fine.at_pressure(1e-3);
     const auto a = fine.on_coarser_grid(), b = half.at_pressure(1e-3);
@@ -181,10 +181,10 @@ TEST_CASE("pressures and gaps of maps of every roughness are those of a contact"
         const double p = std::pow(10.0, -4 + k % 6);
         BoundaryElements<double> solver(map, 1.0, {.edges = edges, .tolerance = 1e-10});
         const auto state = solver.at_pressure(p);
-        const parts::GridField<double> pressures = solver.pressures();
-        parts::GridField<double> u = pressures;
+        const detail::GridField<double> pressures = solver.pressures();
+        detail::GridField<double> u = pressures;
         detail::SurfaceCompliance<double>(rows, columns, map.dx, map.dy, edges).deflect(u);
-        const parts::GridField<double> gap = u - (map.heights - map.heights.mean()) + state.mean_gap;
+        const detail::GridField<double> gap = u - (map.heights - map.heights.mean()) + state.mean_gap;
         const double size = u.abs().maxCoeff() + map.heights.abs().maxCoeff();
         CAPTURE(k, rows, columns, p, state.iterations);
         CHECK(state.converged);

@@ -20,7 +20,7 @@ TEST_CASE("A periodic flat band held together has the stiffness of its closed fo
     map.dx = map.dy = 1.0 / 512;
     map.heights.resize(4, 512);
     for (int i = 0; i < 512; ++i) map.heights.col(i) = -std::abs(i - 255.5);
-    const parts::HighestPoints<double> points(map, 3.0, Edges::periodic);
+    const detail::HighestPoints<double> points(map, 3.0, Edges::periodic);
     for (const double share : {0.125, 0.25, 0.5}) {
         const double K = -3 * std::numbers::pi / (2 * std::log(std::sin(std::numbers::pi * share / 2)));
         CAPTURE(share);
@@ -44,16 +44,16 @@ TEST_CASE("The highest points of a wave are its contact, whose stiffness boundar
     for (const Edges edges : {Edges::mirrored, Edges::periodic}) {
         BoundaryElements<double> solver(map, 1.0, {.edges = edges});
         const auto state = solver.at_pressure(0.004);
-        const parts::HighestPoints<double> points(map, 1.0, edges);
+        const detail::HighestPoints<double> points(map, 1.0, edges);
         CHECK(test::relative_error(points.stiffness(state.contact_fraction), state.stiffness) < 0.05);
         // the set itself: the same linear problem
-        parts::GridField<double> on = (solver.pressures() > 0).cast<double>();
+        detail::GridField<double> on = (solver.pressures() > 0).cast<double>();
         detail::SurfaceCompliance<double> compliance(64, 64, map.dx, map.dy, edges);
-        const auto held = parts::held_together<double>(compliance, on, on, 1e-9);
+        const auto held = detail::held_together<double>(compliance, on, on, 1e-9);
         CHECK(test::relative_error(1 / held.compliance, state.stiffness) < 1e-8);
         CHECK(held.residual < 1e-9);
         for (const double scatter : {1e-2, 1e-3, 1e-4}) {
-            const auto rough = parts::held_together<double>(compliance, on, on, scatter);
+            const auto rough = detail::held_together<double>(compliance, on, on, scatter);
             CAPTURE(scatter, rough.residual);
             CHECK(rough.compliance > held.compliance * (1 - 1e-12));  // the least there is
             CHECK(rough.compliance / held.compliance - 1 < 200 * rough.residual * rough.residual);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The theorem of contact/tangential_law on a rough map, point by point: mu times a difference of two normal states.
+// The theorem of tabulated/tangential_law on a rough map, point by point: mu times a difference of two normal states.
 #include <fstiff/halfspace/boundary_elements.hpp>
 
 #include "support/catch.hpp"
@@ -22,7 +22,7 @@ TEST_CASE("mu times the difference of two normal states sticks where the lighter
         const auto lighter = solver.at_pressure(share * pressure);
         const auto stuck = solver.pressures();
         // over mu: the traction, and the displacement under it over K/K_t, both bodies of one tangential compliance
-        parts::GridField<double> moved = (p - stuck).transpose();
+        detail::GridField<double> moved = (p - stuck).transpose();
         detail::SurfaceCompliance<double>(map.rows(), map.columns(), map.dx, map.dy, Edges::periodic).deflect(moved);
         const double slip = lighter.mean_gap - loaded.mean_gap;  // of the bodies; the mean of `moved` is 0
         const double scale = moved.abs().maxCoeff();

@@ -43,11 +43,11 @@ TEST_CASE("deflections by neighbours and a grid against the sum over all images 
     for (const double height : {1.0, 0.4, 3.0})
         for (const Eigen::Index count : {1, 2, 30, 300}) {
             const auto [x, y, force] = drawn(count, 1, height);
-            parts::PointForces<double> forces(x, y, 1, height, Edges::periodic);
+            detail::PointForces<double> forces(x, y, 1, height, Edges::periodic);
             const Values u = forces.deflections(force), truth = direct(x, y, force, 1, height);
             CAPTURE(height, count, truth.abs().maxCoeff());
             CHECK((u - truth).abs().maxCoeff() < 2e-9 * truth.abs().maxCoeff());
-            parts::PointForces<double, parts::QuickSplit> quick(x, y, 1, height, Edges::periodic);
+            detail::PointForces<double, detail::QuickSplit> quick(x, y, 1, height, Edges::periodic);
             CHECK((quick.deflections(force) - truth).abs().maxCoeff() < 2e-4 * truth.abs().maxCoeff());
         }
 }
@@ -57,7 +57,7 @@ TEST_CASE("no point without a force is lower than the least deflection, and some
         const auto [x, y, drawn_force] = drawn(200, 1, 0.7);
         Values force = drawn_force;
         force.tail(150) = 0;
-        parts::PointForces<double> forces(x, y, 1, 0.7, edges), loaded(x.head(50), y.head(50), 1, 0.7, edges);
+        detail::PointForces<double> forces(x, y, 1, 0.7, edges), loaded(x.head(50), y.head(50), 1, 0.7, edges);
         const double least = loaded.least_deflection(force.head(50));
         const double lowest = forces.deflections(force).tail(150).minCoeff();
         CAPTURE(least, lowest);
@@ -72,7 +72,8 @@ TEST_CASE("mirrored points are the points and their images in a cell four times 
     all_x << x, 2 - x, x, 2 - x;
     all_y << y, y, 1.4 - y, 1.4 - y;
     all_force << force, force, force, force;
-    parts::PointForces<double> mirrored(x, y, 1, 0.7, Edges::mirrored), periodic(all_x, all_y, 2, 1.4, Edges::periodic);
+    detail::PointForces<double> mirrored(x, y, 1, 0.7, Edges::mirrored),
+        periodic(all_x, all_y, 2, 1.4, Edges::periodic);
     const Values u = mirrored.deflections(force), truth = periodic.deflections(all_force).head(60);
     CHECK((u - truth).abs().maxCoeff() < 2e-9 * truth.abs().maxCoeff());
 }
@@ -80,7 +81,7 @@ TEST_CASE("mirrored points are the points and their images in a cell four times 
 TEST_CASE("forces that are spread over a grid deflect it as pressures do, and lengths scale") {
     const int n = 24;
     Values x(n * n), y(n * n), force(n * n);
-    parts::GridField<double> field(n, n);
+    detail::GridField<double> field(n, n);
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             x[j * n + i] = (i + 0.5) / n;
@@ -89,25 +90,25 @@ TEST_CASE("forces that are spread over a grid deflect it as pressures do, and le
         }
     detail::SurfaceCompliance<double> compliance(n, n, 1.0 / n, 1.0 / n, Edges::periodic);
     compliance.deflect(field);
-    const Values u = parts::PointForces<double>(x, y, 1, 1, Edges::periodic).deflections(force) / (n * n);
+    const Values u = detail::PointForces<double>(x, y, 1, 1, Edges::periodic).deflections(force) / (n * n);
     // a cell as a point misses its own 4 ln(1 + sqrt 2)/(pi n), and of its neighbours what is of the fourth order in
     // the wave
     const double pi = std::numbers::pi, lattice = 3.9002649200019563 / (pi * n);
     for (int k = 0; k < n; ++k)
         CHECK(std::abs(u[k] + lattice * std::cos(2 * pi * x[k]) - field(0, k)) < 0.02 * std::abs(field(0, k)));
     const Values scaled =
-        parts::PointForces<double>(x * 1e-5, y * 1e-5, 1e-5, 1e-5, Edges::periodic).deflections(force * 1e-10);
+        detail::PointForces<double>(x * 1e-5, y * 1e-5, 1e-5, 1e-5, Edges::periodic).deflections(force * 1e-10);
     CHECK((scaled * 1e5 / (n * n) - u).abs().maxCoeff() < 1e-13 * u.abs().maxCoeff());
 }
 
 TEST_CASE("deflections of points are reciprocal, and points outside of the cell refused") {
     const auto [x, y, force] = drawn(500, 1, 1);
-    parts::PointForces<double> forces(x, y, 1, 1, Edges::mirrored);
+    detail::PointForces<double> forces(x, y, 1, 1, Edges::mirrored);
     const Values other = Values::LinSpaced(500, -1, 2), u = forces.deflections(force);
     CHECK(test::relative_error((forces.deflections(other) * force).sum(), (u * other).sum()) < 1e-12);
-    CHECK(test::refusal([&] { parts::PointForces<double>(x + 1, y, 1, 1, Edges::periodic); }).find("points") == 0);
-    CHECK(test::refusal([&] { parts::PointForces<double>(x, y.head(3), 1, 1, Edges::periodic); }).find("points") == 0);
-    CHECK(test::refusal([&] { parts::PointForces<double>(x, y, 0, 1, Edges::periodic); }).find("width") == 0);
+    CHECK(test::refusal([&] { detail::PointForces<double>(x + 1, y, 1, 1, Edges::periodic); }).find("points") == 0);
+    CHECK(test::refusal([&] { detail::PointForces<double>(x, y.head(3), 1, 1, Edges::periodic); }).find("points") == 0);
+    CHECK(test::refusal([&] { detail::PointForces<double>(x, y, 0, 1, Edges::periodic); }).find("width") == 0);
 }
 
 }  // namespace point_forces_test

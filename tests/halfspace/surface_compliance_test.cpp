@@ -25,7 +25,7 @@ TEST_CASE("a wave of pressure deflects by 2/(E |q|) of it") {
             detail::SurfaceCompliance<double> compliance(rows, columns, dx, dy, edges);
             const double qx = fold * std::numbers::pi * 3 / (columns * dx),
                          qy = fold * std::numbers::pi * 2 / (rows * dy);
-            parts::GridField<double> field(rows, columns), truth(rows, columns);
+            detail::GridField<double> field(rows, columns), truth(rows, columns);
             for (int j = 0; j < rows; ++j)
                 for (int i = 0; i < columns; ++i) {
                     const double shift = edges == Edges::mirrored ? 0 : 0.7;
@@ -33,13 +33,13 @@ TEST_CASE("a wave of pressure deflects by 2/(E |q|) of it") {
                     truth(j, i) = 2 / std::hypot(qx, qy) * field(j, i);
                     field(j, i) += 0.3;  // the mean deflects nothing
                 }
-            const parts::GridField<double> pressure = field - 0.3;
+            const detail::GridField<double> pressure = field - 0.3;
             compliance.deflect(field);
             CAPTURE(rows, columns);
             CHECK((field - truth).abs().maxCoeff() < 2e-14 * truth.abs().maxCoeff());
             const double stiffest =  // 2/|q| of the shortest wave: of zigzags along both sides
                 2 / std::numbers::pi / std::hypot(highest(columns, edges) / dx, highest(rows, edges) / dy);
-            parts::GridField<float> pull = (field / stiffest).cast<float>();
+            detail::GridField<float> pull = (field / stiffest).cast<float>();
             compliance.inverse().apply(pull);
             CHECK((pull.cast<double>() - pressure).abs().maxCoeff() < 3e-6 * (field / stiffest).abs().maxCoeff());
         }

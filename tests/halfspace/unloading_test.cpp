@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Energy that a contact of yielded peaks loses in a tangential cycle, from its unloading in boundary elements.
-#include <fstiff/contact/microslip.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
 
 #include "support/catch.hpp"
 #include "support/half_space_maps.hpp"
@@ -21,7 +21,7 @@ HeightMap<double> flattened(const HeightMap<double>& map, double hardness, doubl
     BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic, .hardness = hardness});
     REQUIRE(solver.at_pressure(pressure).converged);
     const auto p = solver.pressures();
-    parts::GridField<double> deflected = p.transpose();
+    detail::GridField<double> deflected = p.transpose();
     detail::SurfaceCompliance<double>(map.rows(), map.columns(), map.dx, map.dy, Edges::periodic).deflect(deflected);
     const auto u = deflected.transpose();
     double separation = 0;
@@ -65,8 +65,8 @@ TEST_CASE("flowed peaks lose more than equal spots under the hardness, and less 
             }
             const double truth = 4 / std::numbers::pi * ((1 + at_slip) * slip - 2 * work) / ((1 - at_slip) * slip);
             CAPTURE(slip, truth);
-            const double flowed = parts::loss_factor(parts::FlowedUnloading<double>{}, slip);
-            const double elastic = parts::loss_factor(parts::PowerUnloading<double>{1}, slip);
+            const double flowed = detail::loss_factor(detail::FlowedUnloading<double>{}, slip);
+            const double elastic = detail::loss_factor(detail::PowerUnloading<double>{1}, slip);
             CHECK(truth > flowed);
             CHECK(truth < elastic);
             CHECK(std::abs(std::log(truth / std::sqrt(flowed * elastic))) < std::log(2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -182,13 +182,6 @@ TEST_CASE("A second file after the first one is reported") {
     CHECK(has(warnings[0], "a second one of the form gsf from byte " + std::to_string(padded.size())));
 }
 
-TEST_CASE("Formats have names") {
-    for (const std::string_view name : parts::choices<SurfaceFormat>())
-        CHECK(io::surface_format_name(io::surface_format(name)) == name);
-    CHECK(has(test::refusal([] { (void)io::surface_format("bmp"); }),
-              "auto, profile, triples, matrix, sdf, x3p, npy, gsf"));
-}
-
 TEST_CASE("Warnings of the text readers are reported with the surface") {
     CHECK(read("x [um] z [nm]\n" + profile_rows(), {.units = "mm"}).record.warnings.size() == 2);
     CHECK(

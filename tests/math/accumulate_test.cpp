@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums that are known exactly: integers, and powers of two that a plain sum loses.
-#include <fstiff/math/accumulate.hpp>
+#include <fstiff/math/rounding.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
+#include <fstiff/math/normal_distribution.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

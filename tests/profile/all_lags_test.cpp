@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/all_lags.hpp>
-#include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/profile.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"
@@ -100,7 +100,7 @@ TEST_CASE("S is the mean over the pairs within 1e-10 at every lag, whatever the 
             z[i] += offset * sigma + tilt * sigma * static_cast<double>(i) / static_cast<double>(points);
             if (gaps && (i % 13 == 5 || (i > 700 && i < 800))) z[i] = missing;
         }
-        const auto s = parts::structure_function_at_all_lags(Profile<double>{z, 1e-6});
+        const auto s = detail::structure_function_at_all_lags(Profile<double>{z, 1e-6});
         std::size_t k = 0;
         for (std::size_t n = 1; n < points; ++n) {
             const long double truth = slow(z, n);
@@ -122,9 +122,9 @@ TEST_CASE("Long profiles keep 1e-10 at the shortest, the middle and the longest 
     const std::size_t points = 1u << 17;
     for (const Shape& shape : shapes) {
         auto z = shape.heights(points);
-        const auto s = parts::structure_function_at_all_lags(Profile<double>{z, 1e-6});
+        const auto s = detail::structure_function_at_all_lags(Profile<double>{z, 1e-6});
         REQUIRE(s.size() == points - 1);
-        std::vector<std::size_t> lags = parts::logarithmic_lags(points - 1, 3);
+        std::vector<std::size_t> lags = detail::logarithmic_lags(points - 1, 3);
         for (std::size_t k = 1; k < 4; ++k) lags.push_back(points - k * k);
         for (const std::size_t n : lags) {
             CAPTURE(shape.name, n);
@@ -139,8 +139,8 @@ TEST_CASE("All lags are those of the direct sum, with the divisor asked for, in 
     const Profile<double> profile{z, 2e-6};
     std::vector<std::size_t> lags;
     for (std::size_t n = 1; n < 512; ++n) lags.push_back(n);
-    for (const parts::Divisor divisor : {parts::Divisor::pairs, parts::Divisor::paper}) {
-        const auto all = parts::structure_function_at_all_lags(profile, 0, divisor);
+    for (const Divisor divisor : {Divisor::pairs, Divisor::paper}) {
+        const auto all = detail::structure_function_at_all_lags(profile, 0, divisor);
         const auto direct = structure_function(profile, std::span<const std::size_t>(lags), divisor);
         REQUIRE(all.step == direct.step);
         CHECK(all.pairs == direct.pairs);
@@ -148,10 +148,10 @@ TEST_CASE("All lags are those of the direct sum, with the divisor asked for, in 
         for (std::size_t k = 0; k < all.size(); ++k)
             REQUIRE(test::relative_error(all.value[k], direct.value[k]) < 1e-10);
     }
-    const auto few = parts::structure_function_at_all_lags(profile, 10);
+    const auto few = detail::structure_function_at_all_lags(profile, 10);
     CHECK(few.step.back() == 10);
     const auto narrow =
-        parts::structure_function_at_all_lags(Profile<float>{std::vector<float>(z.begin(), z.end()), 2e-6f});
+        detail::structure_function_at_all_lags(Profile<float>{std::vector<float>(z.begin(), z.end()), 2e-6f});
     const auto direct = structure_function(profile, std::span<const std::size_t>(lags));
     for (std::size_t k = 0; k < 511; ++k) {
         // the heights were rounded to 6e-8 of at most 60, differences of order 1 and more
@@ -161,11 +161,11 @@ TEST_CASE("All lags are those of the direct sum, with the divisor asked for, in 
 
 TEST_CASE("All lags scale with the unit of length") {
     const auto z = test::fractional_brownian(1024, 0.7, 8);
-    const auto s = parts::structure_function_at_all_lags(Profile<double>{z, 1e-6});
+    const auto s = detail::structure_function_at_all_lags(Profile<double>{z, 1e-6});
     for (const double unit : {1e-9, 1e9}) {
         auto scaled = z;
         for (double& v : scaled) v *= unit;
-        const auto t = parts::structure_function_at_all_lags(Profile<double>{scaled, 1e-6 * unit});
+        const auto t = detail::structure_function_at_all_lags(Profile<double>{scaled, 1e-6 * unit});
         REQUIRE(t.step == s.step);
         for (std::size_t k = 0; k < s.size(); ++k)
             REQUIRE(test::relative_error(t.value[k], s.value[k] * unit * unit) < 2e-10);
@@ -173,17 +173,17 @@ TEST_CASE("All lags scale with the unit of length") {
 }
 
 TEST_CASE("Profiles without pairs of few points or with an infinite height have separate messages") {
-    CHECK(parts::structure_function_at_all_lags(Profile<double>{{missing, missing, 1.0}, 1.0}).size() == 0);
-    CHECK(parts::structure_function_at_all_lags(Profile<double>{{missing, missing}, 1.0}).size() == 0);
-    const auto two = parts::structure_function_at_all_lags(Profile<double>{{1.0, 4.0}, 1.0});
+    CHECK(detail::structure_function_at_all_lags(Profile<double>{{missing, missing, 1.0}, 1.0}).size() == 0);
+    CHECK(detail::structure_function_at_all_lags(Profile<double>{{missing, missing}, 1.0}).size() == 0);
+    const auto two = detail::structure_function_at_all_lags(Profile<double>{{1.0, 4.0}, 1.0});
     REQUIRE(two.size() == 1);
     CHECK(two.value[0] == 9.0);
-    const auto flat = parts::structure_function_at_all_lags(Profile<double>{std::vector<double>(100, 3.0), 1.0});
+    const auto flat = detail::structure_function_at_all_lags(Profile<double>{std::vector<double>(100, 3.0), 1.0});
     REQUIRE(flat.size() == 99);
     for (const double s : flat.value) CHECK(s == 0.0);
     const auto refusal = [](std::vector<double> z, double spacing, std::size_t longest) {
         return test::refusal([&] {
-            (void)parts::structure_function_at_all_lags(Profile<double>{z, spacing}, longest);
+            (void)detail::structure_function_at_all_lags(Profile<double>{z, spacing}, longest);
         });
     };
     CHECK(refusal({1.0}, 1.0, 0).find("between 2 and 2^29") != std::string::npos);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: a cosine, whose autocorrelation is a cosine; direct sums; numpy.
-#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/profile/roughness_parameters.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -19,7 +19,7 @@ TEST_CASE("The autocorrelation by transform is that of direct sums over the pair
     const Profile<double> profile{z, 2e-6};
     const auto found = autocorrelation(profile);
     REQUIRE(found.size() == 389);
-    const double mean = parts::mean_height(profile), variance = std::pow(rms_height(profile), 2);
+    const double mean = detail::mean_height(profile), variance = std::pow(rms_height(profile), 2);
     for (std::size_t n = 0; n < found.size(); ++n) {
         double sum = 0;
         std::size_t pairs = 0;
@@ -46,7 +46,7 @@ TEST_CASE("The autocorrelation of a cosine is a cosine, and falls to a fifth at 
     // variance
     for (std::size_t n = 0; n <= 50000; ++n)
         REQUIRE(std::abs(found.value[n] - std::cos(2 * pi * static_cast<double>(n) / 1000)) < 1 / (50 * pi));
-    CHECK(test::relative_error(*parts::autocorrelation_length(found), std::acos(0.2) / (2 * pi) * 1e-3) <
+    CHECK(test::relative_error(*detail::autocorrelation_length(found), std::acos(0.2) / (2 * pi) * 1e-3) <
           1 / (100 * pi));
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("Autocorrelation and its length are those that numpy finds") {
         CAPTURE(source);
         auto expected = test::roughness_reference(source);
         const auto found = autocorrelation(test::reference_profile(source));
-        CHECK(test::relative_error(*parts::autocorrelation_length(found), expected.at("Ral_m")) < 1e-9);
+        CHECK(test::relative_error(*detail::autocorrelation_length(found), expected.at("Ral_m")) < 1e-9);
         for (const std::size_t n : {1u, 7u, 51u})
             CHECK(std::abs(found.value[n] - expected.at("acf_" + std::to_string(n))) < 1e-12);
     }
@@ -65,11 +65,11 @@ TEST_CASE("A profile that is all one slope has no autocorrelation length within 
     Profile<double> ramp{std::vector<double>(200), 1.0};
     for (std::size_t i = 0; i < 200; ++i) ramp.heights[i] = static_cast<double>(i);
     const auto found = autocorrelation(ramp);
-    CHECK(parts::autocorrelation_length(found));
+    CHECK(detail::autocorrelation_length(found));
     auto above = found;
     for (double& value : above.value) value = std::max(value, 0.5);
-    CHECK_FALSE(parts::autocorrelation_length(above));
-    CHECK(test::refusal([&] { (void)parts::autocorrelation_length(found, 1.0); }).find("between 0 and 1") !=
+    CHECK_FALSE(detail::autocorrelation_length(above));
+    CHECK(test::refusal([&] { (void)detail::autocorrelation_length(found, 1.0); }).find("between 0 and 1") !=
           std::string::npos);
 }
 

@@ -34,7 +34,7 @@ Covered covered(double hurst, std::size_t step, std::size_t lengths, int seeds, 
         Profile<double> part{{}, 1e-6 * static_cast<double>(step)};
         for (std::size_t i = 0; i < points; i += step) part.heights.push_back(whole.heights[i]);
         try {
-            const auto fit = fit_fractal(parts::level(part, Form::line), {.resamples = 60, .lambda_s = lambda_s});
+            const auto fit = fit_fractal(detail::level(part, Form::line), {.resamples = 60, .lambda_s = lambda_s});
             const double off = fit.fractal.dimension - (2 - hurst);
             ++result.fitted;
             result.inside += std::abs(off) < 1.96 * fit.dimension_error ? 1 : 0;

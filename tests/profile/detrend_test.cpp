@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/profile.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/profile.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"
@@ -80,11 +80,10 @@ TEST_CASE("The fitted curve runs through the second differences in the window of
 
 TEST_CASE("The printed constant makes G too large by the factors of the errata, and D stays") {
     const auto profile = wm_profile({1.62, 1.2e-10}, 16384, 5);
-    const auto exact = fit_fractal(profile),
-               printed = fit_fractal(profile, {.convention = parts::StructureConvention::paper});
+    const auto exact = fit_fractal(profile), printed = fit_fractal(profile, {.convention = StructureConvention::paper});
     CHECK(printed.fractal.dimension == exact.fractal.dimension);
     const double d = exact.fractal.dimension;
-    const double ratio = parts::structure_constant(d) / parts::structure_constant(d, parts::StructureConvention::paper);
+    const double ratio = detail::structure_constant(d) / detail::structure_constant(d, StructureConvention::paper);
     CHECK(test::relative_error(printed.fractal.roughness / exact.fractal.roughness, std::pow(ratio, 1 / (2 * d - 2))) <
           1e-12);
 }
@@ -243,7 +242,7 @@ TEST_CASE("Sixteen points are enough to try, fewer are not") {
 
 TEST_CASE("A window or an option out of range is refused with its valid range") {
     const auto profile = random_walk(1000, 15);
-    const auto refusal = [&](parts::FractalFitOptions<double> options) {
+    const auto refusal = [&](FractalFitOptions<double> options) {
         return test::refusal([&] { (void)fit_fractal(profile, options); });
     };
     CHECK(refusal({.window = LagWindow<double>{0.0, 1e-5}}).find("window from = 0") != std::string::npos);
@@ -276,7 +275,7 @@ Coverage coverage(double hurst, int profiles, Form form) {
         Profile<double> profile{test::fractional_brownian(4096, hurst, static_cast<std::uint64_t>(seed)), 1e-6};
         for (double& z : profile.heights) z *= 1e-8;
         try {
-            const auto fit = fit_fractal(parts::level(profile, form));
+            const auto fit = fit_fractal(detail::level(profile, form));
             const double off = fit.fractal.dimension - (2 - hurst);
             result.inside += std::abs(off) < 1.96 * fit.dimension_error ? 1 : 0;
             result.by_regression += std::abs(off) < 1.96 * fit.regression_dimension_error ? 1 : 0;
@@ -321,11 +320,11 @@ TEST_CASE("The interval of 95 % covers the D of 200 self-affine profiles between
 TEST_CASE("Resolution and tip exclude the lags below them and the window reports it") {
     const auto profile = random_walk(20000, 21);  // steps of 1e-8 m over 1e-6 m: a curvature of some 1e4 / m, 4 sigma
     const auto plain = fit_fractal(profile);
-    CHECK(plain.begins == parts::WindowEnd::sampling);
-    CHECK(fit_fractal(random_walk(20000, 3)).ends == parts::WindowEnd::length);
+    CHECK(plain.begins == WindowEnd::sampling);
+    CHECK(fit_fractal(random_walk(20000, 3)).ends == WindowEnd::length);
     CHECK(plain.reliable_from == 0);
     const auto resolved = fit_fractal(profile, {.resolution = 20e-6});
-    CHECK(resolved.begins == parts::WindowEnd::resolution);
+    CHECK(resolved.begins == WindowEnd::resolution);
     CHECK(resolved.reliable_from == 20e-6);
     CHECK(resolved.window.from >= 20e-6 * (1 - 1e-12));
     CHECK(resolved.window.from < 22e-6);
@@ -334,27 +333,26 @@ TEST_CASE("Resolution and tip exclude the lags below them and the window reports
     // sqrt(6) 1e-8/(1e-6)^2 is the rms curvature of one sample, four times that the least of 20000; it falls as n^-1.5
     const double radius = 0.5 / (4 * std::sqrt(2.0) * 1e4) * std::pow(20.0, 1.5);
     const auto touched = fit_fractal(profile, {.tip_radius = radius, .resolution = 2e-6});
-    CHECK(touched.begins == parts::WindowEnd::tip);
+    CHECK(touched.begins == WindowEnd::tip);
     CHECK(touched.reliable_from == detail::tip_cutoff(profile, radius));
     CHECK(touched.reliable_from > 20e-6);  // a stencil is twice the step
     CHECK(touched.reliable_from < 80e-6);
     CHECK(touched.window.from >= touched.reliable_from * (1 - 1e-3));
     // a window by hand is cut too
     const auto cut = fit_fractal(profile, {.window = LagWindow<double>{5e-6, 500e-6}, .resolution = 20e-6});
-    CHECK(cut.begins == parts::WindowEnd::resolution);
-    CHECK(cut.ends == parts::WindowEnd::given);
+    CHECK(cut.begins == WindowEnd::resolution);
+    CHECK(cut.ends == WindowEnd::given);
     CHECK(cut.window.from >= 20e-6 * (1 - 1e-12));
     CHECK(fit_fractal(profile, {.window = LagWindow<double>{50e-6, 500e-6}, .resolution = 20e-6}).begins ==
-          parts::WindowEnd::given);
-    for (const parts::WindowEnd end :
-         {parts::WindowEnd::given, parts::WindowEnd::sampling, parts::WindowEnd::resolution, parts::WindowEnd::tip,
-          parts::WindowEnd::smooth, parts::WindowEnd::saturated, parts::WindowEnd::bend, parts::WindowEnd::length})
-        CHECK_FALSE(parts::describe(end).empty());
+          WindowEnd::given);
+    for (const WindowEnd end : {WindowEnd::given, WindowEnd::sampling, WindowEnd::resolution, WindowEnd::tip,
+                                WindowEnd::smooth, WindowEnd::saturated, WindowEnd::bend, WindowEnd::length})
+        CHECK_FALSE(detail::describe(end).empty());
 }
 
 TEST_CASE("A message names tip or resolution when it leaves no half decade") {
     const auto profile = random_walk(4096, 22);
-    const auto refusal = [&](parts::FractalFitOptions<double> options) {
+    const auto refusal = [&](FractalFitOptions<double> options) {
         return test::refusal([&] { (void)fit_fractal(profile, options); });
     };
     CHECK(refusal({.resolution = 200e-6}).find("resolution") != std::string::npos);  // a tenth of the points is 410e-6
@@ -381,15 +379,15 @@ TEST_CASE("A window before a plateau is preferred to the waviness after it") {
     CHECK_FALSE(fit.behind_plateau);
     CHECK(fit.window.from < 10e-6);
     CHECK(std::abs(fit.fractal.dimension - 1.6) < 0.15);  // 1.5 at the shortest lags, and bending
-    CHECK(fit.ends != parts::WindowEnd::length);
+    CHECK(fit.ends != WindowEnd::length);
 }
 
 TEST_CASE("A structure function fits as the profile it came from, and the mean of several is known better") {
     const auto profile = random_walk(4096, 23);
     const auto fit = fit_fractal(profile, {.resamples = 0});
-    parts::MeasuredStructureFunction<double> measured;
-    const auto triples = parts::logarithmic_lags(profile.size() / 4);
-    measured.second_differences = parts::second_differences(profile, std::span<const std::size_t>(triples));
+    MeasuredStructureFunction<double> measured;
+    const auto triples = detail::logarithmic_lags(profile.size() / 4);
+    measured.second_differences = detail::second_differences(profile, std::span<const std::size_t>(triples));
     measured.spacing = profile.spacing;
     measured.points = profile.size();
     const auto same = fit_fractal(measured);
@@ -421,10 +419,10 @@ TEST_CASE("A structure function fits as the profile it came from, and the mean o
     CHECK(refusal().find("lag = 4096 samples") != std::string::npos);
     measured.second_differences.step.pop_back();
     CHECK(refusal().find("one length") != std::string::npos);
-    measured.second_differences = parts::second_differences(profile, std::span<const std::size_t>(triples));
+    measured.second_differences = detail::second_differences(profile, std::span<const std::size_t>(triples));
     measured.second_differences.value[2] = std::numeric_limits<double>::quiet_NaN();
     CHECK(refusal().find("finite and not negative") != std::string::npos);
-    measured.second_differences = parts::second_differences(profile, std::span<const std::size_t>(triples));
+    measured.second_differences = detail::second_differences(profile, std::span<const std::size_t>(triples));
     CHECK(test::refusal([&] { (void)fit_fractal(measured, {.tip_radius = 1e-6}); }).find("tip radius") == 0);
 }
 

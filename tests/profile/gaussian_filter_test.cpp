@@ -40,19 +40,19 @@ double slow(const Profile<double>& profile, double cutoff, std::size_t i) {
 }  // namespace
 
 TEST_CASE("A wave passes by the closed form, half of it at the cut-off") {
-    CHECK(test::ulps(parts::gaussian_transmission(0.8e-3, 0.8e-3), 0.5) <= 2);
+    CHECK(test::ulps(detail::gaussian_transmission(0.8e-3, 0.8e-3), 0.5) <= 2);
     const double a = std::sqrt(std::numbers::ln2 / std::numbers::pi);
-    CHECK(test::relative_error(parts::gaussian_transmission(3.0, 2.0),
+    CHECK(test::relative_error(detail::gaussian_transmission(3.0, 2.0),
                                std::exp(-std::numbers::pi * std::pow(a * 2 / 3, 2))) < 1e-15);
     for (const double length : {10.0, 25.0, 50.0, 100.0, 400.0}) {
         const auto profile = wave(4000, length);
         for (const double samples : {5.0, 10.0, 50.0, 200.0}) {
             CAPTURE(length, samples);
-            const auto waviness = parts::gaussian_waviness(profile, samples * 1e-6);
+            const auto waviness = detail::gaussian_waviness(profile, samples * 1e-6);
             const std::size_t middle = 2000;  // a crest, far from the ends
             const double passed = waviness.heights[middle] / 2e-9;
             // the sum over samples approximates an integral: its alias is exp(-ln 2 (5 (1 - 1/10))^2) = 8e-7 at most
-            CHECK(std::abs(passed - parts::gaussian_transmission(length, samples)) < (samples < 10 ? 1e-6 : 1e-13));
+            CHECK(std::abs(passed - detail::gaussian_transmission(length, samples)) < (samples < 10 ? 1e-6 : 1e-13));
         }
     }
 }
@@ -62,8 +62,8 @@ TEST_CASE("Every point, the ends and the rims of gaps among them, is the weighte
     for (std::size_t i = 0; i < 512; ++i)
         if (i % 17 == 3 || (i > 200 && i < 320)) profile.heights[i] = missing;
     for (const double cutoff : {5e-6, 40e-6, 511e-6}) {
-        const auto waviness = parts::gaussian_waviness(profile, cutoff);
-        const auto roughness = parts::gaussian_roughness(profile, cutoff);
+        const auto waviness = detail::gaussian_waviness(profile, cutoff);
+        const auto roughness = detail::gaussian_roughness(profile, cutoff);
         for (std::size_t i = 0; i < 512; ++i) {
             REQUIRE(std::isnan(waviness.heights[i]) == std::isnan(profile.heights[i]));
             if (std::isnan(profile.heights[i])) continue;
@@ -79,11 +79,11 @@ TEST_CASE("The low pass is the waviness, and holds cut-offs down to two spacings
     Profile<double> profile{test::fractional_brownian(256, 0.5, 3), 1e-6};
     for (std::size_t i = 0; i < 256; ++i)
         if (i % 11 == 3 || (i > 60 && i < 90)) profile.heights[i] = missing;
-    CHECK(std::ranges::equal(parts::gaussian_low_pass(profile, 20e-6).heights,
-                             parts::gaussian_waviness(profile, 20e-6).heights,
+    CHECK(std::ranges::equal(detail::gaussian_low_pass(profile, 20e-6).heights,
+                             detail::gaussian_waviness(profile, 20e-6).heights,
                              [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }));
     for (const double cutoff : {2e-6, 3.7e-6}) {
-        const auto low = parts::gaussian_low_pass(profile, cutoff);
+        const auto low = detail::gaussian_low_pass(profile, cutoff);
         for (std::size_t i = 0; i < 256; ++i) {
             CAPTURE(cutoff, i);
             REQUIRE(std::isnan(low.heights[i]) == std::isnan(profile.heights[i]));
@@ -91,26 +91,26 @@ TEST_CASE("The low pass is the waviness, and holds cut-offs down to two spacings
                 REQUIRE(std::abs(low.heights[i] - slow(profile, cutoff, i)) < 1e-12);  // of heights up to 30
         }
     }
-    CHECK(test::refusal([&] { (void)parts::gaussian_low_pass(profile, 1.9e-6); }).find("cut-off") == 0);
-    CHECK(test::refusal([&] { (void)parts::gaussian_low_pass(profile, 256e-6); }).find("cut-off") == 0);
+    CHECK(test::refusal([&] { (void)detail::gaussian_low_pass(profile, 1.9e-6); }).find("cut-off") == 0);
+    CHECK(test::refusal([&] { (void)detail::gaussian_low_pass(profile, 256e-6); }).find("cut-off") == 0);
 }
 
 TEST_CASE("A constant is all waviness, ends included, whatever its height") {
     auto profile = wave(300, 7);
-    const auto plain = parts::gaussian_roughness(profile, 60e-6);
+    const auto plain = detail::gaussian_roughness(profile, 60e-6);
     for (double& z : profile.heights) z += 1e-3;  // 5e5 times the wave; rounds it to 2e-19 m
-    const auto raised = parts::gaussian_roughness(profile, 60e-6);
+    const auto raised = detail::gaussian_roughness(profile, 60e-6);
     for (std::size_t i = 0; i < 300; ++i) CHECK(std::abs(raised.heights[i] - plain.heights[i]) < 1e-18);
 }
 
 TEMPLATE_TEST_CASE("The waviness does not depend on the unit of length, nor on the scalar", "", float, double) {
     using T = TestType;
     const auto z = test::fractional_brownian(256, 0.5, 2);
-    const auto truth = parts::gaussian_waviness(Profile<double>{z, 1.0}, 32.0);
+    const auto truth = detail::gaussian_waviness(Profile<double>{z, 1.0}, 32.0);
     for (const double unit : {1.0, 1e-9, 1e9}) {
         Profile<T> profile{std::vector<T>(256), static_cast<T>(unit)};
         for (std::size_t i = 0; i < 256; ++i) profile.heights[i] = static_cast<T>(z[i] * unit);
-        const auto waviness = parts::gaussian_waviness(profile, static_cast<T>(32 * unit));
+        const auto waviness = detail::gaussian_waviness(profile, static_cast<T>(32 * unit));
         const double epsilon = std::max(1e-13, static_cast<double>(std::numeric_limits<T>::epsilon()) * 100);
         for (std::size_t i = 0; i < 256; ++i)
             REQUIRE(std::abs(static_cast<double>(waviness.heights[i]) / unit - truth.heights[i]) < epsilon * 10);
@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE("The waviness does not depend on the unit of length, nor on t
 TEST_CASE("Cut-offs and profiles out of range are refused") {
     const auto profile = wave(100, 20);
     const auto refusal = [&](const Profile<double>& p, double cutoff) {
-        return test::refusal([&] { (void)parts::gaussian_waviness(p, cutoff); });
+        return test::refusal([&] { (void)detail::gaussian_waviness(p, cutoff); });
     };
     CHECK(refusal(profile, 4.9e-6).find("cut-off") == 0);
     CHECK(refusal(profile, 100e-6).find("cut-off") == 0);

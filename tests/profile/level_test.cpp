@@ -23,7 +23,7 @@ Profile<double> rough() {
 TEST_CASE("A levelled profile is the detrended one and contains the form") {
     const auto profile = rough();
     for (const Form form : {Form::none, Form::mean, Form::line, Form::parabola}) {
-        const auto flat = parts::level(profile, form);
+        const auto flat = detail::level(profile, form);
         CHECK(flat.profile.heights == detail::detrend(profile, form).heights);
         CHECK(flat.profile.spacing == profile.spacing);
         CHECK(flat.removed == form);
@@ -33,32 +33,32 @@ TEST_CASE("A levelled profile is the detrended one and contains the form") {
 TEST_CASE("The short waves go after the form, the long ones after them") {
     const auto profile = rough();
     const auto line = detail::detrend(profile, Form::line);
-    const auto low = parts::level(profile, Form::line, {}, 0, 20e-6);
-    CHECK(low.profile.heights == parts::gaussian_low_pass(line, 20e-6).heights);
+    const auto low = detail::level(profile, Form::line, {}, 0, 20e-6);
+    CHECK(low.profile.heights == detail::gaussian_low_pass(line, 20e-6).heights);
     CHECK(low.lambda_s == 20e-6);
     CHECK_FALSE(low.cutoff);
-    const auto band = parts::level(profile, Form::line, 200e-6, 0, 20e-6);
-    CHECK(band.profile.heights == parts::gaussian_roughness(parts::gaussian_low_pass(line, 20e-6), 200e-6).heights);
+    const auto band = detail::level(profile, Form::line, 200e-6, 0, 20e-6);
+    CHECK(band.profile.heights == detail::gaussian_roughness(detail::gaussian_low_pass(line, 20e-6), 200e-6).heights);
 }
 
 TEST_CASE("The long waves go after the form") {
     const auto profile = rough();
-    const auto flat = parts::level(profile, Form::line, 200e-6);
-    CHECK(flat.profile.heights == parts::gaussian_roughness(detail::detrend(profile, Form::line), 200e-6).heights);
+    const auto flat = detail::level(profile, Form::line, 200e-6);
+    CHECK(flat.profile.heights == detail::gaussian_roughness(detail::detrend(profile, Form::line), 200e-6).heights);
     CHECK(flat.cutoff == 200e-6);
 }
 
 TEST_CASE("D of a filtered profile is that of the profile before the filters, from lags that lambda_c holds") {
-    const auto low = parts::level(rough(), Form::line, {}, 0, 5e-6);
-    const auto flat = parts::without_waviness(low, 100e-6);
-    CHECK(flat.profile.heights == parts::gaussian_roughness(low.profile, 100e-6).heights);
+    const auto low = detail::level(rough(), Form::line, {}, 0, 5e-6);
+    const auto flat = detail::without_waviness(low, 100e-6);
+    CHECK(flat.profile.heights == detail::gaussian_roughness(low.profile, 100e-6).heights);
     CHECK(flat.lambda_c == 100e-6);
     CHECK(flat.of_structure().heights == detail::detrend(rough(), Form::line).heights);
-    parts::FractalFitOptions<double> options;
+    FractalFitOptions<double> options;
     options.longest = 100e-6;
     const auto fit = fit_fractal(flat), same = fit_fractal(low, options);
     CHECK(fit.fractal.dimension == same.fractal.dimension);
-    CHECK(fit.begins == parts::WindowEnd::lambda_s);
+    CHECK(fit.begins == WindowEnd::lambda_s);
     CHECK(fit.window.to <= 100e-6);
     CHECK(fit_fractal(low).window.to > 100e-6);
     CHECK(fit.structure_function.value == fit_fractal(low).structure_function.value);
@@ -66,7 +66,7 @@ TEST_CASE("D of a filtered profile is that of the profile before the filters, fr
 
 TEST_CASE("A fit does not see whether a line was removed") {
     const auto profile = rough();
-    const auto as_it_is = fit_fractal(profile), flat = fit_fractal(parts::level(profile, Form::line));
+    const auto as_it_is = fit_fractal(profile), flat = fit_fractal(detail::level(profile, Form::line));
     CHECK(std::abs(flat.fractal.dimension - as_it_is.fractal.dimension) < 1e-9);
 }
 
@@ -79,10 +79,10 @@ TEST_CASE("A profile that is its own form is refused as a constant one is, whate
                 profile.heights[i] = unit * (3 + (form == Form::line ? x : x * (x - 50)));
             }
             CHECK(test::refusal([&] {
-                      (void)parts::level(profile, form);
+                      (void)detail::level(profile, form);
                   }).find("profile of constant height once its form") == 0);
             profile.heights[250] += 1e-9 * unit;
-            CHECK_NOTHROW(parts::level(profile, form));
+            CHECK_NOTHROW(detail::level(profile, form));
         }
 }
 

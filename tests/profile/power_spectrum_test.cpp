@@ -62,7 +62,7 @@ TEST_CASE("D of fractional Brownian profiles is right in the mean and scatters b
     double mean = 0, square = 0, error = 0;
     for (int seed = 1; seed <= profiles; ++seed) {
         const Profile<double> profile{test::fractional_brownian(4096, hurst, static_cast<std::uint64_t>(seed)), 1e-6};
-        const auto fit = parts::fit_spectrum(power_spectrum(profile));
+        const auto fit = detail::fit_spectrum(power_spectrum(profile));
         const double off = fit.dimension - (2 - hurst);
         mean += off / profiles;
         square += off * off / profiles;
@@ -85,7 +85,7 @@ TEST_CASE("A spectrum that is a power law gives its D to the rounding, in any un
             spectrum.value.push_back(k == 0 ? 0 : std::pow(static_cast<double>(k), -2.2) * unit * unit * unit);
         }
         const double longest = 2 * pi / spectrum.step;
-        const auto fit = parts::fit_spectrum(spectrum, parts::WavelengthWindow<double>{longest / 4000, longest / 100});
+        const auto fit = detail::fit_spectrum(spectrum, WavelengthWindow<double>{longest / 4000, longest / 100});
         // -2.2 = -(5-2D). The logarithm of a mean over an eighth of an octave is a curve of 2e-3 above the mean
         // logarithm, the same in every bin, but that bins hold whole numbers of values; the correction for their
         // number is what is left, 1/(2 v) with v from 6 to 230
@@ -118,7 +118,7 @@ TEST_CASE("The spectrum scales with the unit of length, and gaps are bridged") {
 TEST_CASE("Windows that hold too little are refused") {
     const auto spectrum = power_spectrum(Profile<double>{test::fractional_brownian(1024, 0.5, 4), 1.0});
     const auto refusal = [&](double from, double to) {
-        return test::refusal([&] { (void)parts::fit_spectrum(spectrum, parts::WavelengthWindow<double>{from, to}); });
+        return test::refusal([&] { (void)detail::fit_spectrum(spectrum, WavelengthWindow<double>{from, to}); });
     };
     CHECK(refusal(16, 128).empty());
     CHECK(refusal(16, 32).find("half a decade") != std::string::npos);
@@ -126,7 +126,7 @@ TEST_CASE("Windows that hold too little are refused") {
     CHECK(refusal(1e-9, 1e-8).find("holds 0 bins") != std::string::npos);
     CHECK(refusal(0, 10).find("window from = 0") == 0);
     CHECK(refusal(10, 5).find("window to = 5") == 0);
-    CHECK_FALSE(test::refusal([] { (void)parts::fit_spectrum(PowerSpectrum<double>{}); }).empty());
+    CHECK_FALSE(test::refusal([] { (void)detail::fit_spectrum(PowerSpectrum<double>{}); }).empty());
     CHECK_FALSE(test::refusal([] {
                     (void)power_spectrum(Profile<double>{std::vector<double>(50, 1.0), 1.0});
                 }).empty());

@@ -30,7 +30,7 @@ TEST_CASE("An offset of 1e6 times the roughness costs the rms height no digit th
     mean /= 4000;
     for (const double z : profile.heights) squares += (z - mean) * (z - mean);
     CHECK(test::relative_error(rms_height(profile), static_cast<double>(std::sqrt(squares / 4000))) < 1e-13);
-    CHECK(test::ulps(parts::mean_height(profile), static_cast<double>(mean)) <= 1);
+    CHECK(test::ulps(detail::mean_height(profile), static_cast<double>(mean)) <= 1);
 }
 
 TEST_CASE("Missing points count neither in the mean nor in the rms height") {
@@ -39,9 +39,9 @@ TEST_CASE("Missing points count neither in the mean nor in the rms height") {
     CHECK(profile.size() == 4);
     CHECK(profile.present() == 2);
     CHECK(profile.length() == 3.0);
-    CHECK(parts::mean_height(profile) == 2.0);
+    CHECK(detail::mean_height(profile) == 2.0);
     CHECK(rms_height(profile) == 1.0);
-    CHECK_FALSE(test::refusal([&] { (void)parts::mean_height(Profile<double>{{missing}, 1.0}); }).empty());
+    CHECK_FALSE(test::refusal([&] { (void)detail::mean_height(Profile<double>{{missing}, 1.0}); }).empty());
 }
 
 TEST_CASE("A profile that is too short, constant, infinite or without spacing is refused") {

@@ -90,7 +90,7 @@ TEST_CASE("The robust waviness is that of sums point by point, with spikes, a gr
     for (const int order : {0, 2})
         for (const double cutoff : {20e-6, 80e-6, 400e-6}) {
             CAPTURE(order, cutoff);
-            const auto found = parts::robust_waviness(profile, cutoff, order);
+            const auto found = detail::robust_waviness(profile, cutoff, order);
             CHECK(found.converged);
             CHECK(found.iterations > 2);
             const auto expected = slow(profile, cutoff, order);
@@ -113,14 +113,14 @@ TEST_CASE("Spikes and grooves hardly move the robust mean line, and move the Gau
         if (i % 200 < 20) struck.heights[i] -= 500e-9, ++points;  // grooves 20 um wide, on a tenth of the surface
     for (const int order : {0, 2}) {
         CAPTURE(order);
-        const auto robust = parts::robust_waviness(struck, 200e-6, order);
-        const auto undisturbed = parts::robust_waviness(clean, 200e-6, order);
+        const auto robust = detail::robust_waviness(struck, 200e-6, order);
+        const auto undisturbed = detail::robust_waviness(clean, 200e-6, order);
         CHECK(rms_difference(robust.waviness, undisturbed.waviness, 200, 3800) < 1e-9);
         CHECK(robust.left_out >= points);
         CHECK(robust.left_out < points + 40);  // beyond three standard deviations of 3600 points: 10 expected
     }
-    CHECK(rms_difference(parts::gaussian_waviness(struck, 200e-6), parts::gaussian_waviness(clean, 200e-6), 200, 3800) >
-          40e-9);
+    CHECK(rms_difference(detail::gaussian_waviness(struck, 200e-6), detail::gaussian_waviness(clean, 200e-6), 200,
+                         3800) > 40e-9);
 }
 
 TEST_CASE("A parabola has no roughness with order 2 even at its ends") {
@@ -129,16 +129,16 @@ TEST_CASE("A parabola has no roughness with order 2 even at its ends") {
         const double x = static_cast<double>(i) / 100;
         parabola.heights[i] = 1e-6 * (x * x - 3 * x + 1) + (i % 50 == 25 ? 1e-3 : 0);  // and spikes
     }
-    const auto rough = parts::robust_roughness(parabola, 100e-6, 2);
+    const auto rough = detail::robust_roughness(parabola, 100e-6, 2);
     for (std::size_t i = 0; i < rough.size(); ++i)
         if (i % 50 != 25) REQUIRE(std::abs(rough.heights[i]) < 1e-11);
 }
 
 TEST_CASE("A cut-off, an order or a profile out of range of the robust filter is refused") {
     const auto profile = damaged();
-    CHECK_THROWS_AS(parts::robust_waviness(profile, 4e-6), domain_error);
-    CHECK_THROWS_AS(parts::robust_waviness(profile, 1.), domain_error);
-    CHECK_THROWS_AS(parts::robust_waviness(profile, 80e-6, 1), domain_error);
+    CHECK_THROWS_AS(detail::robust_waviness(profile, 4e-6), domain_error);
+    CHECK_THROWS_AS(detail::robust_waviness(profile, 1.), domain_error);
+    CHECK_THROWS_AS(detail::robust_waviness(profile, 80e-6, 1), domain_error);
 }
 
 }  // namespace robust_gaussian_filter_test

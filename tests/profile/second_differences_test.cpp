@@ -19,7 +19,7 @@ const std::vector<std::size_t> lags{1, 3, 20, 400};
 TEST_CASE("The mean square of second differences is that of each of them") {
     auto profile = test::random_walk(1000, 1);
     profile.heights[10] = profile.heights[500] = std::numeric_limits<double>::quiet_NaN();
-    const auto s = parts::second_differences(profile, std::span<const std::size_t>(lags));
+    const auto s = detail::second_differences(profile, std::span<const std::size_t>(lags));
     for (std::size_t k = 0; k < lags.size(); ++k) {
         long double sum = 0;
         std::size_t count = 0;
@@ -44,7 +44,7 @@ TEST_CASE("For a periodic profile it is four times S less S of twice the lag") {
     for (std::size_t i = 0; i < 400 * period; ++i) profile.heights.push_back(wave.heights[i % period]);
     const std::vector<std::size_t> n{5}, both{5, 10};
     const auto s = structure_function(profile, std::span<const std::size_t>(both));
-    const auto second = parts::second_differences(profile, std::span<const std::size_t>(n));
+    const auto second = detail::second_differences(profile, std::span<const std::size_t>(n));
     // but for the ends of the profile, of which there are 10 in 25600 points
     CHECK(test::relative_error(second.value[0], 4 * s.value[0] - s.value[1]) < 2e-3);
 }
@@ -53,11 +53,11 @@ TEST_CASE("A line is not seen, and lags beyond half the profile are refused") {
     const auto profile = test::random_walk(1000, 3);
     auto tilted = profile;
     for (std::size_t i = 0; i < 1000; ++i) tilted.heights[i] += 1e-8 * (5 + 3 * static_cast<double>(i));
-    const auto a = parts::second_differences(profile, std::span<const std::size_t>(lags));
-    const auto b = parts::second_differences(tilted, std::span<const std::size_t>(lags));
+    const auto a = detail::second_differences(profile, std::span<const std::size_t>(lags));
+    const auto b = detail::second_differences(tilted, std::span<const std::size_t>(lags));
     for (std::size_t k = 0; k < lags.size(); ++k) CHECK(test::relative_error(b.value[k], a.value[k]) < 1e-10);
     const std::vector<std::size_t> too_long{500};
-    CHECK(test::refusal([&] { (void)parts::second_differences(profile, std::span<const std::size_t>(too_long)); }) ==
+    CHECK(test::refusal([&] { (void)detail::second_differences(profile, std::span<const std::size_t>(too_long)); }) ==
           "lag = 500 samples: must be between 1 and 499");
 }
 

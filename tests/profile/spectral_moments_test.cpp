@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/profile/profile.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -44,7 +44,7 @@ TEST_CASE("The moments of a sampled sine are those of its finite differences") {
         // whole periods for the slopes, and for the mean except one point at 0
         for (std::size_t i = 0; i < profile.size(); ++i)
             profile.heights[i] = a * std::sin(phase * static_cast<double>(i % period));
-        const auto moments = parts::spectral_moments(profile);
+        const auto moments = detail::spectral_moments(profile);
         const double sine = 2 * std::sin(phase / 2) / h, n = static_cast<double>(20 * period);
         CHECK(test::relative_error(moments.m0, a * a / 2 * n / (n + 1)) < 1e-13);
         CHECK(test::relative_error(moments.m2, a * a / 2 * sine * sine) < 1e-13);
@@ -58,7 +58,7 @@ TEST_CASE("The moments of a sampled sine are those of its finite differences") {
 TEST_CASE("The moments are the integrals of the power spectrum") {
     // the window weighs the middle of the profile: means over some 2000 correlation lengths agree to some percent
     const auto profile = smooth(40000, 12, 1);
-    const auto moments = parts::spectral_moments(profile);
+    const auto moments = detail::spectral_moments(profile);
     const auto spectrum = power_spectrum(profile);
     CHECK(test::relative_error(spectrum.moment(0), moments.m0) < 0.05);
     CHECK(test::relative_error(spectrum.moment(2), moments.m2) < 0.05);
@@ -72,7 +72,7 @@ TEST_CASE("The moments are the integrals of the power spectrum") {
 
 TEST_CASE("The moments are the squares of the three-point statistics up to the ends") {
     const auto profile = smooth(5000, 3, 2);
-    const auto moments = parts::spectral_moments(profile);
+    const auto moments = detail::spectral_moments(profile);
     const auto statistics = peak_statistics(profile);
     CHECK(test::relative_error(std::sqrt(moments.m0), statistics.rms_height) < 1e-14);
     CHECK(test::relative_error(std::sqrt(moments.m2), statistics.rms_slope) < 1e-3);  // one slope of 5000 at either end
@@ -81,14 +81,14 @@ TEST_CASE("The moments are the squares of the three-point statistics up to the e
 
 TEST_CASE("Missing points drop their pairs and triples, and the unit of length does not matter") {
     Profile<double> profile{{0, 1, 3, missing, 5, 5, 6, missing, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9}, 0.5};
-    const auto moments = parts::spectral_moments(profile);
+    const auto moments = detail::spectral_moments(profile);
     CHECK(test::relative_error(moments.m2, (1.0 + 4 + 0 + 1) / 14 / 0.25) < 1e-14);  // 2 + 2 + 10 pairs
     CHECK(test::relative_error(moments.m4, (1.0 + 1) / 11 / 0.0625) < 1e-14);        // 1 + 1 + 9 triples
     for (const double unit : {1e-9, 1e9}) {
         auto scaled = profile;
         scaled.spacing *= unit;
         for (double& z : scaled.heights) z *= unit;
-        const auto other = parts::spectral_moments(scaled);
+        const auto other = detail::spectral_moments(scaled);
         CHECK(test::relative_error(other.m0 / unit / unit, moments.m0) < 1e-14);
         CHECK(test::relative_error(other.m2, moments.m2) < 1e-14);
         CHECK(test::relative_error(other.bandwidth(), moments.bandwidth()) < 1e-13);
@@ -97,7 +97,7 @@ TEST_CASE("Missing points drop their pairs and triples, and the unit of length d
 
 TEST_CASE("Profiles without moments are refused") {
     const auto refusal = [](std::vector<double> z, double spacing) {
-        return test::refusal([&] { (void)parts::spectral_moments(Profile<double>{z, spacing}); });
+        return test::refusal([&] { (void)detail::spectral_moments(Profile<double>{z, spacing}); });
     };
     CHECK(refusal(std::vector<double>(20, 1.0), 1.0).find("constant height") != std::string::npos);
     CHECK(refusal(std::vector<double>(15, 1.0), 1.0).find("at least 16") != std::string::npos);

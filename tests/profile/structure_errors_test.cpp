@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The covariance against the sum over every pair of pairs, and against simulated walks; resamples against that sum.
 #include <fstiff/math/decompositions.hpp>
-#include <fstiff/profile/structure_errors.hpp>
+#include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"
@@ -42,7 +42,7 @@ TEST_CASE("The covariance of ln S2 is the sum over all pairs of second differenc
     const std::size_t points = 400;
     std::vector<std::size_t> triples;
     for (const auto n : lags) triples.push_back(points - 2 * n);
-    const auto formula = parts::log_covariance<double>(lags, triples, power);
+    const auto formula = detail::log_covariance<double>(lags, triples, power);
     for (Eigen::Index i = 0; i < 4; ++i)
         for (Eigen::Index j = 0; j < 4; ++j) {
             const auto n = lags[static_cast<std::size_t>(i)], m = lags[static_cast<std::size_t>(j)];
@@ -54,9 +54,9 @@ TEST_CASE("The covariance of ln S2 is the sum over all pairs of second differenc
 }
 
 TEST_CASE("The covariance has no negative eigenvalue, at any lags") {
-    const std::vector<std::size_t> lags = parts::logarithmic_lags(5000);
+    const std::vector<std::size_t> lags = detail::logarithmic_lags(5000);
     const auto covariance =
-        parts::log_covariance<double>(lags, std::vector<std::size_t>(lags.size(), 10000), GENERATE(0.1, 1.0, 1.9));
+        detail::log_covariance<double>(lags, std::vector<std::size_t>(lags.size(), 10000), GENERATE(0.1, 1.0, 1.9));
     const auto [values, vectors] = math::symmetric_eigen<double>(covariance);
     CHECK(values.minCoeff() > -1e-12 * values.maxCoeff());
 }
@@ -66,12 +66,12 @@ TEST_CASE("The closed-form covariance of ln S2 is that of simulated random walks
     const std::size_t points = 400;
     std::vector<std::size_t> triples;
     for (const auto n : lags) triples.push_back(points - 2 * n);
-    const auto formula = parts::log_covariance<double>(lags, triples, 1.0);
+    const auto formula = detail::log_covariance<double>(lags, triples, 1.0);
     const int walks = 4000;
     Eigen::MatrixXd samples(3, walks);
     for (int w = 0; w < walks; ++w) {
-        const auto s = parts::second_differences(test::random_walk(points, static_cast<std::uint64_t>(w + 1)),
-                                                 std::span<const std::size_t>(lags));
+        const auto s = detail::second_differences(test::random_walk(points, static_cast<std::uint64_t>(w + 1)),
+                                                  std::span<const std::size_t>(lags));
         // relative deviations from the exact mean 2 n sigma^2 of a walk: the quantity of the formula
         for (int k = 0; k < 3; ++k)
             samples(k, w) = s.value[static_cast<std::size_t>(k)] /
@@ -90,15 +90,16 @@ TEST_CASE("The closed-form covariance of ln S2 is that of simulated random walks
 TEST_CASE("Resamples of a walk scatter as walks do, at lags of which it holds many") {
     const std::vector<std::size_t> lags{1, 2, 4};
     const std::size_t points = 20000;
-    const auto resampled = parts::bootstrap_log_structure(test::random_walk(points, 3), lags, 2000, 1, {});
+    const auto resampled = detail::bootstrap_log_structure(test::random_walk(points, 3), lags, 2000, 1, {});
     std::vector<std::size_t> triples;
     for (const auto n : lags) triples.push_back(points - 2 * n);
-    const auto formula = parts::log_covariance<double>(lags, triples, 1.0);
+    const auto formula = detail::log_covariance<double>(lags, triples, 1.0);
     for (Eigen::Index k = 0; k < 3; ++k) {
-        parts::Vector<double> row = parts::Vector<double>::Zero(3);
+        detail::Vector<double> row = detail::Vector<double>::Zero(3);
         row[k] = 1;
         // the variance of 256 cells is known to 9 %, its root to half of that: four times that
-        CHECK(test::relative_error(parts::sample_spread(row, resampled), parts::expected_spread(row, formula)) < 0.18);
+        CHECK(test::relative_error(detail::sample_spread(row, resampled), detail::expected_spread(row, formula)) <
+              0.18);
     }
 }
 

@@ -15,9 +15,9 @@ constexpr double log_gamma = 0.405465108108164;  // of 1.5
 
 /// ln S2 = level + power ln n + the term, at 12 lags an octave.
 template <class Term>
-parts::LogStructure<double> made(double level, double power, std::size_t longest, const Term& term) {
-    parts::LogStructure<double> log;
-    log.step = parts::logarithmic_lags(longest);
+detail::LogStructure<double> made(double level, double power, std::size_t longest, const Term& term) {
+    detail::LogStructure<double> log;
+    log.step = detail::logarithmic_lags(longest);
     log.points = 10 * longest;
     log.lag.resize(static_cast<Eigen::Index>(log.step.size()));
     log.value = log.slope = log.lag;
@@ -31,11 +31,11 @@ parts::LogStructure<double> made(double level, double power, std::size_t longest
 /// Prior share of the waves below the first lag, without a fit.
 double expected(double x) { return -0.45 * detail::share_of_short_waves(0.8) * std::exp(-0.8 * x); }
 
-parts::IndexRange all(const parts::LogStructure<double>& log) { return {0, log.lag.size() - 1}; }
+detail::IndexRange all(const detail::LogStructure<double>& log) { return {0, log.lag.size() - 1}; }
 
 /// With independent errors of 1e-3.
-detail::LineFitter<double> fitter(const parts::LogStructure<double>& log, double power) {
-    return {log, 1e-6 * parts::Matrix<double>::Identity(log.lag.size(), log.lag.size()), power, log_gamma, false};
+detail::LineFitter<double> fitter(const detail::LogStructure<double>& log, double power) {
+    return {log, 1e-6 * detail::Matrix<double>::Identity(log.lag.size(), log.lag.size()), power, log_gamma, false};
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ TEST_CASE("Waves in ln S2 are taken for waves, and leave the slope") {
 }
 
 TEST_CASE("The waves beyond the ends of the band are found where the window is long enough") {
-    const double power = 0.8, last = std::log(static_cast<double>(parts::logarithmic_lags(1000).back()));
+    const double power = 0.8, last = std::log(static_cast<double>(detail::logarithmic_lags(1000).back()));
     const double short_waves = -0.5 * detail::share_of_short_waves(power), long_waves = -0.6;
     const auto log = made(-3.0, power, 1000, [&](double x) {
         return short_waves * std::exp(-power * x) + long_waves * std::exp((4 - power) * (x - last));
@@ -99,11 +99,11 @@ TEST_CASE("The rows give the change of slope and level with each value of ln S2"
 }
 
 TEST_CASE("The root of a matrix gives the matrix, and its inverse the identity") {
-    parts::Matrix<double> a(3, 3);
+    detail::Matrix<double> a(3, 3);
     a << 4, 2, 1, 2, 5, 3, 1, 3, 6;
     const auto root = detail::cholesky(a);
     CHECK((root * root.transpose() - a).cwiseAbs().maxCoeff() < 1e-14);
-    CHECK((detail::forward_substituted<double>(root, root) - parts::Matrix<double>::Identity(3, 3))
+    CHECK((detail::forward_substituted<double>(root, root) - detail::Matrix<double>::Identity(3, 3))
               .cwiseAbs()
               .maxCoeff() < 1e-14);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"
@@ -38,7 +38,7 @@ double slow(const Profile<double>& profile, std::size_t n) {
 }
 
 StructureFunction<double> at(const Profile<double>& profile, std::vector<std::size_t> lags,
-                             parts::Divisor divisor = parts::Divisor::pairs) {
+                             Divisor divisor = Divisor::pairs) {
     return structure_function(profile, std::span<const std::size_t>(lags), divisor);
 }
 
@@ -109,13 +109,13 @@ TEMPLATE_TEST_CASE("A sine has the structure function 2 a^2 sin^2(pi tau/lambda)
 
 TEST_CASE("The divisor as printed is one pair short") {
     const auto profile = walk(100, 3);
-    const auto ours = at(profile, {1, 10, 90}), printed = at(profile, {1, 10, 90}, parts::Divisor::paper);
+    const auto ours = at(profile, {1, 10, 90}), printed = at(profile, {1, 10, 90}, Divisor::paper);
     for (std::size_t k = 0; k < 3; ++k) {
         const auto pairs = static_cast<double>(ours.pairs[k]);
         CHECK(ours.pairs[k] == 100 - ours.step[k]);
         CHECK(test::relative_error(printed.value[k], ours.value[k] * pairs / (pairs - 1)) < 1e-15);
     }
-    CHECK(at(profile, {99}, parts::Divisor::paper).size() == 0);  // one pair, divided by none
+    CHECK(at(profile, {99}, Divisor::paper).size() == 0);  // one pair, divided by none
     CHECK(at(profile, {99}).size() == 1);
 }
 
@@ -143,15 +143,15 @@ TEST_CASE("The structure function scales with the unit of length") {
 }
 
 TEST_CASE("Logarithmic lags rise from 1, hold every small lag and end at the longest at the latest") {
-    const auto lags = parts::logarithmic_lags(1000);
+    const auto lags = detail::logarithmic_lags(1000);
     CHECK(lags.front() == 1);
     CHECK(lags.back() <= 1000);
     CHECK(lags.back() > 940);  // a twelfth of an octave
     for (std::size_t k = 1; k < lags.size(); ++k) REQUIRE(lags[k] > lags[k - 1]);
     for (std::size_t n = 1; n <= 8; ++n) CHECK(std::find(lags.begin(), lags.end(), n) != lags.end());
     CHECK(lags.size() < 100);
-    CHECK(parts::logarithmic_lags(0).empty());
-    CHECK(parts::logarithmic_lags(1) == std::vector<std::size_t>{1});
+    CHECK(detail::logarithmic_lags(0).empty());
+    CHECK(detail::logarithmic_lags(1) == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("A lag outside the profile is refused") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/profile/tip_cutoff.hpp>
+#include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -48,7 +48,7 @@ TEST_CASE("The trace of a parabolic tip is at no scale sharper than the tip") {
     for (double& v : z) v *= 1e-9;  // far sharper than the tip at one sample
     REQUIRE(*detail::min_curvature(Profile<double>{z, spacing}, 1) < -10 / radius);
     const Profile<double> trace{dilated(z, spacing, radius), spacing};
-    for (const std::size_t n : parts::logarithmic_lags(256)) {
+    for (const std::size_t n : detail::logarithmic_lags(256)) {
         CAPTURE(n);
         CHECK(*detail::min_curvature(trace, n) > -1 / radius * (1 + 1e-6));  // rounding: 1e-16 of 1e-7 m over (1 nm)^2
     }
@@ -57,7 +57,7 @@ TEST_CASE("The trace of a parabolic tip is at no scale sharper than the tip") {
     const double cutoff = detail::tip_cutoff(trace, radius);
     const auto reliable = static_cast<std::size_t>(std::lround(cutoff / spacing / 2));
     CHECK(*detail::min_curvature(trace, reliable) > -0.5 / radius);
-    const auto lags = parts::logarithmic_lags(256);
+    const auto lags = detail::logarithmic_lags(256);
     const auto here = std::find(lags.begin(), lags.end(), reliable);
     REQUIRE(here != lags.begin());
     REQUIRE(here != lags.end());

@@ -12,8 +12,8 @@ using namespace fstiff;
 
 TEST_CASE("Triples give slopes and curvatures and peaks and leave out missing points") {
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    parts::TripleSums<double> plain, part;
-    parts::TripleSums<double, math::CompensatedSum<double>> compensated;
+    detail::TripleSums<double> plain, part;
+    detail::TripleSums<double, math::CompensatedSum<double>> compensated;
     const auto add = [&](double rise, double fall) {
         part.add(rise, fall);
         compensated.add(rise, fall);

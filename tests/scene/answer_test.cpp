@@ -154,8 +154,7 @@ TEST_CASE(
     const auto own = [&](const Answered& one, const std::string& grid) {
         const auto solved = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact + grid));
         const auto& K = solved.curves[0].states[0].stiffness;
-        const double high =
-            one.results.answer->reasons[0].causes[static_cast<std::size_t>(fstiff::parts::Cause::law)].high;
+        const double high = one.results.answer->reasons[0].causes[static_cast<std::size_t>(fstiff::Cause::law)].high;
         CHECK(high > K.error / K.value);
         return std::sqrt(high * high - std::pow(K.error / K.value, 2));
     };
@@ -247,8 +246,8 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
     }
     // the cause is that of the header, worked from the contacts
     const auto& reason = small.results.answer->reasons[4];
-    CHECK(reason.causes[static_cast<std::size_t>(fstiff::parts::Cause::contacts)].high ==
-          fstiff::parts::scatter_of_contacts(*reason.contacts).high);
+    CHECK(reason.causes[static_cast<std::size_t>(fstiff::Cause::contacts)].high ==
+          fstiff::detail::scatter_of_contacts(*reason.contacts).high);
 }
 
 TEST_CASE("A map is the contact itself, or a piece of a larger one if nominal_area is larger") {
@@ -286,8 +285,8 @@ TEST_CASE("A profile across a lay widens the band upward, and the answer reports
     CHECK(contains(turned.said(), "across a lay"));
     const double K = turned.K(0), low = turned.rows[0].at("stiffness_p05_Pa_per_m"),
                  high = turned.rows[0].at("stiffness_p95_Pa_per_m");
-    CHECK(high / K >= fstiff::parts::lay_factor);
-    CHECK(K / low < fstiff::parts::lay_factor);
+    CHECK(high / K >= fstiff::detail::lay_factor);
+    CHECK(K / low < fstiff::detail::lay_factor);
     CHECK(double(turned.rows[0].at("causes").at("lay")) > 0.5);
 }
 

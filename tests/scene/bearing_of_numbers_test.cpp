@@ -12,8 +12,8 @@
 #include "support/library.hpp"
 
 #include <fstiff/contact/hybrid_of_band.hpp>
-#include <fstiff/measured/height_shape.hpp>
-#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/measure/height_shape.hpp>
+#include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include <cmath>
@@ -85,8 +85,9 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     const double skewness = -1, kurtosis = 4.5;
     const auto found = stiffnesses(numbers + "skewness = -1\nkurtosis = 4.5\n"), gaussian = stiffnesses(numbers);
     const double modulus = 205e9 / (2 * (1 - 0.3 * 0.3));
-    const auto curve = parts::bearing_of_moments(skewness, kurtosis);
-    const auto law = hybrid_of_band(band_of_moments(parts::moments_of_gradient(1e-6, 0.1, 8.0), 0.8), curve, modulus);
+    const auto curve = detail::bearing_of_moments(skewness, kurtosis);
+    const auto law =
+        hybrid_of_band(detail::band_of_moments(detail::moments_of_gradient(1e-6, 0.1, 8.0), 0.8), curve, modulus);
     CHECK(largest_change(found, {law.stiffness(10e6), law.stiffness(100e6), law.stiffness(1e9)}) < 1e-12);
     CHECK(found[0] > 1.5 * gaussian[0]);  // flattened peaks are stiffer, most at light loads
     CHECK(found[0] / gaussian[0] > found[2] / gaussian[2]);

@@ -6,7 +6,6 @@
 
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
-#include <fstiff/profile/level.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 
@@ -67,8 +66,8 @@ TEST_CASE("A trace at every 1st to 16th point has one R, D_p and gradient with o
 TEST_CASE("The map that is measured is the one that the library filters, first lambda_s, then lambda_c") {
     const std::string text = map_text();
     const auto map = fstiff::io::read_surface(text, "map").map();
-    const auto low = fstiff::parts::gaussian_low_pass(fstiff::parts::remove_form(map, fstiff::MapForm::plane), 8e-6);
-    const auto both = fstiff::parts::gaussian_high_pass(low, 40e-6);
+    const auto low = fstiff::detail::gaussian_low_pass(fstiff::detail::remove_form(map, fstiff::MapForm::plane), 8e-6);
+    const auto both = fstiff::detail::gaussian_high_pass(low, 40e-6);
     const auto one = test::measured("--lambda-s '8 um'", text);
     CHECK(same(one["surface"]["rms_height"]["value"], fstiff::rms_height(low)));
     CHECK(one["lambda_s_m"] == 8e-6);
@@ -84,7 +83,7 @@ TEST_CASE("The map that is measured is the one that the library filters, first l
     // after 8 um the roll-off at 48 um leaves no half decade for D
     const auto fit = test::fitted("--lambda-s '3 um'", text);
     const auto smoothed =
-        fstiff::parts::gaussian_low_pass(fstiff::parts::remove_form(map, fstiff::MapForm::plane), 3e-6);
+        fstiff::detail::gaussian_low_pass(fstiff::detail::remove_form(map, fstiff::MapForm::plane), 3e-6);
     CHECK(same(fit["rms_height_m"], fstiff::rms_height(smoothed)));
     CHECK(fit["lambda_s_m"] == 3e-6);
     CHECK(fit["lambda_c_m"].is_null());
@@ -96,7 +95,7 @@ TEST_CASE("With none nothing is filtered, and the output states it") {
     const auto map = fstiff::io::read_surface(text, "map").map();
     const auto none = test::measured("--lambda-s none --lambda-c none", text);
     CHECK(same(none["surface"]["rms_height"]["value"],
-               fstiff::rms_height(fstiff::parts::remove_form(map, fstiff::MapForm::plane))));
+               fstiff::rms_height(fstiff::detail::remove_form(map, fstiff::MapForm::plane))));
     CHECK(none["lambda_s_m"].is_null());
     CHECK(none["lambda_c_m"].is_null());
     CHECK(test::decided(none, "lambda_s none (as measured), lambda_c none"));
@@ -248,17 +247,17 @@ TEST_CASE("A face has the waves of a contact larger than its trace, measured now
 
 TEST_CASE("The robust filter of lambda_c is that of the library, and reports what it left out") {
     const std::string text = map_text();
-    const auto map = fstiff::parts::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
+    const auto map = fstiff::detail::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
     const auto document = test::measured("--lambda-s none --lambda-c '40 um' --filter robust", text);
     CHECK(same(document["surface"]["rms_height"]["value"],
-               fstiff::rms_height(fstiff::parts::robust_high_pass(map, 40e-6))));
+               fstiff::rms_height(fstiff::detail::robust_high_pass(map, 40e-6))));
     CHECK(test::decided(document, "lambda_c 40 µm (robust Gaussian, after the form was removed, "));
     CHECK(test::decided(document, " of 25600 points without weight, "));
     const std::string made = test::profile_text(4096, 1e-6, {.hurst = 0.5, .rms = 1e-6});
-    const auto flat = fstiff::parts::level(fstiff::io::read_surface(made, "profile").profile(), fstiff::Form::line);
+    const auto flat = fstiff::detail::level(fstiff::io::read_surface(made, "profile").profile(), fstiff::Form::line);
     const auto profile = test::measured("--lambda-s none --lambda-c '80 um' --filter robust", made);
     CHECK(same(profile["surface"]["rms_height"]["value"],
-               fstiff::rms_height(fstiff::parts::robust_roughness(flat.profile, 80e-6))));
+               fstiff::rms_height(fstiff::detail::robust_roughness(flat.profile, 80e-6))));
     CHECK(test::decided(profile, "robust Gaussian"));
     CHECK(profile["filter"] == "robust");
     CHECK(test::measured("--lambda-s none --lambda-c none --filter robust", made)["filter"].is_null());

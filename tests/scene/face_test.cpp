@@ -86,7 +86,7 @@ TEST_CASE("The Hurst exponent is the written one, 2 - D, or 0.8, and wide enough
     face.rms_gradient = 0.1;
     face.alpha = 60;
     face.widest_band = 20;  // alpha = 60 within a band of 20 takes a greater H
-    const double least = parts::least_hurst(spectral_moments(face), 20.0);
+    const double least = detail::least_hurst(spectral_moments(face), 20.0);
     REQUIRE(least > 0.63);
     CHECK(hurst_exponent(face) == least);
 }
@@ -121,7 +121,7 @@ TEST_CASE("Several maps of one face share its spectrum by their areas") {
 
 TEST_CASE("The spectrum of two faces is the sum of theirs, and their heights are added at every shift") {
     const Face upper = of_maps({noise(16, 16, 1e-8, 3)}), lower = of_maps({noise(16, 16, 2e-8, 4)});
-    const Face sum = sum_of_faces(upper, lower, 3, 7);
+    const Face sum = detail::sum_of_faces(upper, lower, 3, 7);
     REQUIRE(sum.map);
     for (const Edges edges : {Edges::mirrored, Edges::periodic}) {
         const auto &a = upper.map->spectrum(edges), &b = lower.map->spectrum(edges), &both = sum.map->spectrum(edges);
@@ -142,15 +142,16 @@ TEST_CASE("H of two faces is the mean over their slopes") {
     Face upper = of_numbers(), lower = of_numbers();
     upper.rms_gradient = 0.1, upper.alpha = 5, upper.hurst = 0.5;
     lower.rms_gradient = 0.2, lower.alpha = 5, lower.hurst = 0.9;
-    const Face sum = sum_of_faces(upper, lower, 1, 1);
+    const Face sum = detail::sum_of_faces(upper, lower, 1, 1);
     CHECK(test::relative_error(*sum.hurst, (0.01 * 0.5 + 0.04 * 0.9) / 0.05) < 1e-14);
     CHECK(test::relative_error(*sum.rms_gradient, std::sqrt(0.05)) < 1e-14);
     lower.hurst.reset();  // 0.8, as that face alone
-    CHECK(test::relative_error(*sum_of_faces(upper, lower, 1, 1).hurst, (0.01 * 0.5 + 0.04 * 0.8) / 0.05) < 1e-14);
+    CHECK(test::relative_error(*detail::sum_of_faces(upper, lower, 1, 1).hurst, (0.01 * 0.5 + 0.04 * 0.8) / 0.05) <
+          1e-14);
 }
 
 TEST_CASE("K over the shifts of two maps is their mean, with the scatter of one shift as its error") {
-    const Face sum = sum_of_faces(of_maps({noise(24, 24, 1e-8, 5)}), of_maps({noise(24, 24, 1e-8, 6)}), 4, 11);
+    const Face sum = detail::sum_of_faces(of_maps({noise(24, 24, 1e-8, 5)}), of_maps({noise(24, 24, 1e-8, 6)}), 4, 11);
     const scene::Law& law = *scene::find_law("summits");
     scene::ContactInputs inputs{.surface = sum.roughness(), .effective_modulus = 1e11};
     inputs.options.mutual = false;

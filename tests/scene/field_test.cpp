@@ -88,7 +88,7 @@ Owner of_program(const std::string& key, const Value& value) {
 }
 Value number(double value) {
     return {.kind = value == std::floor(value) ? Value::Kind::whole : Value::Kind::real,
-            .written = fstiff::parts::shortest_text(value),
+            .written = fstiff::detail::shortest_text(value),
             .number = value};
 }
 

@@ -5,12 +5,12 @@
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/measured/sections.hpp>
-#include <fstiff/profile/detrend.hpp>
+#include <fstiff/measure/sections.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 
@@ -35,7 +35,7 @@ fstiff::Profile<double> random_walk(std::size_t points) {
     return profile;
 }
 
-using fstiff::parts::shortest_text;
+using fstiff::detail::shortest_text;
 
 /// Heights as a column of metres.
 std::string one_column(const fstiff::Profile<double>& profile) {
@@ -58,7 +58,7 @@ std::string numbered(int rows, const std::string& separator = ",", const std::st
 TEST_CASE("The document of a fit holds what the headers fit, to the last digit") {
     const auto profile = random_walk(4096);
     const auto document = test::fitted(read_metres, one_column(profile));
-    const auto flat = fstiff::parts::level(profile, fstiff::Form::line);
+    const auto flat = fstiff::detail::level(profile, fstiff::Form::line);
     const auto fit = fstiff::fit_fractal(flat);
     CHECK(document["fractal_dimension"].get<double>() == fit.fractal.dimension);
     CHECK(document["fractal_dimension_error"].get<double>() == fit.dimension_error);
@@ -107,10 +107,9 @@ TEST_CASE("Window, convention and form are those asked for") {
     CHECK(given["window_m"][0].get<double>() >= 2e-6 * (1 - 1e-12));
     CHECK(given["window_m"][1].get<double>() <= 40e-6 * (1 + 1e-12));
     // G^(2D-2) times the constant of the convention is the same C
-    const auto paper =
-        json("--window '2 um,40 um'", {.surface = {}, .convention = fstiff::parts::StructureConvention::paper});
+    const auto paper = json("--window '2 um,40 um'", {.surface = {}, .convention = fstiff::StructureConvention::paper});
     const auto tien =
-        json("--window '2 um,40 um'", {.surface = {}, .convention = fstiff::parts::StructureConvention::majumdar_tien});
+        json("--window '2 um,40 um'", {.surface = {}, .convention = fstiff::StructureConvention::majumdar_tien});
     const double d = given["fractal_dimension"];
     CHECK(paper["fractal_dimension"].get<double>() == d);
     // majumdar_tien is (2.4)/(2 ln gamma), gamma = 1.5; pow costs some ulp
@@ -203,13 +202,13 @@ TEST_CASE("Measured profiles give D and G with their units, or a reason why not"
 TEST_CASE("A map is fitted along x and along y, and reported as anisotropic when it is") {
     const std::string made = test::map_text(128, 1e-6, {.hurst = 0.5, .rms = 1e-6});
     const auto read = fstiff::io::read_surface(made, "map");
-    const auto flat = fstiff::parts::remove_form(read.map(), fstiff::MapForm::quadratic);
-    const auto expected = fstiff::parts::fit_directions(flat);
+    const auto flat = fstiff::detail::remove_form(read.map(), fstiff::MapForm::quadratic);
+    const auto expected = fstiff::detail::fit_directions(flat);
     const auto document = test::fitted("--lambda-s none --detrend quadratic", made);
     CHECK(document["x"]["fractal_dimension"] == expected.x.value().fractal.dimension);
     CHECK(document["y"]["fractal_dimension_error"] == expected.y.value().dimension_error);
     CHECK(document["anisotropic"] == expected.anisotropic());
-    const auto areal = fstiff::parts::areal_statistics(flat);
+    const auto areal = fstiff::detail::areal_statistics(flat);
     CHECK(document["areal"]["m2"] == areal.m2);
     CHECK(document["areal"]["m4_per_m2"] == areal.m4);
     CHECK(document["areal"]["summit_density_per_m2"] == areal.summit_density);
@@ -238,7 +237,7 @@ TEST_CASE("Tip, resolution, seed and filter act on a file as in the headers") {
     const auto json = [&](const std::string& more, fstiff::scene::FractalOptions how = {}) {
         return test::fitted(read_metres + more, text, how);
     };
-    const auto flat = fstiff::parts::level(profile, fstiff::Form::line);
+    const auto flat = fstiff::detail::level(profile, fstiff::Form::line);
     const auto same = [](const nlohmann::json& document, const fstiff::FractalFit<double>& fit) {
         CHECK(document["fractal_dimension"] == fit.fractal.dimension);
         CHECK(document["fractal_dimension_bootstrap_error"] == fit.bootstrap_dimension_error);
@@ -250,11 +249,11 @@ TEST_CASE("Tip, resolution, seed and filter act on a file as in the headers") {
     same(json("--tip-radius '5 um'"), fstiff::fit_fractal(flat, {.tip_radius = 5e-6}));
     same(json("", {.surface = {}, .seed = 5, .resamples = 50}),
          fstiff::fit_fractal(flat, {.seed = 5, .resamples = 50}));
-    const auto filtered = fstiff::parts::gaussian_roughness(flat.profile, 200e-6);
+    const auto filtered = fstiff::detail::gaussian_roughness(flat.profile, 200e-6);
     const auto document = json("--detrend gaussian --cutoff '200 um'");
     same(document, fstiff::fit_fractal(filtered));
     CHECK(document["rms_height_m"] == fstiff::rms_height(filtered));
-    const auto moments = fstiff::parts::spectral_moments(flat.profile);
+    const auto moments = fstiff::detail::spectral_moments(flat.profile);
     CHECK(json("")["spectral_moments"]["m4_per_m2"] == moments.m4);
     CHECK(json("")["spectral_moments"]["nayak_alpha"] == moments.bandwidth());
     const auto peaks = fstiff::peak_statistics(flat.profile);
@@ -262,7 +261,7 @@ TEST_CASE("Tip, resolution, seed and filter act on a file as in the headers") {
     CHECK(json("")["peak_statistics"]["peak_ratio"] == peaks.peak_ratio());
     CHECK(json("")["peak_statistics"]["counted_peak_ratio"] == peaks.counted_peak_ratio);
     CHECK(json("")["power_spectrum"]["fractal_dimension"] ==
-          fstiff::parts::fit_spectrum(fstiff::power_spectrum(flat.profile)).dimension);
+          fstiff::detail::fit_spectrum(fstiff::power_spectrum(flat.profile)).dimension);
     CHECK(json("", {.surface = {}, .all_lags = true})["structure_function"]["lag_m"].size() == 4095);
 
     const auto refused = [&](const std::string& options, const std::string& part) {

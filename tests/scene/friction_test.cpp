@@ -7,11 +7,10 @@
 #include "support/catch.hpp"
 #include "support/library.hpp"
 
-#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
-#include <fstiff/contact/microslip.hpp>
-#include <fstiff/contact/tangential_law.hpp>
 #include <fstiff/core/error.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -70,13 +69,13 @@ TEST_CASE("The band of the loss factor is that of K, and for yielded peaks it ho
             const double x = at(a, i, tangential_stiffness, end) * 20e-9 / (0.3 * p);
             CHECK(test::relative_error(
                       at(a, i, loss_factor, end),
-                      fstiff::parts::loss_factor(fstiff::parts::PowerUnloading<double>{a.growth[i]}, x)) < 1e-14);
+                      fstiff::detail::loss_factor(fstiff::detail::PowerUnloading<double>{a.growth[i]}, x)) < 1e-14);
         }
         CHECK(std::abs(a.growth[i] - 0.9) < 0.15);
         const scene::Curve& b = flowed.answer->curve;
         const double x = at(b, i, tangential_stiffness) * 20e-9 / (0.3 * p);
-        const double least = fstiff::parts::loss_factor(fstiff::parts::FlowedUnloading<double>{}, x),
-                     most = fstiff::parts::loss_factor(fstiff::parts::PowerUnloading<double>{b.growth[i]}, x);
+        const double least = fstiff::detail::loss_factor(fstiff::detail::FlowedUnloading<double>{}, x),
+                     most = fstiff::detail::loss_factor(fstiff::detail::PowerUnloading<double>{b.growth[i]}, x);
         CHECK(test::relative_error(at(b, i, loss_factor), std::sqrt(least * most)) < 1e-12);
         CHECK(at(b, i, loss_factor, Statistic::p05) < least);
         CHECK(at(b, i, loss_factor, Statistic::p95) > most);

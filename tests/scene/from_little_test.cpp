@@ -9,8 +9,8 @@
 #include "support/catch.hpp"
 #include "support/library.hpp"
 
-#include <fstiff/contact/linear_law.hpp>
-#include <fstiff/math/random.hpp>
+#include <fstiff/contact/persson_contact.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/process_prior.hpp>
 
 #include <algorithm>
@@ -69,9 +69,9 @@ TEST_CASE("Every name of height and gradient gives its number") {
     // across a lay a profile is between the gradient and its sqrt(2)th part
     const scene::Face ground = read("Rq = \"1 um\"\nRdq = 0.1\nprocess = \"ground\"").face;
     CHECK(test::relative_error(*ground.rms_gradient, 0.1 * std::pow(2, 0.25)) < 1e-14);
-    REQUIRE(ground.is_open(parts::Unknown::gradient));
+    REQUIRE(ground.is_open(Unknown::gradient));
     CHECK(test::relative_error(ground.priors.front().high, 0.1 * std::sqrt(2.0)) < 1e-14);
-    CHECK_FALSE(read("Rq = \"1 um\"\nRdq = 0.1").face.is_open(parts::Unknown::gradient));
+    CHECK_FALSE(read("Rq = \"1 um\"\nRdq = 0.1").face.is_open(Unknown::gradient));
 }
 
 TEST_CASE("Height alone, and height with gradient, have K with a band by every law that needs no more") {
@@ -189,15 +189,15 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
     for (int i = 0; i < 2000; ++i) {
         scene::Scene one = scene;
         for (const scene::Prior& prior : scene.face.priors) {
-            if (parts::is_of_shape(prior.which) || prior.which == parts::Unknown::hurst) continue;
-            const double middle = prior.which == parts::Unknown::height     ? scene.face.parameters.rms_height.value
-                                  : prior.which == parts::Unknown::gradient ? *scene.face.rms_gradient
-                                                                            : *scene.face.alpha;
+            if (detail::is_of_shape(prior.which) || prior.which == Unknown::hurst) continue;
+            const double middle = prior.which == Unknown::height     ? scene.face.parameters.rms_height.value
+                                  : prior.which == Unknown::gradient ? *scene.face.rms_gradient
+                                                                     : *scene.face.alpha;
             const double z = math::normal_pair<double>(state).real() / 1.6449;
             const double value = middle * std::pow((z < 0 ? prior.low : prior.high) / middle, std::abs(z));
             one.face = scene::with_value(one.face, prior.which, std::max(value, 1.55e-7));
         }
-        if (*one.face.alpha < 1.55) one.face = scene::with_value(one.face, parts::Unknown::alpha, 1.55);
+        if (*one.face.alpha < 1.55) one.face = scene::with_value(one.face, Unknown::alpha, 1.55);
         const auto results = scene::compute(one);
         for (std::size_t point = 0; point < all.size(); ++point)
             all[point].push_back(results.curves.front().states[point].stiffness.value);
@@ -232,9 +232,9 @@ TEST_CASE("The parts of a band are printed, and the advice what to measure") {
     const double K = plastic.states[1].stiffness.value;
     CHECK(test::relative_error(plastic.band[1].high, K * std::exp(parts.prior_high)) < 1e-12);
     CHECK(test::relative_error(plastic.band[1].low, K * std::exp(parts.prior_low)) < 1e-12);
-    const auto greatest = parts::greatest_unknown(parts);
+    const auto greatest = detail::greatest_unknown(parts);
     REQUIRE(greatest);
-    CHECK(greatest->which == parts::Unknown::gradient);
+    CHECK(greatest->which == Unknown::gradient);
     // and so it is
     const auto measured =
         results("Ra = \"0.8 um\"\nRdq = 0.1414\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
@@ -267,7 +267,7 @@ TEST_CASE("The law of the height alone is p over 0.48 sigma") {
     const auto curve = results("Rq = \"0.8 um\"", "\"proportional\"").curves.front();
     CHECK(curve.band.empty());  // the height is known; the error of the law is another matter
     for (const auto& state : curve.states)
-        CHECK(state.stiffness.value == parts::linear_stiffness(state.pressure.value, 0.8e-6));
+        CHECK(state.stiffness.value == detail::linear_stiffness(state.pressure.value, 0.8e-6));
     const auto of_mean = results("Ra = \"0.64 um\"", "\"proportional\"").curves.front();
     CHECK(test::relative_error(of_mean.band[0].high / of_mean.states[0].stiffness.value, 0.86 / 0.8) < 1e-12);
     std::string text = text_of("Rq = \"0.8 um\"", "\"proportional\"");
@@ -282,11 +282,10 @@ TEST_CASE("The law of the height alone is p over 0.48 sigma") {
 }
 
 TEST_CASE("Every row of the priors is in order, and holds the Gaussian surface or gives a reason") {
-    for (std::size_t i = 0; i < parts::process_priors.size(); ++i) {
-        const parts::ProcessPrior& row = parts::process_priors[i];
-        CHECK(row.process == static_cast<parts::Process>(i));
-        for (const parts::PriorRange& range :
-             {row.mean_over_rms, row.slope, row.alpha, row.hurst, row.skewness, row.tail})
+    for (std::size_t i = 0; i < detail::process_priors.size(); ++i) {
+        const detail::ProcessPrior& row = detail::process_priors[i];
+        CHECK(row.process == static_cast<Process>(i));
+        for (const PriorRange& range : {row.mean_over_rms, row.slope, row.alpha, row.hurst, row.skewness, row.tail})
             CHECK((range.low < range.middle && range.middle < range.high));
         CHECK(row.alpha.low > 1.5);
     }
@@ -295,12 +294,12 @@ TEST_CASE("Every row of the priors is in order, and holds the Gaussian surface o
 TEST_CASE("docs/scene.md has every prior") {
     std::ifstream file(FSTIFF_TEST_DATA "/../../docs/scene.md", std::ios::binary);
     const std::string page{std::istreambuf_iterator<char>(file), {}};
-    const auto three = [](const parts::PriorRange& range) {
+    const auto three = [](const PriorRange& range) {
         char text[80];
         std::snprintf(text, sizeof text, "%g, %g, %g", range.low, range.middle, range.high);
         return std::string(text);
     };
-    for (const parts::ProcessPrior& row : parts::process_priors) {
+    for (const detail::ProcessPrior& row : detail::process_priors) {
         const std::string line = "| " + std::string(name_of(row.process)) + " | " + three(row.mean_over_rms) + " | " +
                                  three(row.slope) + " | " + three(row.alpha) + " | " + three(row.skewness) + " | " +
                                  three(row.tail) + " |\n";

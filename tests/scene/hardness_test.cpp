@@ -64,13 +64,13 @@ TEST_CASE("K of a steel whose hardness is not given has a band that holds K of e
 TEST_CASE("A hardness that is not given is a cause of the band, an assumption, and what to measure next") {
     const scene::Scene of = test::scene_of(on("\"steel\""));
     const scene::Results results = compute(of);
-    const auto& causes = results.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::parts::Cause::hardness)];
+    const auto& causes = results.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)];
     CHECK(causes.low < -0.3);
     CHECK(causes.high > 0.3);
     CHECK(contains(test::joined(of.assumptions), "hardness 2.6 GPa (1.2 GPa to 9.5 GPa), of steel"));
     CHECK(contains(measure_next(of, results), "measure the hardness of the softer body"));
     const scene::Results named = test::results_of(on(with("steel", "2 GPa")));
-    CHECK(named.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::parts::Cause::hardness)].high == 0);
+    CHECK(named.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)].high == 0);
 }
 
 TEST_CASE("The softer body flows, whichever of them has a hardness") {
@@ -82,7 +82,7 @@ TEST_CASE("The softer body flows, whichever of them has a hardness") {
     // 8 GPa of the steel leave that of the copper as it is, 0.2 GPa are below all that copper has
     const auto hard = test::scene_of(on(with("steel", "8 GPa"), "\"copper\"")),
                soft = test::scene_of(on(with("steel", "0.2 GPa"), "\"copper\""));
-    const auto copper = fstiff::parts::find_material("copper")->hardness();
+    const auto copper = fstiff::find_material("copper")->hardness();
     CHECK(hard.hardness_range->middle == copper.middle);
     CHECK(hard.hardness_range->high == copper.high);
     CHECK_FALSE(soft.hardness_range.has_value());
@@ -177,7 +177,7 @@ TEST_CASE("Noise of an instrument is a cause of the band of a map, and above 5 %
                              "'\n[material]\nupper = " + with("steel", "infinite") + "\n" + loads +
                              "[boundary_elements]\nedges = \"periodic\"\n";
     const auto part = [](const scene::Results& results) {
-        return results.answer->reasons[2].causes[static_cast<std::size_t>(fstiff::parts::Cause::noise)].high;
+        return results.answer->reasons[2].causes[static_cast<std::size_t>(fstiff::Cause::noise)].high;
     };
     write(0);
     const scene::Results quiet = test::results_of(text);

@@ -21,7 +21,7 @@ TEST_CASE("The islands of a file are swept as the headers do, to the last digit"
     const auto read = fstiff::io::read_surface(text, "map");
     const auto check = [&](const std::string& line, const IslandsRequest& request,
                            const fstiff::IslandOptions<double>& how, fstiff::MapForm form) {
-        const auto expected = fstiff::representative_islands(fstiff::parts::remove_form(read.map(), form), how);
+        const auto expected = fstiff::representative_islands(fstiff::detail::remove_form(read.map(), form), how);
         const auto document = test::islands_of("--lambda-s none " + line, text, request);
         const auto& pair = document["representative"];
         INFO(line);
@@ -38,10 +38,10 @@ TEST_CASE("The islands of a file are swept as the headers do, to the last digit"
     };
     check("", {}, {}, fstiff::MapForm::plane);
     fstiff::IslandOptions<double> other;
-    other.connectivity = fstiff::parts::Connectivity::four;
-    other.border = fstiff::parts::BorderIslands::dropped;
+    other.connectivity = fstiff::Connectivity::four;
+    other.border = fstiff::BorderIslands::dropped;
     other.min_points = 3;
-    other.height = fstiff::parts::IslandHeight::twice_mean;
+    other.height = fstiff::IslandHeight::twice_mean;
     other.quantiles = 50;
     check("--detrend quadratic",
           {.surface = {},

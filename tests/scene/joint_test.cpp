@@ -4,10 +4,10 @@
 
 #include "support/library.hpp"
 
-#include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/curves.hpp>
 #include <fstiff/asperity/named_materials.hpp>
-#include <fstiff/contact/contact_law.hpp>
-#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ const std::string contact_of_text =
     "[contact]\npressures = [\"0.1 MPa\", \"10 MPa\", \"300 MPa\"]\nseating = \"1 kPa\"\n";
 const std::string steel_on_iron = "[material]\nupper = \"steel\"\nlower = \"cast_iron\"\n";
 
-Body body(const char* name) { return parts::body_of(*parts::find_material(name)); }
+Body body(const char* name) { return body_of(*find_material(name)); }
 
 /// \p found has every number of the answer of \p scene, to the last digit.
 void require_same(const Answer& found, const scene::Scene& scene) {
@@ -52,7 +52,7 @@ void require_same(const Answer& found, const scene::Scene& scene) {
         CHECK(point.p_star == answer.reasons[*at].p_star);
         CHECK(point.contacts == answer.reasons[*at].contacts);
         CHECK(point.loading_stiffness == answer.reasons[*at].loading_stiffness);
-        CHECK(parts::shares_of(point.causes) == parts::shares_of(answer.reasons[*at].causes));
+        CHECK(shares_of(point.causes) == shares_of(answer.reasons[*at].causes));
     }
     CHECK(found.flows == answer.flows);
     CHECK(found.of_map_itself == answer.of_map_itself);
@@ -75,7 +75,7 @@ TEST_CASE("The answer of a joint of numbers is that of its scene") {
         {"rms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 10\n",
          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .alpha = 10}},
         {"rms_height = \"0.8 um\"\n", {.rms_height = 0.8e-6}},
-        {"Ra = \"1.6 um\"\nprocess = \"turned\"\n", {.mean_height = 1.6e-6, .process = parts::Process::turned}},
+        {"Ra = \"1.6 um\"\nprocess = \"turned\"\n", {.mean_height = 1.6e-6, .process = Process::turned}},
         {"rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
          {.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 500e6}},
         {"rms_height = \"0.8 um\"\nrms_gradient = 0.2\nhurst = 0.6\nskewness = -1\nkurtosis = 4.5\n",
@@ -87,25 +87,25 @@ TEST_CASE("The answer of a joint of numbers is that of its scene") {
           .fractal_dimension = 1.3,
           .errors = {.height = 0.1e-6, .gradient = 0.02}}}};
     // by the names of drawings, a bearing curve, joint peaks and their errors
-    const parts::MaterialRatio<double> core{1.5e-6, 0.4e-6, 1.2e-6, 0.08, 0.85};
+    const detail::MaterialRatio<double> core{1.5e-6, 0.4e-6, 1.2e-6, 0.08, 0.85};
     std::vector<double> heights;
     std::string list;
     for (int i = 0; i < 50; ++i) {
         heights.push_back(1e-6 * (std::sin(0.4 * i) + 0.02 * i));
-        list += (i > 0 ? ", \"" : "\"") + parts::shortest_text(heights.back()) + " m\"";
+        list += (i > 0 ? ", \"" : "\"") + detail::shortest_text(heights.back()) + " m\"";
     }
     const auto more = std::to_array<Case>(
         {{"Ra = \"0.8 um\"\nRdq = 0.1\nprocess = \"milled\"\nerrors = { Ra = \"0.1 um\", Rdq = 0.02 }\n",
           {.mean_height = 0.8e-6,
            .profile_gradient = 0.1,
-           .process = parts::Process::milled,
+           .process = Process::milled,
            .errors = {.height = 0.1e-6, .gradient = 0.02}}},
          {"Rq = \"0.8 um\"\nRSm = \"60 um\"\n", {.rms_height = 0.8e-6, .profile_spacing = 60e-6}},
          {"Sq = \"0.8 um\"\nSdq = 0.1\nSk = \"1.5 um\"\nSpk = \"0.4 um\"\nSvk = \"1.2 um\"\nSmr1 = 0.08\nSmr2 = "
           "0.85\n",
-          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = parts::bearing_of_core(core)}},
+          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = detail::bearing_of_core(core)}},
          {"Sq = \"0.8 um\"\nSdq = 0.1\nbearing_curve = [" + list + "]\n",
-          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = parts::BearingSlope<double>::of_heights(heights)}},
+          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = BearingSlope<double>::of_heights(heights)}},
          {"rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nmax_peak_height = \"3 um\"\n"
           "r = 0.5\ntheta = 1.0\nerrors = { peak_radius = \"5 um\", peak_density = \"50 /mm^2\", r = 0.1, theta = 0.1 "
           "}\n",
@@ -208,7 +208,7 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
     joint.waves = Waves{.frequency = 5e6, .longitudinal = {46e6, 33e6}, .shear = Impedances<double>{25e6, 19e6}};
     joint.conduction = {.thermal = joint_conductivity(53.3, 48.5),
                         .electrical = joint_conductivity(6e6, 1e6),
-                        .gap = parts::GapFilling<double>{0.026, 0},
+                        .gap = GapFilling<double>{0.026, 0},
                         .thermal_film = 1e-6};
     joint.friction = Friction{.coefficient = 0.2, .amplitude = 1e-8};
     const Answer found = answer(joint, pressures);
@@ -251,7 +251,7 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
 
 TEST_CASE("What does not hold of an answer, and what to measure next, are values") {
     const auto kinds = [](const Answer& of) {
-        std::set<parts::Concern> all;
+        std::set<Concern> all;
         for (const auto& one : of.concerns) all.insert(one.concern);
         return all;
     };
@@ -259,14 +259,14 @@ TEST_CASE("What does not hold of an answer, and what to measure next, are values
     CHECK(kinds(answer(joint, pressures)).empty());
     joint.face.rms_gradient = 100;  // in per cent, likely
     const Answer steep = answer(joint, pressures);
-    CHECK(kinds(steep) == std::set{parts::Concern::implausible_gradient});
+    CHECK(kinds(steep) == std::set{Concern::implausible_gradient});
     CHECK(steep.concerns.front().greatest == 100);
     CHECK(steep.doubtful);
     joint.face.rms_gradient = 0.1, joint.upper.hardness = joint.lower.hardness = 10.3e6;
     const Answer flowed = answer(joint, pressures);
-    CHECK(kinds(flowed) == std::set{parts::Concern::no_state, parts::Concern::beyond_comparison});
+    CHECK(kinds(flowed) == std::set{Concern::no_state, Concern::beyond_comparison});
     CHECK(std::any_of(flowed.concerns.begin(), flowed.concerns.end(), [](const auto& one) {
-        return one.concern == parts::Concern::no_state && one.first == 2 && one.violations == 1;
+        return one.concern == Concern::no_state && one.first == 2 && one.violations == 1;
     }));
     CHECK(flowed.doubtful);
 
@@ -274,7 +274,7 @@ TEST_CASE("What does not hold of an answer, and what to measure next, are values
     CHECK_FALSE(answer(joint, pressures).next);
     const Answer told = answer(joint, pressures, {.next = true});
     REQUIRE(told.next);
-    CHECK(told.next->which == parts::Unknown::gradient);
+    CHECK(told.next->which == Unknown::gradient);
     CHECK(told.next->pressure == pressures[1]);
     CHECK(told.next->factor == told.points[1].stiffness.high / told.points[1].stiffness.low);
     joint.face.rms_gradient = answer(joint, pressures).assumed[2].range.value;  // as it is assumed: the promise is kept
@@ -353,8 +353,8 @@ TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on
     const auto fails = [](std::size_t i) {
         if (i > 2) throw domain_error(std::to_string(i));
     };
-    CHECK(test::refusal([&] { parts::run_pieces(on_two_threads, 8, fails); }) == "3");
-    CHECK(test::refusal([&] { parts::run_pieces({}, 8, fails); }) == "3");
+    CHECK(test::refusal([&] { detail::run_pieces(on_two_threads, 8, fails); }) == "3");
+    CHECK(test::refusal([&] { detail::run_pieces({}, 8, fails); }) == "3");
 }
 
 TEST_CASE("A contact by the name of its law has K of the answer, and keeps what it is made of") {
@@ -398,7 +398,7 @@ TEST_CASE("A joint out of range is refused by the name of its member") {
     CHECK(refused([](Joint& of) { of.face.r = 0.5; }) == "theta: is missing; r and theta belong together");
     CHECK(refused([](Joint& of) { of.face.r = 1, of.face.theta = 1; }).starts_with("r = 1: must be"));
     CHECK(refused([](Joint& of) {
-              of.face.bearing = parts::BearingSlope<double>::of_heights(std::vector{-1e-3, 0.0, 1e-3});
+              of.face.bearing = BearingSlope<double>::of_heights(std::vector{-1e-3, 0.0, 1e-3});
           }).starts_with("bearing: belongs to an rms height of 0.0"));
     CHECK(refused([](Joint& of) { of.face.errors.peak_radius = 1e-6; }) == "error of peak_radius: needs the number");
     CHECK(refused([](Joint& of) { of.face.errors.height = -1; }).starts_with("error of the height = -1: must be"));

@@ -265,7 +265,7 @@ TEST_CASE("data/bolted_joint.toml is the joint that docs/scene.md describes") {
 
 TEST_CASE("The table of materials of docs/scene.md is that of the library") {
     const std::string docs = test::read(FSTIFF_SCENES "/../docs/scene.md");
-    for (const auto& one : fstiff::parts::named_materials) {
+    for (const auto& one : fstiff::detail::named_materials) {
         const auto cell = [](double value, int digits = 6) { return " | " + scene::rounded(value, digits); };
         const auto [low, middle, high] = one.hardness();
         const std::string name = "| `" + std::string(one.name) + "`";

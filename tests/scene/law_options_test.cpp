@@ -26,7 +26,7 @@ struct Expected {
 };
 template <class Member>
 Expected expected(std::string_view key, const Member&, const fstiff::request::Field& field) {
-    const std::string low = fstiff::parts::shortest_text(field.low), high = fstiff::parts::shortest_text(field.high);
+    const std::string low = fstiff::detail::shortest_text(field.low), high = fstiff::detail::shortest_text(field.high);
     if constexpr (std::is_same_v<Member, bool>) return {"true or false, or 1 or 0 | ", "false", "0.5"};
     if constexpr (std::is_same_v<Member, int>) return {"whole number | " + low + " to " + high, "64", "8"};
     if constexpr (std::is_same_v<Member, fstiff::Edges>)

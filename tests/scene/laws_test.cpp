@@ -71,9 +71,9 @@ private:
 TEST_CASE("rms_height, rms_gradient and alpha suffice for hybrid and persson") {
     const auto results = computed(scene_of(moments, "\"hybrid\", \"persson\"", "[persson]\ngamma = 0.5\n"));
     const double E = 1e9;
-    const auto m = parts::moments_of_gradient(1.1e-6, 0.1, 8.24);
-    const PerssonContact<double> persson(band_of_moments(m, 0.7), E, 0.5);
-    const auto hybrid = hybrid_of_band(band_of_moments(m, 0.7), E, 0.5);
+    const auto m = detail::moments_of_gradient(1.1e-6, 0.1, 8.24);
+    const PerssonContact<double> persson(detail::band_of_moments(m, 0.7), E, 0.5);
+    const auto hybrid = hybrid_of_band(detail::band_of_moments(m, 0.7), E, 0.5);
     REQUIRE(results.curves.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         const double p = i == 0 ? 1e6 : 5e6;
@@ -164,8 +164,8 @@ TEST_CASE("Every law of a measured surface divides by one sigma: that of the hei
         "pressures = [\"1 MPa\", \"5 MPa\"]\nlaws = [\"hertz\", \"hybrid\", \"persson\"]\n"
         "[uncertainty]\nsamples = 0\n";
     const std::string one = "from = \"" + file.path() + "\"\nlambda_s = \"none\"\n";
-    const double sigma = rms_height(parts::remove_form(file.map, MapForm::plane)),
-                 second = rms_height(parts::remove_form(other.map, MapForm::plane));
+    const double sigma = rms_height(detail::remove_form(file.map, MapForm::plane)),
+                 second = rms_height(detail::remove_form(other.map, MapForm::plane));
     const struct {
         std::string surface;
         double sigma;

@@ -3,7 +3,7 @@
 #include "support/library.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measure/parameters.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include <cmath>
@@ -33,7 +33,7 @@ std::string profile_text() {
                               {.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 400e-6, .shortest_wavelength = 16e-6});
 }
 
-void check_measured(const nlohmann::json& surface, const fstiff::parts::SurfaceParameters<double>& expected) {
+void check_measured(const nlohmann::json& surface, const fstiff::SurfaceParameters<double>& expected) {
     const auto same = [&](const char* name, const fstiff::Measurement<double>& measured) {
         INFO(name);
         CHECK(surface[name]["value"] == measured.value);
@@ -74,23 +74,23 @@ TEST_CASE("What is measured of a file is what the headers measure, to the last d
     SECTION("of a map") {
         const std::string text = map_text();
         const auto map =
-            fstiff::parts::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
-        check_measured(test::measured("--lambda-s none", text)["surface"], fstiff::parts::surface_parameters(map));
-        fstiff::parts::SurfaceParameterOptions<double> summits;
-        summits.peaks = fstiff::parts::PeakSource::summits;
+            fstiff::detail::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
+        check_measured(test::measured("--lambda-s none", text)["surface"], fstiff::detail::surface_parameters(map));
+        fstiff::detail::SurfaceParameterOptions<double> summits;
+        summits.peaks = fstiff::PeakSource::summits;
         check_measured(test::measured("--lambda-s none --peaks summits", text)["surface"],
-                       fstiff::parts::surface_parameters(map, summits));
+                       fstiff::detail::surface_parameters(map, summits));
     }
     SECTION("of a profile") {
         const std::string text = profile_text();
         const auto profile =
-            fstiff::parts::level(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
-        fstiff::parts::SurfaceParameterOptions<double> how;
+            fstiff::detail::level(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
+        fstiff::detail::SurfaceParameterOptions<double> how;
         how.seed = how.fit.seed = 7;
         how.resamples = 100;
         check_measured(test::measured("--lambda-s none --lambda-c none", text,
                                       {.input = {}, .resamples = 100, .seed = 7})["surface"],
-                       fstiff::parts::surface_parameters(profile, how));
+                       fstiff::detail::surface_parameters(profile, how));
     }
 }
 

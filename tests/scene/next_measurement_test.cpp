@@ -13,7 +13,7 @@ namespace scene = fstiff::scene;
 
 namespace {
 
-using fstiff::parts::Unknown;
+using fstiff::Unknown;
 
 struct Case {
     std::string surface, contact;

@@ -4,12 +4,12 @@
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
+#include <fstiff/answer/band.hpp>
 #include <fstiff/asperity/material.hpp>
-#include <fstiff/contact/contact_curve.hpp>
-#include <fstiff/contact/hybrid_of_map.hpp>
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/measured/pooled_surface.hpp>
-#include <fstiff/measured/sampled_band.hpp>
+#include <fstiff/measure/pooled_surface.hpp>
 #ifdef FSTIFF_TEST_HAS_C
 #include <fstiff.h>
 #endif
@@ -159,8 +159,8 @@ bool is_measured(const std::filesystem::path& path) {
 template <class LawOf>
 void require_same_band(const scene::Curve& curve, const Surface<double>& surface, double modulus, const LawOf& law_of) {
     const std::vector<double> pressures{1e6, 1e7};
-    const auto at = [&](const std::array<double, parts::surface_parameter_count>& drawn, std::size_t = 0) {
-        const auto value = [&](Parameter which) { return drawn[parts::index_of(which)]; };
+    const auto at = [&](const std::array<double, detail::surface_parameter_count>& drawn, std::size_t = 0) {
+        const auto value = [&](Parameter which) { return drawn[detail::index_of(which)]; };
         std::vector<double> all;
         for (const auto& point : curve_at_pressures(
                  RoughContact(Roughness<double>{value(Parameter::rms_height), value(Parameter::peak_radius),
@@ -172,14 +172,14 @@ void require_same_band(const scene::Curve& curve, const Surface<double>& surface
         return all;
     };
     const std::vector<double> own = at(surface.values());
-    const auto errors = parts::sampled_band<double>(surface, at);
+    const auto errors = detail::sampled_band<double>(surface, at);
     REQUIRE(curve.states.size() == own.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
         double low = 0, high = 0;
         for (const Surface<double>& neighbour : surface.neighbours) {
             auto values = neighbour.values();
             for (const Parameter which : {Parameter::r, Parameter::theta})
-                if (!neighbour.find(which)) values[parts::index_of(which)] = surface.values()[parts::index_of(which)];
+                if (!neighbour.find(which)) values[detail::index_of(which)] = surface.values()[detail::index_of(which)];
             const double change = std::log(at(values)[i] / own[i]);
             low = (std::min)(low, change), high = (std::max)(high, change);
         }
@@ -280,7 +280,7 @@ TEST_CASE("The command and the headers find the same K of a map by hybrid") {
         folder / "scene.toml");
     REQUIRE(results.curves.size() == 1);
     const auto read = scene::read_surface_input(test::surface_options("", file)).surface.data;
-    const auto map = parts::prepare(std::get<HeightMap<double>>(read), {.lambda_s = no_cut_off}).map;
+    const auto map = prepare(std::get<HeightMap<double>>(read), {.lambda_s = no_cut_off}).map;
     const auto contact = hybrid_of_map(map, effective_modulus<double>({205e9, 0.3}, {205e9, 0.3}));
     REQUIRE(results.curves[0].states.size() == 3);
     for (const ContactState<double>& state : results.curves[0].states)

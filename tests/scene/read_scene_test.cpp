@@ -11,7 +11,7 @@
 #include "surface/truth_of_map.hpp"
 
 #include <fstiff/io/write.hpp>
-#include <fstiff/math/random.hpp>
+#include <fstiff/math/statistics.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/half_space_maps.hpp"
@@ -122,7 +122,7 @@ TEST_CASE("Without a band nothing is measured with other lambda_s, and all else 
     CHECK(banded.face.neighbours.size() == 2);
     CHECK(plain.face.neighbours.empty());
     CHECK(plain.face.parameters.values() == banded.face.parameters.values());
-    for (const fstiff::parts::ParameterRow& row : fstiff::parts::surface_parameter_table) {
+    for (const fstiff::detail::ParameterRow& row : fstiff::detail::surface_parameter_table) {
         const auto* one = plain.face.parameters.find(row.parameter);
         const auto* other = banded.face.parameters.find(row.parameter);
         REQUIRE(!one == !other);
@@ -293,7 +293,7 @@ TEST_CASE("Percents are shown without an exponent") {
 }
 
 TEST_CASE("What is not known to a factor of two is reported once") {
-    fstiff::parts::SurfaceParameters<double> values;
+    fstiff::SurfaceParameters<double> values;
     values.set(Parameter::rms_height, {1e-6, 1e-7});
     values.set(Parameter::peak_radius, {40e-6, 72e-6});
     values.set(Parameter::peak_density, {5e8, 2e8});

@@ -77,7 +77,7 @@ TEST_CASE("What is generated is what the headers make of the same numbers") {
     CHECK(made.origin().find("generate (kind profile, H 0.7, rms 1e-06 m,") != std::string::npos);
     CHECK(scene::file_of(made, scene::GeneratedForm::csv).starts_with("# " + made.origin() + "\n"));
     auto wrong = of(scene::GeneratedKind::wm);
-    wrong.prefix = "--", wrong.long_waves = parts::LongWaves::none;
+    wrong.prefix = "--", wrong.long_waves = LongWaves::none;
     CHECK(refused<scene::option_error>([&] { (void)scene::generate(wrong); }) ==
           "--long-waves is not for generate wm; must not be given");
 }

@@ -183,13 +183,13 @@ TEST_CASE("All curves of a scene and its answer have one p*") {
     };
     const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 60e-6), sigma = 1e-6;
     // R and D_p that no Gaussian surface has: those of islands
-    check("500 /mm^2", "400 /mm^2", fstiff::parts::gradient_of_islands(sigma, 60e-6, 4e8).middle, 3);
+    check("500 /mm^2", "400 /mm^2", fstiff::detail::gradient_of_islands(sigma, 60e-6, 4e8).middle, 3);
     // unless by r and theta of the surface
     check("fractal_dimension", "r = 0.5\ntheta = 0.8\nfractal_dimension", std::sqrt(2 * 0.5 * sigma * curvature), 2);
     // an isotropic surface of the alpha that rms_gradient makes: one distribution of peaks
     check("fractal_dimension", "rms_gradient = 0.05\nfractal_dimension", 0.05, 2);
     // sigma R D_p = 0.3 is that of an isotropic Gaussian surface: the spectrum of the three numbers
-    const auto moments = fstiff::moments_of_peaks(sigma, 60e-6, 5e9);
+    const auto moments = fstiff::detail::moments_of_peaks(sigma, 60e-6, 5e9);
     REQUIRE(moments.bandwidth() > 1.5);
     check("500 /mm^2", "5000 /mm^2", std::sqrt(2 * moments.m2), 3);
 }

@@ -4,7 +4,7 @@
 #include "support/library.hpp"
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/math/random.hpp>
+#include <fstiff/math/statistics.hpp>
 
 #include <cmath>
 
@@ -53,16 +53,16 @@ TEST_CASE("The inputs that a scene records make the same scene again, for random
     for (int k = 0; k < 12; ++k) {
         const bool fine = k % 2 == 0;
         const auto quantity = [&](double metres) {
-            return fine ? fstiff::parts::shortest_text(metres * 1e9) + " nm"
-                        : fstiff::parts::shortest_text(metres * 1e3) + " mm";
+            return fine ? fstiff::detail::shortest_text(metres * 1e9) + " nm"
+                        : fstiff::detail::shortest_text(metres * 1e3) + " mm";
         };
         std::string text = "name = \"random " + std::to_string(k) + "\"\n[surface]\nrms_height = \"" +
                            quantity(random(1e-7, 3e-6)) + "\"\npeak_radius = \"" + quantity(random(1e-5, 1e-4)) +
-                           "\"\npeak_density = \"" + fstiff::parts::shortest_text(random(100, 1000)) +
-                           " /mm^2\"\nfractal_dimension = " + fstiff::parts::shortest_text(random(1.1, 1.8)) +
+                           "\"\npeak_density = \"" + fstiff::detail::shortest_text(random(100, 1000)) +
+                           " /mm^2\"\nfractal_dimension = " + fstiff::detail::shortest_text(random(1.1, 1.8)) +
                            "\nerrors = { rms_height = \"" + quantity(1e-8) + "\" }\n" + rest +
                            "laws = [\"fractal\", \"greenwood_williamson\"]\nnominal_area = \"" +
-                           fstiff::parts::shortest_text(random(1, 100)) +
+                           fstiff::detail::shortest_text(random(1, 100)) +
                            " mm^2\"\n[uncertainty]\nsamples = 20\nseed = " + std::to_string(k) +
                            "\n[output]\nquantities = [\"stiffness\", \"contacts\"]\n";
         INFO(text);

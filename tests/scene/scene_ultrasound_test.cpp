@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/library.hpp"
 
-#include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/wave/spring_interface.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ TEST_CASE("The reflection of a scene between unlike media is that of the library
                                "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\" }\n"
                                "lower = { impedance = \"17.1 MRayl\" }\n");
     const fstiff::Impedances<double> media{46e6, 17.1e6};
-    CHECK(fstiff::reflection(rows.number(1, "stiffness_Pa_per_m"), media, fstiff::parts::angular_frequency(5e6)) ==
+    CHECK(fstiff::reflection(rows.number(1, "stiffness_Pa_per_m"), media, fstiff::detail::angular_frequency(5e6)) ==
           rows.number(1, "reflection"));
     CHECK(!has(rows, "shear_reflection"));
 }

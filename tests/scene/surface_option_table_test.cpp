@@ -21,7 +21,7 @@
 namespace surface_option_table_test {
 
 namespace scene = fstiff::scene;
-using fstiff::parts::NamedEnum;
+using fstiff::detail::NamedEnum;
 using scene::Amount;
 using scene::SurfaceOptionRow;
 using test::contains;
@@ -48,7 +48,7 @@ struct PutOther {
 template <NamedEnum Enum>
 std::string words() {
     std::string all;
-    for (const std::string_view word : fstiff::parts::choices<Enum>())
+    for (const std::string_view word : fstiff::detail::choices<Enum>())
         all += (all.empty() ? "`\"" : ", `\"") + std::string(word) + "\"`";
     return all;
 }

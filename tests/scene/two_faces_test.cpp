@@ -3,7 +3,7 @@
 #include "support/library.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/topography/shifted_sum.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
                lower = folder.write("lower.txt", map_text(4, 0.6e-6));
     const auto a = fstiff::io::read_surface(std::filesystem::path(upper)).map(),
                b = fstiff::io::read_surface(std::filesystem::path(lower)).map();
-    const auto sum = fstiff::parts::shifted_sum(a, b, 0, 0);
+    const auto sum = fstiff::detail::shifted_sum(a, b, 0, 0);
     std::ostringstream text;
     text.precision(17);
     for (Eigen::Index j = 0; j < sum.rows(); ++j)

@@ -7,7 +7,7 @@
 
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
-#include <fstiff/contact/linear_law.hpp>
+#include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
 #include <algorithm>
@@ -49,9 +49,9 @@ inline std::vector<HalfSpaceRatio> half_space_ratios() {
             };
         };
         const GreenwoodWilliamson<double> one_radius(surface, modulus);
-        const auto moments = parts::moments_of_gradient(surface.rms_height, surfaces.input(i, "rms_gradient"),
-                                                        surfaces.input(i, "alpha"));
-        const auto band = band_of_moments(moments, surfaces.input(i, "hurst"));
+        const auto moments = detail::moments_of_gradient(surface.rms_height, surfaces.input(i, "rms_gradient"),
+                                                         surfaces.input(i, "alpha"));
+        const auto band = detail::band_of_moments(moments, surfaces.input(i, "hurst"));
         const PerssonContact<double> persson(band, modulus);
         const auto hybrid = hybrid_of_band(band, modulus);
         const std::pair<std::string, std::function<double(double)>> laws[] = {
@@ -62,7 +62,7 @@ inline std::vector<HalfSpaceRatio> half_space_ratios() {
             {"fractal_consistent", law(FractalConsistentLaw<double>(dimension))},
             {"greenwood_williamson",
              [&](double p) { return one_radius.at_pressure(p, Quantity::stiffness).stiffness.value; }},
-            {"linear", [&](double p) { return parts::linear_stiffness(p, surface.rms_height); }}};
+            {"linear", [&](double p) { return detail::linear_stiffness(p, surface.rms_height); }}};
         for (const auto& [name, model] : laws)
             for (const auto& [pressure, of_each] : stiffness) {
                 double sum = 0;

@@ -65,9 +65,9 @@ struct PutWord {
         if constexpr (std::is_arithmetic_v<To>)
             to = static_cast<To>(std::stod(word));
         else if constexpr (std::is_enum_v<To>)
-            to = fstiff::parts::find_named<To>(word).value();
+            to = fstiff::detail::find_named<To>(word).value();
         else if constexpr (std::is_same_v<To, std::optional<fstiff::io::X3pIncrement>>)
-            to = fstiff::parts::find_named<fstiff::io::X3pIncrement>(word);
+            to = fstiff::detail::find_named<fstiff::io::X3pIncrement>(word);
         else
             to = word;
         return true;

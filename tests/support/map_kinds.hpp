@@ -4,7 +4,7 @@
 // particles, the sum of two faces, with waves as long as the map, and with a broad spectrum. They repeat themselves
 // over the unit square and have an rms gradient of 0.1. Of twice the size a map has twice the points and twice the
 // waves a side.
-#include <fstiff/math/random.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
@@ -45,7 +45,7 @@ inline Heights gaussian_map(Eigen::Index points, double rolloff, double cut, dou
 /// Removes the overtones above \p cut waves a side, by exp(-(q/cut)^8): the grid then resolves the result of a function
 /// of each height.
 inline Heights without_overtones(Heights z, double cut = 40) {
-    fstiff::parts::LineTransform<double> line(static_cast<std::size_t>(z.rows()), fstiff::Edges::periodic);
+    fstiff::detail::LineTransform<double> line(static_cast<std::size_t>(z.rows()), fstiff::Edges::periodic);
     const auto both = [&](auto&& call) {
         for (int side = 0; side < 2; ++side) {
             for (Eigen::Index j = 0; j < z.rows(); ++j) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A slow integral that takes a root at its lower end: the truth of the two-dimensional kernel in tests and benchmarks.
-#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/math/quadrature.hpp>
 
 #include <cstddef>
 

@@ -2,9 +2,9 @@
 #pragma once
 // J[a,b] by other ways than contact_integral(): in two dimensions, and by the paper's rule.
 
-#include <fstiff/contact/contact_integrals.hpp>
-#include <fstiff/contact/tensor_integrals.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/math/quadrature.hpp>
+#include <fstiff/peaks/contact_integrals.hpp>
+#include <fstiff/peaks/tensor_integrals.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace test {
 /// J[a,b] in two dimensions: the slow twin of contact_integral. \throws domain_error as contact_integral.
 template <fstiff::Real T>
 [[nodiscard]] fstiff::Estimate<T> tensor_integral(T a, T b, const fstiff::PeakDistribution<T>& peaks, T eta,
-                                                  const fstiff::parts::TensorOptions<T>& options = {}) {
+                                                  const fstiff::TensorOptions<T>& options = {}) {
     static_cast<void>(fstiff::detail::one_power(a, b));
     const auto monomial = [a, b](const fstiff::detail::TensorLanes<T>& excess, T t) -> fstiff::detail::TensorLanes<T> {
         const T power_of_t = b == 0 ? T(1) : b == T(-0.5) ? 1 / std::sqrt(t) : 1 / t;
@@ -27,8 +27,8 @@ template <fstiff::Real T>
     };
     const bool even = a != std::floor(a) && b != std::floor(b);
     const fstiff::Estimate<T> scaled =
-        even ? fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::even>(monomial, peaks, eta, options)
-             : fstiff::parts::scaled_tensor_integral<fstiff::parts::Axis::graded>(monomial, peaks, eta, options);
+        even ? fstiff::detail::scaled_tensor_integral<fstiff::Axis::even>(monomial, peaks, eta, options)
+             : fstiff::detail::scaled_tensor_integral<fstiff::Axis::graded>(monomial, peaks, eta, options);
     const T scale = fstiff::math::gaussian((std::max)(eta, T(0)));
     return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};
 }
@@ -58,7 +58,7 @@ T box_rule(T a, T b, const fstiff::PeakDistribution<T>& peaks, T eta) {
 template <fstiff::Real T>
 [[nodiscard]] fstiff::Estimate<T> paper_integral(T a, T b, const fstiff::PeakDistribution<T>& peaks, T eta) {
     static_cast<void>(fstiff::detail::one_power(a, b));
-    fstiff::require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
+    fstiff::detail::require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
     const T value = box_rule<50>(a, b, peaks, eta);
     const T coarse = box_rule<25>(a, b, peaks, eta);
     const T own = std::abs(value - coarse) + (T(2e-10) + 100 * std::numeric_limits<T>::epsilon()) * value;

@@ -18,7 +18,7 @@ using namespace fstiff;
 
 namespace {
 
-parts::MaterialRatio<double> of(const std::vector<double>& z) { return parts::material_ratio<double>(z); }
+detail::MaterialRatio<double> of(const std::vector<double>& z) { return detail::material_ratio<double>(z); }
 
 /// \p z at equal steps of t from 0 to 1.
 template <class Curve>
@@ -80,12 +80,12 @@ TEST_CASE("Core, peaks and valleys are those that numpy finds") {
         CAPTURE(source);
         auto expected = test::roughness_reference(source);
         const bool profile = source[0] == 'p';
-        parts::MaterialRatio<double> found;
+        detail::MaterialRatio<double> found;
         if (profile) {
             found = of(test::reference_profile(source).heights);
         } else {
             const auto map = test::reference_map(source);
-            found = parts::material_ratio<double>({map.heights.data(), static_cast<std::size_t>(map.size())});
+            found = detail::material_ratio<double>({map.heights.data(), static_cast<std::size_t>(map.size())});
         }
         const std::string letter = profile ? "R" : "S";
         CHECK(test::relative_error(found.core_height, expected.at(letter + "k_m")) < 1e-9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values for numbers that a drawing does not give: against the formulae, and against generated surfaces.
-#include <fstiff/measured/measure.hpp>
+#include <fstiff/measure/measure.hpp>
 #include <fstiff/surface/process_prior.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
@@ -54,8 +54,8 @@ double mean_spacing(const Profile<double>& profile) {
 }
 
 TEST_CASE("The gradient of a height alone is that of the process, less certain beyond the heights of the sources") {
-    const parts::ProcessPrior& any = parts::prior_of(parts::Process::unknown);
-    const auto at = [&](double height) { return parts::gradient_of_height(any, height); };
+    const detail::ProcessPrior& any = detail::prior_of(Process::unknown);
+    const auto at = [&](double height) { return detail::gradient_of_height(any, height); };
     CHECK(relative_error(at(1e-6).middle, 0.2) < 1e-14);
     CHECK(relative_error(at(4e-6).high, 1.2) < 1e-14);
     CHECK(relative_error(at(1e-8).middle, 0.02) < 1e-14);
@@ -70,8 +70,8 @@ TEST_CASE("The gradient of a height alone is that of the process, less certain b
             CHECK(gradient < at(height * 1e-6).high);
         }
     CHECK_THROWS_AS(at(0), domain_error);
-    CHECK_THROWS_AS(parts::slope_of_spacing(1e-6, -1e-6), domain_error);
-    CHECK_THROWS_AS(parts::gradient_of_islands(1e-6, 0, 1e9), domain_error);
+    CHECK_THROWS_AS(detail::slope_of_spacing(1e-6, -1e-6), domain_error);
+    CHECK_THROWS_AS(detail::gradient_of_islands(1e-6, 0, 1e9), domain_error);
 }
 
 TEST_CASE("The slope that the mean spacing gives holds that of Gaussian profiles") {
@@ -87,7 +87,7 @@ TEST_CASE("The slope that the mean spacing gives holds that of Gaussian profiles
                                                      static_cast<Eigen::Index>(profile.heights.size()));
             const Eigen::Index inner = z.size() - 1;
             const double slope = std::sqrt((z.tail(inner) - z.head(inner)).square().mean()) / profile.spacing;
-            const parts::PriorRange range = parts::slope_of_spacing(1e-6, mean_spacing(profile));
+            const PriorRange range = detail::slope_of_spacing(1e-6, mean_spacing(profile));
             INFO(longest << " " << shortest << " " << hurst << ": " << slope << " of " << range.low << " to "
                          << range.high);
             CHECK(slope > range.low);
@@ -101,8 +101,8 @@ TEST_CASE("The gradient that islands give is that of Gaussian maps") {
             {.hurst = hurst, .rms = 1e-6, .longest_wavelength = longest, .shortest_wavelength = shortest, .seed = 2},
             256, 256, 1e-6, 1e-6);
         const Surface<double> surface = measure(map);
-        const parts::PriorRange range =
-            parts::gradient_of_islands(surface.rms_height.value, surface.peak_radius.value, surface.peak_density.value);
+        const PriorRange range = detail::gradient_of_islands(surface.rms_height.value, surface.peak_radius.value,
+                                                             surface.peak_density.value);
         INFO(hurst << ": " << surface.rms_gradient.value << " of " << range.low << " to " << range.high);
         CHECK(relative_error(range.middle, surface.rms_gradient.value) < 0.15);
         CHECK(surface.rms_gradient.value > range.low);
@@ -111,8 +111,8 @@ TEST_CASE("The gradient that islands give is that of Gaussian maps") {
 }
 
 TEST_CASE("A profile across a lay gives the gradient to the root of two") {
-    const parts::PriorRange isotropic = parts::gradient_of_slope(parts::prior_of(parts::Process::blasted)),
-                            lay = parts::gradient_of_slope(parts::prior_of(parts::Process::turned));
+    const PriorRange isotropic = detail::gradient_of_slope(detail::prior_of(Process::blasted)),
+                     lay = detail::gradient_of_slope(detail::prior_of(Process::turned));
     CHECK((isotropic.low == isotropic.high && relative_error(isotropic.middle, std::sqrt(2.0)) < 1e-15));
     CHECK((lay.low == 1 && lay.high == isotropic.high));
     CHECK(relative_error(lay.middle * lay.middle, lay.high) < 1e-15);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/surface/structure_constant.hpp>
+#include <fstiff/surface/fractal.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -14,9 +14,9 @@ using namespace fstiff;
 TEMPLATE_TEST_CASE("At D = 1.5 the constant is pi as printed and pi^2 / ln gamma as exact", "", float, double) {
     using T = TestType;
     constexpr T pi = std::numbers::pi_v<T>;
-    CHECK(test::ulps(parts::structure_constant(T(1.5), parts::StructureConvention::paper), pi) <= 20);
-    CHECK(test::ulps(parts::structure_constant(T(1.5)), pi * pi / std::log(T(1.5))) <= 20);
-    CHECK(test::ulps(parts::structure_constant(T(1.5), parts::StructureConvention::majumdar_tien),
+    CHECK(test::ulps(detail::structure_constant(T(1.5), StructureConvention::paper), pi) <= 20);
+    CHECK(test::ulps(detail::structure_constant(T(1.5)), pi * pi / std::log(T(1.5))) <= 20);
+    CHECK(test::ulps(detail::structure_constant(T(1.5), StructureConvention::majumdar_tien),
                      pi / (2 * std::log(T(1.5)))) <= 20);
 }
 
@@ -27,12 +27,12 @@ TEST_CASE("Away from D = 1.5 the regular form equals the printed Gamma(2D-3) sin
         const long double x = 2 * static_cast<long double>(d) - 3;
         const long double pi = std::acos(-1.0L);
         const long double g = std::tgamma(x) * std::sin(x * pi / 2), gamma = 1.5L;
-        CHECK(test::ulps<long double>(parts::structure_constant(d, parts::StructureConvention::paper),
+        CHECK(test::ulps<long double>(detail::structure_constant(d, StructureConvention::paper),
                                       g / (2 - static_cast<long double>(d))) <=
               20 * std::numeric_limits<double>::epsilon() /
                   std::numeric_limits<long double>::epsilon());  // ulp of long double: 2048 to one of double
         const long double exact = std::pow(2 * pi, 1 - x) * g / ((1 - x) * std::log(gamma));
-        CHECK(test::ulps<long double>(parts::structure_constant(d), exact) <=
+        CHECK(test::ulps<long double>(detail::structure_constant(d), exact) <=
               20 * std::numeric_limits<double>::epsilon() / std::numeric_limits<long double>::epsilon());
     }
 }
@@ -40,7 +40,7 @@ TEST_CASE("Away from D = 1.5 the regular form equals the printed Gamma(2D-3) sin
 TEST_CASE("The printed constant is low by the factors that the errata name") {
     // theory: (2 pi)^(4-2D) / (2 ln gamma) = 5.77, 4.98, 3.71 at D = 1.58, 1.62, 1.70, printed with three digits
     const auto ratio = [](double d) {
-        return parts::structure_constant(d) / parts::structure_constant(d, parts::StructureConvention::paper);
+        return detail::structure_constant(d) / detail::structure_constant(d, StructureConvention::paper);
     };
     CHECK(std::abs(ratio(1.58) - 5.77) < 0.006);
     CHECK(std::abs(ratio(1.62) - 4.98) < 0.006);
@@ -54,39 +54,39 @@ TEST_CASE("The printed constant is low by the factors that the errata name") {
 
 TEMPLATE_TEST_CASE("G inverted from its own structure function comes back in every convention", "", float, double) {
     using T = TestType;
-    for (const auto convention : {parts::StructureConvention::exact, parts::StructureConvention::paper,
-                                  parts::StructureConvention::majumdar_tien})
+    for (const auto convention :
+         {StructureConvention::exact, StructureConvention::paper, StructureConvention::majumdar_tien})
         for (const T d : {T(1.2), T(1.5), T(1.62), T(1.8)}) {
             const Fractal<T> fractal{d, T(1.2e-8)};
-            const T s = parts::structure_function_at(T(3e-6), fractal, convention);
+            const T s = detail::structure_function_at(T(3e-6), fractal, convention);
             // the 1/(2D-2) th power, up to 2.5, of a value known to some ulp
-            CHECK(test::ulps(parts::fractal_roughness(d, T(3e-6), s, convention), fractal.roughness) <= 100);
+            CHECK(test::ulps(detail::fractal_roughness(d, T(3e-6), s, convention), fractal.roughness) <= 100);
         }
 }
 
 TEST_CASE("The power law of S scales with the unit of length") {
     for (const double unit : {1e-9, 1e9}) {
-        const double s = parts::structure_function_at(3e-6, Fractal<double>{1.62, 1.2e-8});
-        const double scaled = parts::structure_function_at(3e-6 * unit, Fractal<double>{1.62, 1.2e-8 * unit});
+        const double s = detail::structure_function_at(3e-6, Fractal<double>{1.62, 1.2e-8});
+        const double scaled = detail::structure_function_at(3e-6 * unit, Fractal<double>{1.62, 1.2e-8 * unit});
         CHECK(test::ulps(scaled, s * unit * unit) <= 20);
-        CHECK(test::relative_error(parts::fractal_roughness(1.62, 3e-6 * unit, scaled), 1.2e-8 * unit) <= 1e-14);
+        CHECK(test::relative_error(detail::fractal_roughness(1.62, 3e-6 * unit, scaled), 1.2e-8 * unit) <= 1e-14);
     }
 }
 
 TEST_CASE("Arguments out of range are refused by name and value") {
     for (const double d : {1.0, 2.0, 0.5, 3.0, std::numeric_limits<double>::quiet_NaN()}) {
-        const std::string refusal = test::refusal([&] { (void)parts::structure_constant(d); });
+        const std::string refusal = test::refusal([&] { (void)detail::structure_constant(d); });
         CHECK(refusal.find("fractal_dimension = ") != std::string::npos);
     }
     CHECK(test::refusal([] {
-              (void)parts::structure_constant(1.5, parts::StructureConvention::exact, 1.0);
+              (void)detail::structure_constant(1.5, StructureConvention::exact, 1.0);
           }).find("gamma = 1") != std::string::npos);
-    CHECK(test::refusal([] { (void)parts::fractal_roughness(1.5, 0.0, 1.0); }).find("lag = 0") != std::string::npos);
-    CHECK(test::refusal([] { (void)parts::fractal_roughness(1.5, 1.0, -1.0); }).find("structure_function = -1") !=
+    CHECK(test::refusal([] { (void)detail::fractal_roughness(1.5, 0.0, 1.0); }).find("lag = 0") != std::string::npos);
+    CHECK(test::refusal([] { (void)detail::fractal_roughness(1.5, 1.0, -1.0); }).find("structure_function = -1") !=
           std::string::npos);
     // G = 10^-4500: no number
-    CHECK_FALSE(test::refusal([] { (void)parts::fractal_roughness(1.001, 1e-6, 1e-21); }).empty());
-    CHECK(parts::log_fractal_roughness(1.001, 1e-6, 1e-21) < -1000);
+    CHECK_FALSE(test::refusal([] { (void)detail::fractal_roughness(1.001, 1e-6, 1e-21); }).empty());
+    CHECK(detail::log_fractal_roughness(1.001, 1e-6, 1e-21) < -1000);
 }
 
 }  // namespace structure_constant_test

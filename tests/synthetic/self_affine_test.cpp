@@ -24,10 +24,10 @@ long double slow(const Options& o, int columns, int rows, double dx, double dy, 
                               qy = rows > 1 ? ky / (static_cast<long double>(rows) * dy) : 0.0L;
             const long double q = std::sqrt(qx * qx + qy * qy);
             if (q > 1.0000000001L / o.shortest_wavelength) continue;
-            if (q < 0.9999999999L / o.longest_wavelength && o.long_waves == parts::LongWaves::none) continue;
+            if (q < 0.9999999999L / o.longest_wavelength && o.long_waves == LongWaves::none) continue;
             const long double w = std::pow(std::max(q, 1 / static_cast<long double>(o.longest_wavelength)),
                                            -2.0L * o.hurst - (rows > 1 ? 2 : 1));
-            const std::complex<double> pair = parts::normals_of_wave<double>(o.seed, kx, ky);
+            const std::complex<double> pair = detail::normals_of_wave<double>(o.seed, kx, ky);
             const long double turn =
                 static_cast<long double>(kx) * i / columns + static_cast<long double>(ky) * j / rows;
             const long double angle = 2 * std::acos(-1.0L) * (turn - std::floor(turn));
@@ -46,7 +46,7 @@ double mean_square(const std::vector<double>& z) {
 }  // namespace
 
 TEST_CASE("A self-affine surface is the sum of its waves") {
-    const parts::LongWaves long_waves = GENERATE(parts::LongWaves::plateau, parts::LongWaves::none);
+    const LongWaves long_waves = GENERATE(LongWaves::plateau, LongWaves::none);
     const Options o{.hurst = 0.7,
                     .rms = 2e-7,
                     .longest_wavelength = 3e-5,
@@ -173,7 +173,7 @@ TEST_CASE("The seed gives the same bits everywhere") {
     std::uint64_t state = 1;
     state = math::splitmix64(state) ^ (std::uint64_t(3) << 32 | std::uint64_t(0xFFFFFFFE));
     CHECK(math::splitmix64(state) == 0x4EC2E1AE649E791BULL);
-    const auto pair = parts::normals_of_wave<double>(1, -2, 3);
+    const auto pair = detail::normals_of_wave<double>(1, -2, 3);
     CHECK(test::ulps(pair.real(), -1.4099665609266887) <= 8);  // of the local log, sqrt, cos
     CHECK(test::ulps(pair.imag(), -0.6078706945355489) <= 8);
 }
@@ -199,7 +199,7 @@ TEST_CASE("Parameters out of range are named") {
     // no whole wave of a period of 64 um lies between 60 and 50 um
     says(
         [](Options& o) {
-            o.long_waves = parts::LongWaves::none;
+            o.long_waves = LongWaves::none;
             o.longest_wavelength = 60e-6;
             o.shortest_wavelength = 50e-6;
         },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/surface/structure_constant.hpp>
+#include <fstiff/surface/fractal.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"
@@ -31,8 +31,7 @@ TEMPLATE_TEST_CASE("A profile of zero phases is the sum (2.1)", "", float, doubl
     using T = TestType;
     const T longest = T(1e-3), shortest = longest * std::pow(T(1.5), T(-20));
     const WeierstrassMandelbrot<T> wm(
-        {T(1.62), T(1.2e-8)},
-        {.longest_wavelength = longest, .shortest_wavelength = shortest, .phases = detail::Phases::zero});
+        {T(1.62), T(1.2e-8)}, {.longest_wavelength = longest, .shortest_wavelength = shortest, .phases = Phases::zero});
     REQUIRE(wm.terms() == 21);
     const T spacing = T(1.7e-7);
     const auto heights = wm.sample(5000, spacing).heights;
@@ -51,7 +50,7 @@ TEMPLATE_TEST_CASE("A profile of zero phases is the sum (2.1)", "", float, doubl
 
 TEST_CASE("Phases do not drift over 2^16 points") {
     const WeierstrassMandelbrot<double> wm(
-        {1.5, 1e-9}, {.longest_wavelength = 1e-2, .shortest_wavelength = 2e-7, .phases = detail::Phases::zero});
+        {1.5, 1e-9}, {.longest_wavelength = 1e-2, .shortest_wavelength = 2e-7, .phases = Phases::zero});
     const auto heights = wm.sample(65536, 1e-7).heights;
     const int terms = static_cast<int>(wm.terms());
     double worst = 0;
@@ -88,7 +87,7 @@ TEST_CASE("The mean structure function follows the exact constant over a log-per
         double mean = 0, highest = 0, lowest = 10;
         for (int k = 0; k < steps; ++k) {
             const double lag = 1e-6 * std::pow(1.5, k / static_cast<double>(steps));
-            const double ratio = wm.structure_function(lag) / parts::structure_function_at(lag, fractal);
+            const double ratio = wm.structure_function(lag) / detail::structure_function_at(lag, fractal);
             mean += ratio / steps;
             highest = std::max(highest, ratio);
             lowest = std::min(lowest, ratio);
@@ -122,7 +121,7 @@ TEST_CASE("The profile does not depend on the unit of length") {
 }
 
 TEST_CASE("A generator out of range is refused by name and value") {
-    const auto refusal = [](Fractal<double> fractal, detail::WeierstrassMandelbrotOptions<double> options) {
+    const auto refusal = [](Fractal<double> fractal, WeierstrassMandelbrotOptions<double> options) {
         return test::refusal([&] { WeierstrassMandelbrot<double> wm(fractal, options); });
     };
     CHECK(refusal({2.0, 1e-9}, {.longest_wavelength = 1, .shortest_wavelength = 1}).find("fractal_dimension = 2") !=

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spikes are alone: rims, walls, ridges and bumps of clean kinds are none, and added spikes are found.
-#include <fstiff/profile/repair.hpp>
-#include <fstiff/topography/repair.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/topography/form.hpp>
 
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
@@ -58,7 +58,7 @@ std::vector<Named> clean_kinds() {
     return all;
 }
 
-std::size_t spikes(HeightMap<double> map, double limit) { return parts::find_spikes(map, limit, false).removed; }
+std::size_t spikes(HeightMap<double> map, double limit) { return detail::find_spikes(map, limit, false).removed; }
 
 }  // namespace
 
@@ -87,7 +87,7 @@ TEST_CASE("Spikes that were added to maps of many kinds are found, alone and fou
                     }
                 std::size_t before = 0;
                 const HeightMap<double> spiked = map;
-                const std::size_t found = parts::find_spikes(map, 20).removed;
+                const std::size_t found = detail::find_spikes(map, 20).removed;
                 for (Eigen::Index k = 0; k < map.size(); ++k)
                     before +=
                         std::isnan(map.heights.data()[k]) && spiked.heights.data()[k] != one.map.heights.data()[k];
@@ -120,10 +120,10 @@ TEST_CASE("A wall, a cusp and a bump of a profile are no spikes, and a point or 
         made(0.01, [](double x) { return std::sqrt(std::max(0.0, 900.0 * 900 - (x - 1000) * (x - 1000))); })};
     for (const double hurst : {0.2, 0.5, 0.8}) clean.push_back({test::fractional_brownian(2000, hurst, 5), 1e-6});
     for (Profile<double>& profile : clean) {
-        CHECK(parts::find_spikes(profile, 30, false).removed == 0);
+        CHECK(detail::find_spikes(profile, 30, false).removed == 0);
         const double high = 20 * rms_height(profile);
         for (const std::size_t at : {300u, 650u, 1550u, 1551u}) profile.heights[at] += at == 650 ? -high : high;
-        CHECK(parts::find_spikes(profile, 20).removed == 4);
+        CHECK(detail::find_spikes(profile, 20).removed == 4);
         CHECK(std::isnan(profile.heights[300]));
         CHECK(std::isnan(profile.heights[1551]));
     }

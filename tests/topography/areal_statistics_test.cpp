@@ -29,7 +29,7 @@ HeightMap<double> gaussian(std::size_t columns, std::size_t rows, double shortes
 }
 
 /// Largest relative difference of two results; lengths of \p b in another unit.
-double difference(const parts::ArealStatistics<double>& a, const parts::ArealStatistics<double>& b, double unit = 1) {
+double difference(const ArealStatistics<double>& a, const ArealStatistics<double>& b, double unit = 1) {
     double worst = a.summits == b.summits && a.inner == b.inner ? 0 : HUGE_VAL;
     const auto compare = [&](double x, double y) { worst = std::max(worst, test::relative_error(y, x)); };
     compare(a.rms_height * unit, b.rms_height);
@@ -55,7 +55,7 @@ TEST_CASE("Cosines have the summits and curvatures of the closed form") {
         for (Eigen::Index i = 0; i < map.columns(); ++i)
             map.heights(j, i) = height * std::cos(pi2 * static_cast<double>(i % 20) / 20) *
                                 std::cos(pi2 * static_cast<double>(j % 16) / 16);
-    const auto s = parts::areal_statistics(map);
+    const auto s = detail::areal_statistics(map);
     // crests of both cosines inside the border, 5 x 7, and troughs of both, 6 x 8
     CHECK(s.summits == 5 * 7 + 6 * 8);
     CHECK(s.inner == 119 * 127);
@@ -90,7 +90,7 @@ TEST_CASE("A paraboloid has the moments of the closed form, m4 and Nayak's alpha
     const double a = p * dx * dx / 2, b = q * dy * dy / 2;
     const double m0 = a * a * 12 + b * b * 308 / 9, m4 = (p * p + q * q) / 2;
     const double m2 = (p * p * dx * dx * 35 / 12 + q * q * dy * dy * 21 / 4) / 2;
-    const auto s = parts::areal_statistics(map);
+    const auto s = detail::areal_statistics(map);
     CHECK(test::relative_error(s.m0, m0) <= 1e-13);
     CHECK(test::relative_error(s.m2, m2) <= 1e-13);
     CHECK(test::relative_error(s.m4_x, p * p) <= 1e-13);
@@ -103,7 +103,7 @@ TEST_CASE("A paraboloid has the moments of the closed form, m4 and Nayak's alpha
 TEST_CASE("Slopes along x are the structure functions of the rows, whatever is missing") {
     auto map = gaussian(80, 60, 6e-6, 3);
     for (Eigen::Index k = 0; k < map.size(); k += 7 + k % 5) map.heights.data()[k] = missing;
-    const auto s = parts::areal_statistics(map);
+    const auto s = detail::areal_statistics(map);
     long double sum = 0, pairs = 0;
     for (Eigen::Index j = 0; j < map.rows(); ++j) {
         const Profile<double> row{{map.heights.row(j).begin(), map.heights.row(j).end()}, map.dx};
@@ -134,10 +134,10 @@ TEST_CASE("A Gaussian map has the summits of Longuet-Higgins and Nayak") {
         }
     m2 *= 1e-12 / m0;
     m4 *= 1e-12 / m0;
-    parts::ArealStatistics<double> mean{};
+    ArealStatistics<double> mean{};
     constexpr int seeds = 6;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const auto s = parts::areal_statistics(gaussian(n, n, shortest, seed));
+        const auto s = detail::areal_statistics(gaussian(n, n, shortest, seed));
         mean.m0 += s.m0 / seeds;
         mean.m2 += s.m2 / seeds;
         mean.m4 += s.m4 / seeds;
@@ -164,26 +164,26 @@ TEST_CASE("A Gaussian map has the summits of Longuet-Higgins and Nayak") {
 TEST_CASE("A map turned, lifted or in another unit has the same statistics") {
     auto map = gaussian(90, 70, 8e-6, 4);
     map.dy = 1.7e-6;
-    const auto here = parts::areal_statistics(map);
-    const auto turned = parts::areal_statistics(HeightMap<double>{map.heights.transpose(), map.dy, map.dx});
+    const auto here = detail::areal_statistics(map);
+    const auto turned = detail::areal_statistics(HeightMap<double>{map.heights.transpose(), map.dy, map.dx});
     CHECK(difference(here, turned) <= 1e-13);
     CHECK(test::relative_error(turned.m2_x, here.m2_y) <= 1e-13);
     CHECK(test::relative_error(turned.m4_y, here.m4_x) <= 1e-13);
     for (const double unit : {1e9, 1e-9})
         CHECK(difference(here,
-                         parts::areal_statistics(HeightMap<double>{map.heights * unit, map.dx * unit, map.dy * unit}),
+                         detail::areal_statistics(HeightMap<double>{map.heights * unit, map.dx * unit, map.dy * unit}),
                          unit) <= 1e-12);
     // rounded to what an offset of 1e6 times the roughness leaves, so that the lift itself loses nothing
     const HeightMap<double> rounded{(map.heights * 0x1p50).round() * 0x1p-50, map.dx, map.dy};
-    CHECK(difference(parts::areal_statistics(rounded),
-                     parts::areal_statistics(HeightMap<double>{rounded.heights + 1.0, map.dx, map.dy})) <= 1e-13);
+    CHECK(difference(detail::areal_statistics(rounded),
+                     detail::areal_statistics(HeightMap<double>{rounded.heights + 1.0, map.dx, map.dy})) <= 1e-13);
 }
 
 TEST_CASE("A map in float has the same statistics") {
     const auto map = gaussian(60, 50, 8e-6, 5);
     const auto narrow = map.heights.cast<float>().eval();
-    const auto s = parts::areal_statistics(HeightMap<float>{narrow, 1e-6f, 1e-6f});
-    const auto truth = parts::areal_statistics(HeightMap<double>{narrow.cast<double>(), double(1e-6f), double(1e-6f)});
+    const auto s = detail::areal_statistics(HeightMap<float>{narrow, 1e-6f, 1e-6f});
+    const auto truth = detail::areal_statistics(HeightMap<double>{narrow.cast<double>(), double(1e-6f), double(1e-6f)});
     const double allowed = 10.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
     CHECK(test::relative_error(static_cast<double>(s.m4), truth.m4) <= allowed);
     CHECK(test::relative_error(static_cast<double>(s.rms_height), truth.rms_height) <= allowed);
@@ -196,12 +196,12 @@ TEST_CASE("Points at the border next to missing ones and on plateaus are no summ
     map.heights(0, 0) = map.heights(3, 0) = 5;  // at the border
     map.heights(2, 3) = 3;                      // a summit
     map.heights(5, 6) = map.heights(5, 7) = 2;  // a plateau
-    const auto s = parts::areal_statistics(map);
+    const auto s = detail::areal_statistics(map);
     CHECK(s.summits == 1);
     CHECK(s.inner == 5 * 7);
     CHECK(s.summit_curvature == 6);  // (2 * 3 + 2 * 3)/2
     map.heights(1, 2) = missing;
-    const auto holed = parts::areal_statistics(map);
+    const auto holed = detail::areal_statistics(map);
     CHECK(holed.summits == 0);
     CHECK(holed.summit_density == 0);
     CHECK(holed.summit_curvature == 0);
@@ -210,7 +210,7 @@ TEST_CASE("Points at the border next to missing ones and on plateaus are no summ
 
 TEST_CASE("Maps that have no statistics are refused") {
     const auto says = [](const HeightMap<double>& map) {
-        return test::refusal([&] { (void)parts::areal_statistics(map); });
+        return test::refusal([&] { (void)detail::areal_statistics(map); });
     };
     HeightMap<double> map{HeightMap<double>::Array::Zero(8, 8), 1e-6, 1e-6};
     CHECK(says(map).find("map of constant height") == 0);
@@ -248,7 +248,7 @@ TEST_CASE("Sines have the mean square curvature of the second difference, exactl
         m4_x += std::pow(wave.amplitude * bend(k, dx), 2) / 2;
         m4_y += std::pow(wave.amplitude * bend(l, dy), 2) / 2;
     }
-    const auto found = parts::areal_statistics(map);
+    const auto found = detail::areal_statistics(map);
     CHECK(test::relative_error(found.m4_x, m4_x) <= 1e-13);
     CHECK(test::relative_error(found.m4_y, m4_y) <= 1e-13);
     CHECK(test::relative_error(found.m4, (m4_x + m4_y) / 2) <= 1e-13);

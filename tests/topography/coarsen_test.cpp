@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: block means.
-#include <fstiff/topography/coarsen.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -14,7 +14,7 @@ TEST_CASE("whole ratios are block means") {
     map.dx = 1e-6;
     map.dy = 2e-6;
     map.heights = Eigen::ArrayXXd::Random(12, 20);
-    const auto coarse = parts::coarsened(map, 5, 4);
+    const auto coarse = detail::coarsened(map, 5, 4);
     CHECK(test::ulps(coarse.dx, 4e-6) <= 1);
     CHECK(test::ulps(coarse.dy, 6e-6) <= 1);
     for (Eigen::Index j = 0; j < 4; ++j)
@@ -26,7 +26,7 @@ TEST_CASE("any ratio is the mean over the area: each cell first cut into as many
     HeightMap<double> map;
     map.dx = map.dy = 1;
     map.heights = Eigen::ArrayXXd::Random(23, 37);
-    const auto coarse = parts::coarsened(map, 10);
+    const auto coarse = detail::coarsened(map, 10);
     REQUIRE(coarse.columns() == 10);
     REQUIRE(coarse.rows() == 6);
     CHECK(test::relative_error(coarse.area(), map.area()) < 1e-15);
@@ -38,18 +38,18 @@ TEST_CASE("any ratio is the mean over the area: each cell first cut into as many
                 for (Eigen::Index x = 37 * i; x < 37 * (i + 1); ++x) sum += map.heights(y / 6, x / 10);
             CHECK(std::abs(coarse.heights(j, i) - sum / (23 * 37)) < 1e-14);
         }
-    CHECK((parts::coarsened(map, 40).heights == map.heights).all());
+    CHECK((detail::coarsened(map, 40).heights == map.heights).all());
 }
 
 TEST_CASE("maps that cannot be made coarser are refused") {
     HeightMap<double> map;
     map.dx = map.dy = 1;
     map.heights = Eigen::ArrayXXd::Random(5, 5);
-    CHECK(test::refusal([&] { (void)parts::coarsened(map, 6, 5); }).find("columns") == 0);
-    CHECK(test::refusal([&] { (void)parts::coarsened(map, 5, 0); }).find("rows") == 0);
-    CHECK(test::refusal([&] { (void)parts::coarsened(map, 0); }).find("points") == 0);
+    CHECK(test::refusal([&] { (void)detail::coarsened(map, 6, 5); }).find("columns") == 0);
+    CHECK(test::refusal([&] { (void)detail::coarsened(map, 5, 0); }).find("rows") == 0);
+    CHECK(test::refusal([&] { (void)detail::coarsened(map, 0); }).find("points") == 0);
     map.heights(2, 2) = std::nan("");
-    CHECK(test::refusal([&] { (void)parts::coarsened(map, 2, 2); }).find("1 missing points") != std::string::npos);
+    CHECK(test::refusal([&] { (void)detail::coarsened(map, 2, 2); }).find("1 missing points") != std::string::npos);
 }
 
 }  // namespace coarsen_test

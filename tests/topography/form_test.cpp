@@ -84,7 +84,7 @@ TEST_CASE("The residual of a form is that of slow least squares, offset and tilt
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 map.heights(j, i) += size * (1 + 0.02 * static_cast<double>(i) - 0.03 * static_cast<double>(j));
         const double largest = map.heights.isNaN().select(0.0, map.heights).abs().maxCoeff();
-        const double error = difference(parts::remove_form(map, static_cast<MapForm>(degree)), slow(map, degree));
+        const double error = difference(detail::remove_form(map, static_cast<MapForm>(degree)), slow(map, degree));
         CAPTURE(degree, holes, size, error / largest);
         CHECK(error <= 1e-15 * largest);  // the rounding of a few subtractions from the largest height
     }
@@ -104,22 +104,22 @@ TEST_CASE("An added form is removed and the residual does not depend on it") {
             if (degree >= 3) z += x * x * x + 2 * x * y * y - x * x * y;
             shaped.heights(j, i) += 1e-4 * z;
         }
-    const auto flat = parts::remove_form(map, form);
-    CHECK(difference(parts::remove_form(shaped, form), flat) <= 1e-15 * 5e-4);
-    CHECK(difference(parts::remove_form(flat, form), flat) <= 1e-15 * 1e-7);
-    CHECK(difference(parts::remove_form(map, MapForm::none), map) == 0);
+    const auto flat = detail::remove_form(map, form);
+    CHECK(difference(detail::remove_form(shaped, form), flat) <= 1e-15 * 5e-4);
+    CHECK(difference(detail::remove_form(flat, form), flat) <= 1e-15 * 1e-7);
+    CHECK(difference(detail::remove_form(map, MapForm::none), map) == 0);
 }
 
 TEST_CASE("A map turned or in another unit leaves the same residual") {
     const MapForm form = GENERATE(MapForm::plane, MapForm::quadratic, MapForm::cubic);
     const auto map = some_map(33, 48, true);
-    const auto flat = parts::remove_form(map, form);
+    const auto flat = detail::remove_form(map, form);
     const HeightMap<double> turned{map.heights.transpose(), map.dy, map.dx};
-    const HeightMap<double> back{parts::remove_form(turned, form).heights.transpose(), map.dx, map.dy};
+    const HeightMap<double> back{detail::remove_form(turned, form).heights.transpose(), map.dx, map.dy};
     CHECK(difference(back, flat) <= 1e-15 * 1e-7);
     for (const double unit : {1e9, 1e-9, 0x1p900, 0x1p-990}) {
         const HeightMap<double> scaled{map.heights * unit, map.dx, map.dy};
-        const HeightMap<double> there{parts::remove_form(scaled, form).heights / unit, map.dx, map.dy};
+        const HeightMap<double> there{detail::remove_form(scaled, form).heights / unit, map.dx, map.dy};
         CHECK(difference(there, flat) <= 1e-15 * 1e-7);
     }
 }
@@ -129,7 +129,7 @@ TEST_CASE("A map in float keeps the rounding of float") {
     for (Eigen::Index j = 0; j < 40; ++j)
         for (Eigen::Index i = 0; i < 40; ++i) map.heights(j, i) += 1e-6 * static_cast<double>(i - j);
     const HeightMap<float> narrow{map.heights.cast<float>(), 1e-6f, 2e-6f};
-    const auto flat = parts::remove_form(narrow, MapForm::plane);
+    const auto flat = detail::remove_form(narrow, MapForm::plane);
     const HeightMap<double> again{narrow.heights.cast<double>(), 1e-6, 2e-6};
     const auto truth = slow(again, 1);
     // the residual is rounded once, and the truth is as good as double
@@ -140,7 +140,7 @@ TEST_CASE("A map in float keeps the rounding of float") {
 TEST_CASE("A form that the points do not determine is refused") {
     HeightMap<double> map{HeightMap<double>::Array::Constant(20, 20, missing), 1e-6, 1e-6};
     for (Eigen::Index i = 0; i < 20; ++i) map.heights(7, i) = 1e-7 * rough(i);
-    const auto says = [&](MapForm form) { return test::refusal([&] { (void)parts::remove_form(map, form); }); };
+    const auto says = [&](MapForm form) { return test::refusal([&] { (void)detail::remove_form(map, form); }); };
     CHECK(says(MapForm::mean).empty());
     CHECK(says(MapForm::plane).find("map whose points determine 2 of the 3 terms") == 0);
     for (Eigen::Index i = 0; i < 20; ++i) map.heights(8, i) = 1e-7 * rough(i + 50);
@@ -169,10 +169,10 @@ TEST_CASE("A map that is its own form is refused as a constant one is, whatever 
                                                               : x * x * y - y * y * y + x);
                 }
             map.heights(0, 0) *= 1 - 1e-15;  // so that the mean is not a constant before
-            CHECK(test::refusal([&] { (void)parts::level(map, form); }).find("map of constant height once its form") ==
+            CHECK(test::refusal([&] { (void)detail::level(map, form); }).find("map of constant height once its form") ==
                   0);
             map.heights(30, 30) += 1e-9 * unit;
-            CHECK_NOTHROW(parts::level(map, form));
+            CHECK_NOTHROW(detail::level(map, form));
         }
 }
 

@@ -48,8 +48,8 @@ TEST_CASE("Every point of a filtered map, edges and rims of gaps too, is the wei
     for (const bool holes : {false, true}) {
         const auto map = some_map(48, 27, holes);
         for (const double cutoff : {3e-6, 8e-6, 40e-6}) {
-            const auto low = parts::gaussian_low_pass(map, cutoff);
-            const auto high = parts::gaussian_high_pass(map, cutoff);
+            const auto low = detail::gaussian_low_pass(map, cutoff);
+            const auto high = detail::gaussian_high_pass(map, cutoff);
             CHECK(low.dx == map.dx);
             CHECK(low.dy == map.dy);
             for (Eigen::Index j = 0; j < map.rows(); ++j)
@@ -76,7 +76,7 @@ TEST_CASE("A wave of a map passes by the closed form in any direction, half of i
                                                          std::sin(angle) * static_cast<double>(j - 100)));
             CAPTURE(angle, length);
             // the crest in the middle, farther from the edges than the weights reach
-            CHECK(std::abs(parts::gaussian_low_pass(map, 20e-6).heights(100, 150) / 2e-9 -
+            CHECK(std::abs(detail::gaussian_low_pass(map, 20e-6).heights(100, 150) / 2e-9 -
                            std::exp(-std::numbers::ln2 * std::pow(20 / length, 2))) < 1e-12);
         }
     }
@@ -84,12 +84,12 @@ TEST_CASE("A wave of a map passes by the closed form in any direction, half of i
 
 TEST_CASE("A high map is filtered as one at zero, in any unit and scalar") {
     const auto map = some_map(30, 20, true);
-    const auto plain = parts::gaussian_low_pass(map, 6e-6);
+    const auto plain = detail::gaussian_low_pass(map, 6e-6);
     auto raised = map;
     raised.heights += 1e-3;
-    const auto low = parts::gaussian_low_pass(raised, 6e-6);
+    const auto low = detail::gaussian_low_pass(raised, 6e-6);
     HeightMap<float> narrow{map.heights.cast<float>(), 1e-6F, 1.5e-6F};
-    const auto rough = parts::gaussian_low_pass(narrow, 6e-6F);
+    const auto rough = detail::gaussian_low_pass(narrow, 6e-6F);
     for (Eigen::Index k = 0; k < map.size(); ++k) {
         if (std::isnan(map.heights.data()[k])) continue;
         REQUIRE(std::abs(low.heights.data()[k] - 1e-3 - plain.heights.data()[k]) < 1e-18);
@@ -100,14 +100,14 @@ TEST_CASE("A high map is filtered as one at zero, in any unit and scalar") {
 TEST_CASE("Cut-offs of a map below two steps of its coarser side or beyond its shorter one are refused") {
     const auto map = some_map(48, 27, false);  // 48 um x 40.5 um, steps of 1 um and 1.5 um
     const auto refusal = [&](double cutoff) {
-        return test::refusal([&] { (void)parts::gaussian_low_pass(map, cutoff); });
+        return test::refusal([&] { (void)detail::gaussian_low_pass(map, cutoff); });
     };
     CHECK(refusal(2.9e-6).find("cut-off") == 0);
     CHECK(refusal(3e-6).empty());
     CHECK(refusal(40.4e-6).empty());
     CHECK(refusal(41e-6).find("cut-off") == 0);
     CHECK(refusal(missing).find("cut-off") == 0);
-    CHECK_FALSE(test::refusal([&] { (void)parts::gaussian_high_pass(map, 2.9e-6); }).empty());
+    CHECK_FALSE(test::refusal([&] { (void)detail::gaussian_high_pass(map, 2.9e-6); }).empty());
 }
 
 }  // namespace gaussian_map_filter_test

@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("The height of a rank is that of the sorted heights", "", flo
         CAPTURE(static_cast<int>(kind));
         const auto map = map_of<T>(kind, 37, 41, 5);
         const auto sorted = from_the_highest(map);
-        const auto range = parts::height_range(map);
+        const auto range = detail::height_range(map);
         std::vector<std::size_t> all(sorted.size()), some{0, 0, 7, 8, 500, sorted.size() - 1};
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
         CHECK(detail::heights_of_ranks(map, range, all) == sorted);
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE("The band of a point is the number of levels not below it", "
         }
         std::sort(levels.begin(), levels.end(), std::greater<>());
         levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-        const auto bands = detail::level_bands(map, parts::height_range(map), levels);
+        const auto bands = detail::level_bands(map, detail::height_range(map), levels);
         REQUIRE(bands.size() == static_cast<std::size_t>(map.size()));
         for (std::size_t k = 0; k < bands.size(); ++k) {
             const T z = map.heights.data()[k];
@@ -95,16 +95,16 @@ TEMPLATE_TEST_CASE("The range of heights leaves missing points out", "", float, 
         for (const HeightKind kind : kinds) {
             const auto map = map_of<T>(kind, 3, columns, 7);
             const auto sorted = from_the_highest(map);
-            const auto range = parts::height_range(map);
+            const auto range = detail::height_range(map);
             CHECK(range.high == sorted.front());
             CHECK(range.low == sorted.back());
             CHECK(range.present == static_cast<Eigen::Index>(sorted.size()));
         }
     }
     HeightMap<T> none{HeightMap<T>::Array::Constant(4, 9, std::numeric_limits<T>::quiet_NaN()), T(1), T(1)};
-    CHECK(parts::height_range(none).present == 0);
+    CHECK(detail::height_range(none).present == 0);
     none.heights(2, 2) = -std::numeric_limits<T>::infinity();
-    CHECK(parts::height_range(none).low == -std::numeric_limits<T>::infinity());
+    CHECK(detail::height_range(none).low == -std::numeric_limits<T>::infinity());
 }
 
 }  // namespace island_levels_test

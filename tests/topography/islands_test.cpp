@@ -50,13 +50,13 @@ Level slow(const HeightMap<double>& map, double level, const IslandOptions<doubl
             sum += static_cast<long double>(map.heights(j, i)) - level;
             for (int y = -1; y <= 1; ++y)
                 for (int x = -1; x <= 1; ++x)
-                    if (o.connectivity == parts::Connectivity::eight || x == 0 || y == 0) visit(j + y, i + x);
+                    if (o.connectivity == Connectivity::eight || x == 0 || y == 0) visit(j + y, i + x);
         }
         result.above += size;
-        if (size < o.min_points || size == 0 || (border && o.border == parts::BorderIslands::dropped)) continue;
+        if (size < o.min_points || size == 0 || (border && o.border == BorderIslands::dropped)) continue;
         ++result.islands;
         points += size;
-        heights += o.height == parts::IslandHeight::peak ? top : 2 * sum / static_cast<long double>(size);
+        heights += o.height == IslandHeight::peak ? top : 2 * sum / static_cast<long double>(size);
     }
     if (result.islands > 0) {
         const auto n = static_cast<long double>(result.islands);
@@ -130,11 +130,10 @@ TEST_CASE("Every level of the sweep equals the labelling of that level alone") {
     double worst = 0;
     std::size_t compared = 0;
     for (const auto& [columns, rows] : {std::pair<Eigen::Index, Eigen::Index>{31, 23}, {3, 40}, {17, 3}})
-        for (const parts::Connectivity connectivity : {parts::Connectivity::four, parts::Connectivity::eight})
-            for (const parts::BorderIslands border : {parts::BorderIslands::kept, parts::BorderIslands::dropped})
+        for (const Connectivity connectivity : {Connectivity::four, Connectivity::eight})
+            for (const BorderIslands border : {BorderIslands::kept, BorderIslands::dropped})
                 for (const std::size_t least : {1u, 2u, 5u})
-                    for (const parts::IslandHeight height :
-                         {parts::IslandHeight::peak, parts::IslandHeight::twice_mean}) {
+                    for (const IslandHeight height : {IslandHeight::peak, IslandHeight::twice_mean}) {
                         const auto map = some_map(kind, columns, rows, least + 7);
                         const IslandOptions<double> o{.connectivity = connectivity,
                                                       .border = border,
@@ -167,8 +166,8 @@ TEST_CASE("Every level of the sweep equals the labelling of that level alone") {
 
 TEST_CASE("A sweep in the order of the map is the sweep in the order of the heights") {
     const Kind kind = GENERATE(Kind::noise, Kind::ties, Kind::waves, Kind::holes, Kind::offset);
-    for (const parts::Connectivity connectivity : {parts::Connectivity::four, parts::Connectivity::eight})
-        for (const parts::BorderIslands border : {parts::BorderIslands::kept, parts::BorderIslands::dropped})
+    for (const Connectivity connectivity : {Connectivity::four, Connectivity::eight})
+        for (const BorderIslands border : {BorderIslands::kept, BorderIslands::dropped})
             for (const std::size_t least : {1u, 3u}) {
                 const auto map = some_map(kind, 61, 47, least + 11);
                 IslandOptions<double> o{
@@ -232,7 +231,7 @@ TEST_CASE("By default the levels are at 200 bearing areas") {
 }
 
 TEST_CASE("Paraboloids are found with their number, area, height and radius") {
-    const parts::IslandHeight height = GENERATE(parts::IslandHeight::peak, parts::IslandHeight::twice_mean);
+    const IslandHeight height = GENERATE(IslandHeight::peak, IslandHeight::twice_mean);
     constexpr double radius = 5e-4, summit = 1e-6, h = 0.5e-6;  // base radius sqrt(2 R summit) = 31.6 um
     HeightMap<double> map{HeightMap<double>::Array(600, 800), h, h};
     for (Eigen::Index j = 0; j < 600; ++j)
@@ -246,8 +245,7 @@ TEST_CASE("Paraboloids are found with their number, area, height and radius") {
         CHECK(curve.islands[k] == 12);
         // a disc of more than 6000 cells, counted: 2 of its edge of 280 cells' standard deviation, 0.3 %
         CHECK(test::relative_error(curve.mean_area[k], area) <= 3e-3);
-        CHECK(test::relative_error(curve.mean_height[k], above) <=
-              (height == parts::IslandHeight::peak ? 1e-12 : 3e-3));
+        CHECK(test::relative_error(curve.mean_height[k], above) <= (height == IslandHeight::peak ? 1e-12 : 3e-3));
         CHECK(test::relative_error(curve.radius[k], radius) <= 6e-3);
         CHECK(test::relative_error(curve.density[k], 12 / (600 * 800 * h * h)) <= 1e-15);
     }
@@ -289,10 +287,10 @@ TEST_CASE("Islands less lakes are the Euler characteristic of a Gaussian field")
             const double level = u * std::sqrt(map.heights.square().mean());
             counted += static_cast<double>(island_curve(map, {.levels = {level}}).islands[0]);
             map.heights = -map.heights;
-            counted -= static_cast<double>(island_curve(map, {.connectivity = parts::Connectivity::four,
-                                                              .border = parts::BorderIslands::dropped,
-                                                              .levels = {-level}})
-                                               .islands[0]);
+            counted -= static_cast<double>(
+                island_curve(map,
+                             {.connectivity = Connectivity::four, .border = BorderIslands::dropped, .levels = {-level}})
+                    .islands[0]);
             const double fall = std::exp(-u * u / 2), pi2 = 2 * std::numbers::pi;
             expected += side * side * slope * u * fall / std::pow(pi2, 1.5) + 2 * side * std::sqrt(slope) * fall / pi2 +
                         std::erfc(u / std::sqrt(2.0)) / 2;
@@ -304,7 +302,7 @@ TEST_CASE("Islands less lakes are the Euler characteristic of a Gaussian field")
 }
 
 TEST_CASE("A map turned by a right angle, mirrored or lifted has the same islands") {
-    const IslandOptions<double> o{.border = parts::BorderIslands::dropped, .min_points = 3};
+    const IslandOptions<double> o{.border = BorderIslands::dropped, .min_points = 3};
     auto map = some_map(Kind::holes, 60, 45, 9);
     const auto curve = island_curve(map, o);
     const HeightMap<double> turned{map.heights.transpose(), map.dy, map.dx};
@@ -384,8 +382,7 @@ TEST_CASE("The spread has its seed and can be left out") {
 
 TEST_CASE("Maps and options out of range are named") {
     const auto map = some_map(Kind::waves, 20, 20, 1);
-    const auto says = [](const HeightMap<double>& m, const IslandOptions<double>& o,
-                         const parts::IslandSpread& s = {}) {
+    const auto says = [](const HeightMap<double>& m, const IslandOptions<double>& o, const IslandSpread& s = {}) {
         return test::refusal([&] { (void)representative_islands(m, o, s); });
     };
     CHECK(says(map, {}).empty());
@@ -420,7 +417,7 @@ TEST_CASE("Maps and options out of range are named") {
 TEST_CASE("The sweep and the resamples report their progress and exceptions of the hook pass through") {
     std::vector<std::pair<std::string, double>> told;
     IslandOptions<double> options;
-    parts::IslandSpread spread;
+    IslandSpread spread;
     options.progress = spread.progress = [&](std::string_view what, std::size_t done, std::size_t all) {
         REQUIRE(done < all);
         told.emplace_back(std::string(what), static_cast<double>(done) / static_cast<double>(all));

@@ -15,7 +15,7 @@ using namespace fstiff;
 
 TEMPLATE_TEST_CASE("Lines transformed at once are each that line transformed", "", float, double) {
     using T = TestType;
-    using Lines = parts::LinesTransform<T>;
+    using Lines = detail::LinesTransform<T>;
     const auto edges = GENERATE(Edges::periodic, Edges::mirrored);
     const std::size_t points = GENERATE(2u, 3u, 4u, 7u, 15u, 16u, 53u, 60u, 106u, 128u);
     const std::size_t count = GENERATE(Lines::lines, Lines::lines - 3);
@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE("Lines transformed at once are each that line transformed", "
     lines.forward();
     std::vector<T> waves(points * count);  // turned: a line a column
     lines.store(waves.data(), count, 1, count);
-    parts::LineTransform<T> one(points, edges);
+    detail::LineTransform<T> one(points, edges);
     CAPTURE(points, count);
     T off = 0;
     for (std::size_t l = 0; l < count; ++l) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Noise that was added to self-affine maps is found again; maps without it have none to speak of.
-#include <fstiff/topography/map_noise.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include <fstiff/synthetic/self_affine.hpp>
-#include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -20,7 +19,7 @@ HeightMap<double> rough(double hurst, std::uint64_t seed) {
 }
 
 double found_in(const HeightMap<double>& map) {
-    return fstiff::parts::white_noise(fstiff::map_spectrum(map, fstiff::Edges::periodic), map.dx, map.dy);
+    return fstiff::detail::white_noise(fstiff::map_spectrum(map, fstiff::Edges::periodic), map.dx, map.dy);
 }
 
 TEST_CASE("White noise in a map is found by its spectrum") {
@@ -51,7 +50,7 @@ TEST_CASE("The gradient of noise is that of its waves") {
     std::normal_distribution<double> normal(0, 1e-8);
     for (double& z : map.heights.reshaped()) z = normal(random);
     const double of_waves = fstiff::map_spectrum(map, fstiff::Edges::periodic).rms_gradient();
-    CHECK(test::relative_error(fstiff::parts::gradient_of_noise(1e-8, map.dx, map.dy), of_waves) < 0.02);
+    CHECK(test::relative_error(fstiff::detail::gradient_of_noise(1e-8, map.dx, map.dy), of_waves) < 0.02);
 }
 
 }  // namespace map_noise_test

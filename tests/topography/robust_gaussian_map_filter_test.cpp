@@ -70,7 +70,7 @@ TEST_CASE("The robust waviness of a map is that of the double sums, with spikes,
     for (Eigen::Index k = 11; k < map.size(); k += 37) map.heights.data()[k] = std::nan("");
     const double size = rms_height(map);
     for (const double cutoff : {8e-6, 20e-6}) {
-        const auto found = parts::robust_waviness(map, cutoff);
+        const auto found = detail::robust_waviness(map, cutoff);
         CHECK(found.converged);
         const auto expected = slow(map, cutoff);
         for (Eigen::Index k = 0; k < map.size(); ++k) {
@@ -86,14 +86,14 @@ TEST_CASE("Grooves on a tenth of a map move the Gaussian mean surface, and not t
     HeightMap<double> struck = clean;
     for (Eigen::Index j = 0; j < 100; j += 10) struck.heights.row(j) -= 1e-6;
     const auto rms = [](const HeightMap<double>::Array& a) { return std::sqrt(a.square().mean()); };
-    const auto robust = parts::robust_waviness(struck, 30e-6);
-    const double moved = rms(robust.waviness.heights - parts::robust_waviness(clean, 30e-6).waviness.heights);
+    const auto robust = detail::robust_waviness(struck, 30e-6);
+    const double moved = rms(robust.waviness.heights - detail::robust_waviness(clean, 30e-6).waviness.heights);
     CHECK(robust.left_out >= 1000);
     const double moved_gaussian =
-        rms(parts::gaussian_low_pass(struck, 30e-6).heights - parts::gaussian_low_pass(clean, 30e-6).heights);
+        rms(detail::gaussian_low_pass(struck, 30e-6).heights - detail::gaussian_low_pass(clean, 30e-6).heights);
     CHECK(moved_gaussian > 9e-8);  // a tenth of the depth
     CHECK(moved < moved_gaussian / 40);
-    CHECK_THROWS_AS(parts::robust_waviness(clean, 1e-6), domain_error);
+    CHECK_THROWS_AS(detail::robust_waviness(clean, 1e-6), domain_error);
 }
 
 }  // namespace robust_gaussian_map_filter_test

@@ -24,7 +24,7 @@ TEST_CASE("the summits of a map add up to its statistics") {
                 5e-6 + 1e-7 * (std::sin(0.5 * x + 0.3) * std::cos(0.55 * y) + 0.3 * std::sin(0.37 * x + 0.2 * y));
         }
     map.heights(20, 30) = std::nan("");
-    const auto statistics = parts::areal_statistics(map);
+    const auto statistics = detail::areal_statistics(map);
     const auto found = summits_of(map);
     REQUIRE(found.summits.size() == statistics.summits);
     REQUIRE(statistics.summits > 10);
@@ -52,7 +52,7 @@ TEST_CASE("every summit of point-to-point noise is counted and those without a t
     map.heights = 1e-7 * Eigen::ArrayXXd::Random(60, 80);
     const auto found = summits_of(map);
     CHECK(found.ridges > 0);
-    CHECK(found.summits.size() + found.ridges == parts::areal_statistics(map).summits);
+    CHECK(found.summits.size() + found.ridges == detail::areal_statistics(map).summits);
 }
 
 TEST_CASE("a paraboloid is one summit of its principal curvatures, with its top between the points") {

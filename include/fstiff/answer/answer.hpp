@@ -10,18 +10,17 @@
 /// What `fstiff run` computes of a scene that names no law. The functions are inline where fstiff/answer.hpp is
 /// included; fstiff::double has them compiled.
 ///
-/// Reference   answer/causes.hpp, answer/law_error.hpp
+/// Reference   answer/causes.hpp
 /// Units       SI
 /// Valid       joints as answer/joint.hpp has them
 /// Accuracy    K and both ends of `fstiff run`, to the last digit (tests/scene/joint_test.cpp); of the band:
 ///             docs/accuracy.md
 
-#include <fstiff/answer/any_contact.hpp>
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/answer/joint.hpp>
+#include <fstiff/answer/laws.hpp>
 #include <fstiff/core/parallel.hpp>
-#include <fstiff/core/progress.hpp>
 #include <fstiff/topography/line_transform.hpp>
 
 #include <cstdint>
@@ -60,7 +59,7 @@ struct AnswerPoint {
     std::string reason{};                          ///< why there is no K; empty where there is one
     Banded stiffness{};                            ///< K of the nominal area [Pa/m]; without a band three equal numbers
     LawName law{};                                 ///< that gave it
-    parts::Causes<double> causes{};                ///< of the band, in ln K: parts::shares_of() are their shares
+    Causes<double> causes{};                       ///< of the band, in ln K: shares_of() are their shares
     std::optional<double> p_star{};                ///< p/(E g)
     std::optional<double> contacts{};              ///< expected on the nominal area, or on that of the measurement
     std::optional<double> loading_stiffness{};     ///< -dp/dd of the first loading where peaks yield [Pa/m]
@@ -78,7 +77,7 @@ struct AnswerPoint {
 
 /// A number that was assumed, with 5 and 95 % of it.
 struct AssumedNumber {
-    parts::Unknown which{};
+    Unknown which{};
     Banded range{};         ///< of the number; of an rms height of Ra or Sa, Ra/Rq or Sa/Sq
     bool of_other = false;  ///< of Joint::other
 };
@@ -99,13 +98,13 @@ struct Answer {
     std::vector<AssumedNumber> assumed{};       ///< that the law of the answer depends on
     bool across_lay =
         false;  ///< a profile is taken to run across the lay, as ISO 21920 has it; along it K errs 2 to 5 times
-    std::vector<parts::Check<double>> concerns{};  ///< what does not hold; `first` is a place among the pressures
-    bool doubtful = false;                         ///< `fstiff run` would end with exit code 4
+    std::vector<Check<double>> concerns{};  ///< what does not hold; `first` is a place among the pressures
+    bool doubtful = false;                  ///< `fstiff run` would end with exit code 4
     /// A measurement that narrows the band.
     struct Next {
-        std::optional<parts::Unknown> which{};  ///< none: the same measurement of four times the length or the area
-        double pressure = 0;                    ///< the middle one of the pressures [Pa]
-        double factor = 0, narrowed = 0;        ///< high over low of its band, and once it finds what is assumed
+        std::optional<Unknown> which{};   ///< none: the same measurement of four times the length or the area
+        double pressure = 0;              ///< the middle one of the pressures [Pa]
+        double factor = 0, narrowed = 0;  ///< high over low of its band, and once it finds what is assumed
     };
     std::optional<Next> next{};  ///< the measurement that narrows the band most, where AnswerOptions::next asks for it
     double rms_height = 0;       ///< of both faces [m]
@@ -114,7 +113,7 @@ struct Answer {
     /// that rise where the points do, and -dp/dd = K. Separations count from the greatest pressure of \p range:
     /// approach() and touch() of the law are those of the joint. Of peaks that yield it is the law of unloading.
     /// \p quantile is 0.05, 0.5 (K itself) or 0.95.
-    /// The caller includes fstiff/contact/contact_law.hpp.
+    /// The caller includes fstiff/tabulated/contact_law.hpp.
     /// \throws domain_error for another quantile, a range beyond the points, and a K that does not rise.
     [[nodiscard]] ContactLaw<double> law_at(double quantile, const LawRange<double>& range) const;
 };

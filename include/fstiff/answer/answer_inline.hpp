@@ -6,19 +6,18 @@
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/bands_inline.hpp>
 #include <fstiff/answer/concerns_inline.hpp>
+#include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/curves_inline.hpp>
-#include <fstiff/answer/derived_inline.hpp>
 #include <fstiff/answer/elements_inline.hpp>
 #include <fstiff/answer/face_inline.hpp>
 #include <fstiff/answer/laws_inline.hpp>
-#include <fstiff/answer/maps_inline.hpp>
 #include <fstiff/answer/problem_inline.hpp>
 #include <fstiff/answer/quick_hybrids_inline.hpp>
 #include <fstiff/answer/resolve_inline.hpp>
-#include <fstiff/answer/rising_curve.hpp>
-#include <fstiff/answer/unknowns_inline.hpp>
-
-#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
+#include <fstiff/wave/spring_interface.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +40,7 @@ FSTIFF_INLINE std::string reason_of(const MissedPoint& missed, const std::string
 FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const Problem& problem, const Law& law) {
     std::vector<AssumedNumber> all;
     if (const auto& range = problem.hardness_range; range && feels_hardness(problem, {&law}))
-        all.push_back({parts::Unknown::hardness, {range->low, range->middle, range->high}});
+        all.push_back({Unknown::hardness, {range->low, range->middle, range->high}});
     for (const auto& [face, prior] : felt_priors(problem, {&law}))
         if (const auto& [low, middle, high] = prior->range; prior->origin != Origin::measurement)
             all.push_back({prior->which, {low, middle, high}, face > 0});
@@ -72,7 +71,7 @@ FSTIFF_INLINE void derive(const Problem& problem, const LawCurve& curve, std::si
     put(Derived::shear_reflection, point.shear_reflection);
     put(Derived::thermal_conductance, point.thermal_conductance);
     put(Derived::electrical_conductance, point.electrical_conductance);
-    if (problem.conduction.gap && parts::has(curve.law->quantities, Quantity::separation))
+    if (problem.conduction.gap && detail::has(curve.law->quantities, Quantity::separation))
         point.gap_conductance = conductance_of_gap(problem.conduction, state.separation.value);
 }
 
@@ -82,7 +81,7 @@ FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const L
     std::vector<AnswerPoint> points(pressures.size());
     for (const MissedPoint& missed : curve.missed)
         points[missed.place] = {.pressure = pressures[missed.place],
-                                .reason = reason_of(missed, parts::rounded_text(missed.limit, 3) + " Pa")};
+                                .reason = reason_of(missed, detail::rounded_text(missed.limit, 3) + " Pa")};
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerPoint& point = points[curve.places[i]];
         const double K = curve.states[i].stiffness.value;
@@ -136,8 +135,8 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
     found.across_lay =
         std::any_of(faces.begin(), faces.end(), [](const auto* face) { return face->is_taken_across(); });
     found.concerns = concerns_of(problem, curve);
-    found.doubtful = std::any_of(found.concerns.begin(), found.concerns.end(), [](const parts::Check<double>& one) {
-        return one.concern != parts::Concern::missing_points && one.concern != parts::Concern::noise;
+    found.doubtful = std::any_of(found.concerns.begin(), found.concerns.end(), [](const Check<double>& one) {
+        return one.concern != Concern::missing_points && one.concern != Concern::noise;
     });
     if (const auto at = curve.state_at(pressures.size() / 2); options.next && at)
         if (const auto next = next_measurement(problem, request, curve, curves.facts, *at))
@@ -153,7 +152,7 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
 
 FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<double>& range) const {
     if (!(quantile == 0.05 || quantile == 0.5 || quantile == 0.95))
-        parts::refuse("quantile", quantile, 3, "0.05, 0.5 or 0.95");
+        detail::refuse("quantile", quantile, 3, "0.05, 0.5 or 0.95");
     std::vector<std::pair<double, double>> logs;  // of p and K
     for (const AnswerPoint& one : points) {
         const auto& [low, value, high] = one.stiffness;
@@ -188,3 +187,67 @@ FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, L
 }
 
 }  // namespace fstiff::inline v0_1
+
+// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
+
+namespace fstiff::inline v0_1::detail {
+
+/// Conductance of heat or current through the spots of \p s and their film.
+FSTIFF_INLINE Estimate<double> conductance_of_spots(bool heat, const Problem& problem, const ContactState<double>& s) {
+    const Conduction& by = problem.conduction;
+    const double h =
+        spot_conductance(s.stiffness.value, heat ? *by.thermal : *by.electrical, problem.effective_modulus);
+    const double under = detail::under_film(h, s.real_area_fraction.value, heat ? by.thermal_film : by.electrical_film);
+    return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
+}
+
+FSTIFF_INLINE double loss_of(const Problem& problem, const LawCurve& curve, std::size_t i, double tangential_stiffness,
+                             BandEnd end) {
+    const double x = tangential_stiffness * *problem.friction->amplitude /
+                     (problem.friction->coefficient * curve.states[i].pressure.value);
+    const double elastic = detail::loss_factor(PowerUnloading<double>{curve.growth[i]}, x);
+    if (!flows(problem, *curve.law) || end == BandEnd::high) return elastic;
+    const double flowed = detail::loss_factor(FlowedUnloading<double>{}, x);
+    return end == BandEnd::low ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
+}
+
+FSTIFF_INLINE bool can_derive(Derived which, const Problem& problem) {
+    const bool elastic = problem.upper.youngs_modulus > 0;
+    switch (which) {
+        case Derived::tangential_stiffness: return elastic;
+        case Derived::loss_factor: return elastic && problem.friction && problem.friction->amplitude;
+        case Derived::reflection: return problem.ultrasound.has_value();
+        case Derived::shear_reflection: return elastic && problem.ultrasound && problem.ultrasound->shear;
+        case Derived::thermal_conductance: return problem.conduction.thermal.has_value();
+        case Derived::electrical_conductance: return problem.conduction.electrical.has_value();
+    }
+    return false;
+}
+
+FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, const LawCurve& curve, std::size_t i,
+                                       const ContactState<double>& s, BandEnd end) {
+    const double ratio =
+        problem.upper.youngs_modulus > 0 ? tangential_ratio(problem.upper, problem.lower) : 0;  // where it is known
+    const auto reflected = [&](const Impedances<double>& media, double factor) {
+        return fstiff::reflection(s.stiffness * factor, media, problem.ultrasound->angular());
+    };
+    const auto loss = [&](double K) { return loss_of(problem, curve, i, ratio * K, end); };
+    switch (which) {
+        case Derived::tangential_stiffness: return {ratio * s.stiffness.value, ratio * s.stiffness.error};
+        case Derived::loss_factor: {
+            const double found = loss(s.stiffness.value);
+            return {found, std::abs(loss(s.stiffness.value + s.stiffness.error) - found)};
+        }
+        case Derived::reflection: return reflected(problem.ultrasound->longitudinal, 1);
+        case Derived::shear_reflection: return reflected(*problem.ultrasound->shear, ratio);
+        case Derived::thermal_conductance: return conductance_of_spots(true, problem, s);
+        case Derived::electrical_conductance: return conductance_of_spots(false, problem, s);
+    }
+    return {};
+}
+
+FSTIFF_INLINE double conductance_of_gap(const Conduction& by, double separation) {
+    return detail::gap_conductance(*by.gap, (std::max)(separation, 0.0)) + by.radiation;
+}
+
+}  // namespace fstiff::inline v0_1::detail

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/bands.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/answer/bands.hpp>
+#include <fstiff/answer/curves.hpp>
 
-#include <fstiff/answer/quick_hybrids.hpp>
-#include <fstiff/answer/unknowns.hpp>
+#include <fstiff/answer/problem.hpp>
 
-#include <fstiff/math/random.hpp>
-#include <fstiff/measured/band_parts.hpp>
+#include <fstiff/answer/band.hpp>
+#include <fstiff/math/statistics.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,17 +42,17 @@ FSTIFF_INLINE std::vector<FurtherDraw> further_draws(const Face& face, std::size
         if (!face.map) continue;
         if (const std::size_t shifts = face.map->summits.size(); shifts > 1)
             one.shift = math::splitmix64(of_tiles) % shifts;
-        one.tiles = parts::drawn_tiles(tiles_a_side * tiles_a_side, of_tiles);
+        one.tiles = detail::drawn_tiles(tiles_a_side * tiles_a_side, of_tiles);
     }
     return all;
 }
 
 /// \p problem with the surface \p drawn about its own. Of a map the tiles are drawn anew.
-FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, parts::surface_parameter_count>& drawn,
+FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, detail::surface_parameter_count>& drawn,
                                    const FurtherDraw& further) {
     Face& face = problem.face;
     const double rms_height = face.parameters.rms_height.value;
-    const auto value = [&](Parameter which) { return drawn[parts::index_of(which)]; };
+    const auto value = [&](Parameter which) { return drawn[detail::index_of(which)]; };
     face.draw(drawn);
     const double taller = face.parameters.rms_height.value / rms_height;
     if (face.rms_gradient) {
@@ -64,7 +63,7 @@ FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, par
     }
     if (face.map) {
         MapOfSurface map{{},
-                         {parts::resampled(face.map->summits[further.shift], tiles_a_side, further.tiles)},
+                         {detail::resampled(face.map->summits[further.shift], tiles_a_side, further.tiles)},
                          face.map->spectra,
                          face.map->bearings,
                          face.map->mean_square_height,
@@ -153,10 +152,10 @@ FSTIFF_INLINE Problem lean_problem(const Problem& problem, const Request& reques
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
 FSTIFF_INLINE std::vector<std::vector<double>> behind_other_windows(const Problem& lean, const Request& request) {
     std::vector<std::vector<double>> both;
-    const parts::SurfaceParameters<double>& surface = lean.face.parameters;
+    const SurfaceParameters<double>& surface = lean.face.parameters;
     if (!surface.fractal_dimension || !(surface.dimension_window_error > 0)) return both;
     for (const double dimension :
-         parts::dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
+         detail::dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
         Problem other = lean;
         other.face.parameters.fractal_dimension->value = dimension;
         both.push_back(stiffnesses(other, request));
@@ -165,10 +164,10 @@ FSTIFF_INLINE std::vector<std::vector<double>> behind_other_windows(const Proble
 }
 
 /// K of every curve and point of the surfaces that have one unknown of \p problem at its ends, over that of \p lean.
-FSTIFF_INLINE std::vector<parts::UnknownCurves<double>> behind_unknowns(const Problem& problem,
-                                                                        const std::vector<const Law*>& laws,
-                                                                        Problem lean, const Request& request) {
-    std::vector<parts::UnknownCurves<double>> all;
+FSTIFF_INLINE std::vector<UnknownCurves<double>> behind_unknowns(const Problem& problem,
+                                                                 const std::vector<const Law*>& laws, Problem lean,
+                                                                 const Request& request) {
+    std::vector<UnknownCurves<double>> all;
     const std::vector<Alternative> others = alternatives(problem, laws);
     const bool of_hardness = problem.hardness_range && feels_hardness(problem, laws);
     if (others.empty() && !of_hardness) return all;
@@ -183,18 +182,18 @@ FSTIFF_INLINE std::vector<parts::UnknownCurves<double>> behind_unknowns(const Pr
     for (const Alternative& one : others)
         all.push_back({one.which, over_own(with_face(lean, one.low)), over_own(with_face(lean, one.high))});
     if (of_hardness)
-        all.push_back({parts::Unknown::hardness, over_own(with_hardness(lean, problem.hardness_range->low)),
+        all.push_back({Unknown::hardness, over_own(with_hardness(lean, problem.hardness_range->low)),
                        over_own(with_hardness(lean, problem.hardness_range->high))});
     return all;
 }
 
 /// Bands over the errors of the surface, one for each value of stiffnesses().
-FSTIFF_INLINE std::vector<parts::SampledBand<double>> drawn_bands(Problem lean, const Request& request,
-                                                                  const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const Request& request,
+                                                           const ProgressHook& progress) {
     lean.similar = hybrids_of_draws(lean.face.bearing.get(), lean.law_options.gamma);
     const auto samples = static_cast<std::size_t>(request.samples);
     const std::vector<FurtherDraw> further = further_draws(lean.face, samples, request.seed);
-    return parts::sampled_band(
+    return detail::sampled_band(
         lean.face.parameters,
         [&](const auto& drawn, std::size_t i) { return stiffnesses(with_surface(lean, drawn, further[i]), request); },
         {samples, request.seed, progress, request.parallel});
@@ -202,7 +201,7 @@ FSTIFF_INLINE std::vector<parts::SampledBand<double>> drawn_bands(Problem lean, 
 
 FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
     const std::vector<Face>& neighbours = problem.face.neighbours;
-    parts::run_pieces(request.parallel, neighbours.size() + 1, [&](std::size_t i) {
+    detail::run_pieces(request.parallel, neighbours.size() + 1, [&](std::size_t i) {
         const Problem one = with_face(problem, i == 0 ? problem.face : neighbours[i - 1]);
         try {
             for_each_contact(one, request.laws, {}, [](const ContactOfLaw& of) {
@@ -221,7 +220,7 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
     const bool has_errors = problem.face.has_measured_errors();
     const auto of_unknowns = behind_unknowns(problem, laws, lean, request);
     if (!has_errors && of_unknowns.empty()) return 0;
-    std::vector<parts::SampledBand<double>> bands;
+    std::vector<SampledBand<double>> bands;
     if (has_errors) bands = drawn_bands(lean, request, progress);
     const std::vector<double> quick = has_errors ? stiffnesses(lean, request) : std::vector<double>();
     std::vector<std::vector<double>> of_neighbours;
@@ -238,7 +237,7 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             const std::size_t at = next + curve.places[i];
             const double value = curve.states[i].stiffness.value;
-            parts::SampledBand<double> band{value, value, value};
+            SampledBand<double> band{value, value, value};
             double factor = 1;
             if (has_errors) {
                 band = bands[at];
@@ -246,8 +245,8 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
                 if (std::isfinite(quick[at])) factor = value / quick[at];
                 if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
             }
-            const parts::WidenedBand<double> wide =
-                parts::widened(value, band, of_neighbours, of_windows, at, lay, factor, of_unknowns);
+            const WidenedBand<double> wide =
+                detail::widened(value, band, of_neighbours, of_windows, at, lay, factor, of_unknowns);
             wide_anywhere = wide_anywhere || wide.band.high > wide.band.low;
             if (!of_neighbours.empty() || !of_unknowns.empty()) curve.band_parts.push_back(wide.parts);
             curve.band.push_back(wide.band);

@@ -3,7 +3,7 @@
 /// \file
 /// Checks of the range of the elastic multi-asperity models: each by its name, with its numbers and its limit.
 ///
-///     for (const auto& check : fstiff::parts::check_curve<double>(states, {.effective_modulus = 112.6e9,
+///     for (const auto& check : fstiff::detail::check_curve<double>(states, {.effective_modulus = 112.6e9,
 ///                                                                         .rms_gradient = 0.08}))
 ///         if (!check.holds()) warn(name_of(check.concern), check.first, check.greatest, check.limit);
 ///
@@ -17,8 +17,8 @@
 /// Valid       states of one contact, with finite values
 
 #include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/peaks/quantity.hpp>
 #include <fstiff/surface/moments.hpp>
 
 #include <algorithm>
@@ -33,7 +33,7 @@
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
+namespace detail {
 
 template <Real T>
 inline constexpr T min_gaussian_product = T(0.0249);  ///< least sigma R D_p of an isotropic Gaussian surface
@@ -75,6 +75,8 @@ template <Real T>
     return pressure / (effective_modulus * rms_gradient);
 }
 
+}  // namespace detail
+
 /// Reasons to doubt a result.
 enum class Concern {
     plasticity,              ///< psi above 1: the peaks yield at first loading
@@ -95,10 +97,8 @@ enum class Concern {
     noise                    ///< of the instrument in a map, above 5 % of its rms height
 };
 
-}  // namespace parts
-
 /// The word of \p concern, as JSON has it.
-[[nodiscard]] constexpr std::string_view name_of(parts::Concern concern) {
+[[nodiscard]] constexpr std::string_view name_of(Concern concern) {
     constexpr std::array<std::string_view, 16> names{"plasticity",
                                                      "gaussian_surface",
                                                      "interacting_asperities",
@@ -118,8 +118,6 @@ enum class Concern {
     return names[static_cast<std::size_t>(concern)];
 }
 
-namespace parts {
-
 /// One check of a surface, or of all states of a curve.
 template <Real T = double>
 struct Check {
@@ -132,6 +130,8 @@ struct Check {
 
     [[nodiscard]] bool holds() const { return violations == 0; }
 };
+
+namespace detail {
 
 /// The check of \p concern among \p checks; null when it was not made.
 template <Real T>
@@ -244,6 +244,6 @@ template <Real T>
     return checks;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/concerns.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/answer/concerns.hpp>
-#include <fstiff/answer/elements.hpp>
-#include <fstiff/answer/unknowns.hpp>
-
-#include <fstiff/measured/unmeasured_waves.hpp>
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/problem.hpp>
+#include <fstiff/math/statistics.hpp>
+#include <fstiff/measure/height_shape.hpp>
+#include <fstiff/measure/long_waves.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -19,13 +20,13 @@ FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, 
     std::vector<Parameter> all;
     const auto measured = measured_faces(problem);
     if (problem.face.measured)
-        all = parts::unknown_parameters(*problem.face.measured, problem.face.parameters);
+        all = detail::unknown_parameters(*problem.face.measured, problem.face.parameters);
     else if (!measured.empty())  // of a sum: what is unknown of one face may not matter next to the other
-        all = parts::unknown_parameters(problem.face.parameters);
+        all = detail::unknown_parameters(problem.face.parameters);
     if (all.empty() && problem.faces.size() == 2)
         for (const Face* face : measured) {
             const double share = face->parameters.rms_height.value / problem.face.parameters.rms_height.value;
-            const auto own = parts::unknown_parameters(*face->measured, face->parameters);
+            const auto own = detail::unknown_parameters(*face->measured, face->parameters);
             if (2 * share * share > 1 && std::count(own.begin(), own.end(), Parameter::rms_height) > 0)
                 all = {Parameter::rms_height};
         }
@@ -33,9 +34,9 @@ FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, 
     return all;
 }
 
-FSTIFF_INLINE std::optional<parts::Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve) {
-    parts::Check<double> check{.concern = parts::Concern::beyond_comparison,
-                               .limit = parts::max_compared_flow * hardness_of(problem)};
+FSTIFF_INLINE std::optional<Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve) {
+    Check<double> check{.concern = Concern::beyond_comparison,
+                        .limit = detail::max_compared_flow * hardness_of(problem)};
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const double pressure = curve.states[i].pressure.value;
         if (curve.law_at(i).which != LawName::plastic || !(pressure > check.limit)) continue;
@@ -51,27 +52,26 @@ FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Prob
     return implausible_gradient(face, r);
 }
 
-FSTIFF_INLINE std::vector<parts::Check<double>> concerns_of(const Problem& problem, const LawCurve& curve) {
-    using parts::Concern;
-    std::vector<parts::Check<double>> all;
+FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, const LawCurve& curve) {
+    std::vector<Check<double>> all;
     const auto add = [&](Concern concern, double value, double limit) {
-        all.push_back(parts::surface_check(concern, value, limit, false));
+        all.push_back(detail::surface_check(concern, value, limit, false));
     };
     for (const Face* face : rough_faces(problem))
         if (const auto wrong = implausible_gradient(problem, *face)) {
             add(Concern::implausible_gradient, wrong->value,
-                wrong->value > 1 ? parts::max_plausible_gradient<double> : parts::min_plausible_gradient<double>);
+                wrong->value > 1 ? detail::max_plausible_gradient<double> : detail::min_plausible_gradient<double>);
             break;
         }
     const Measurement<double>& height = problem.face.parameters.rms_height;
     if (!unknown_parameters(problem, true).empty()) add(Concern::unknown_height, height.error / height.value, 0.5);
-    if (has_lay(problem)) add(Concern::lay, parts::lay_factor, 1);
+    if (has_lay(problem)) add(Concern::lay, detail::lay_factor, 1);
     if (problem.face.map && missing_points(*problem.face.map) > 0)
         add(Concern::missing_points, static_cast<double>(missing_points(*problem.face.map)), 0);
     if (const double noise = noise_of(problem.face, problem.law_options.edges) / height.value; noise > most_noise)
         add(Concern::noise, noise, most_noise);
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged})
-        if (const parts::Check<double>* check = parts::find_check(curve.checks, concern); check && !check->holds()) {
+        if (const Check<double>* check = detail::find_check(curve.checks, concern); check && !check->holds()) {
             all.push_back(*check);
             all.back().first = curve.places[check->first];
         }
@@ -80,7 +80,7 @@ FSTIFF_INLINE std::vector<parts::Check<double>> concerns_of(const Problem& probl
         all.push_back(*check);
     }
     if (!curve.missed.empty()) {
-        parts::Check<double> lost{.concern = Concern::no_state, .limit = curve.missed.front().limit};
+        Check<double> lost{.concern = Concern::no_state, .limit = curve.missed.front().limit};
         lost.violations = curve.missed.size(), lost.first = curve.missed.front().place;
         all.push_back(lost);
     }
@@ -88,8 +88,8 @@ FSTIFF_INLINE std::vector<parts::Check<double>> concerns_of(const Problem& probl
 }
 
 /// High over low of the band at the point \p place once \p which of the faces is known; infinite without a band.
-FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, parts::Unknown which) {
-    if (which == parts::Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
+FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, Unknown which) {
+    if (which == Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
     for (Face& face : problem.faces) face = with_measured(std::move(face), which);
     problem.face = with_measured(std::move(problem.face), which);
     request.points = {request.points[place]};
@@ -107,22 +107,22 @@ FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size
 /// The factor that \p reason makes of a profile or map four times as large: half the errors, and fewer waves that are
 /// longer.
 FSTIFF_INLINE double factor_of_larger(const Problem& problem, const AnswerReason& reason) {
-    parts::Causes<double> causes = reason.causes;
+    Causes<double> causes = reason.causes;
     const bool profile = measured_faces(problem).front()->measured->is_profile;
-    const auto scale = [&](parts::Cause cause, double by) {
+    const auto scale = [&](Cause cause, double by) {
         auto& one = causes[static_cast<std::size_t>(cause)];
         one = {by * one.low, by * one.high};
     };
-    scale(parts::Cause::measurement, 0.5), scale(parts::Cause::shape, 0.5);
+    scale(Cause::measurement, 0.5), scale(Cause::shape, 0.5);
     if (problem.nominal_area) {
-        parts::LongEnd<double> end = problem.face.parameters.long_end;
+        LongEnd<double> end = problem.face.parameters.long_end;
         end.side *= profile ? 4 : 2, end.error /= 2;
-        causes[static_cast<std::size_t>(parts::Cause::long_waves)] = {
-            -parts::unmeasured_waves(end, std::sqrt(*problem.nominal_area)).growth, 0};
+        causes[static_cast<std::size_t>(Cause::long_waves)] = {
+            -detail::unmeasured_waves(end, std::sqrt(*problem.nominal_area)).growth, 0};
     } else {
-        scale(parts::Cause::contacts, profile ? 0.25 : 0.5);
+        scale(Cause::contacts, profile ? 0.25 : 0.5);
     }
-    const auto [low, high] = parts::band_of(causes);
+    const auto [low, high] = detail::band_of(causes);
     return std::exp(high - low);
 }
 
@@ -132,17 +132,156 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
     const bool map = problem.face.map && problem.face.spectrum_of_map, measured = !measured_faces(problem).empty();
     std::optional<NextMeasurement> most;
     double least = 0.95 * (answer.band[at].high / answer.band[at].low);  // nothing that narrows the factor by less
-    const auto consider = [&](std::optional<parts::Unknown> which, double factor) {
+    const auto consider = [&](std::optional<Unknown> which, double factor) {
         if (factor < least) most = NextMeasurement{which, least = factor};
     };
-    using parts::Unknown;
     for (const Unknown which : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
-        if (!map && problem.face.is_open(which) && !(measured && parts::is_of_shape(which)))
+        if (!map && problem.face.is_open(which) && !(measured && detail::is_of_shape(which)))
             consider(which, factor_of_known(problem, request, answer.places[at], which));
     if (problem.hardness_range && feels_hardness(problem, {answer.law}))
         consider(Unknown::hardness, factor_of_known(problem, request, answer.places[at], Unknown::hardness));
     if (measured && !facts.of_map_itself) consider(std::nullopt, factor_of_larger(problem, facts.reasons[at]));
     return most;
+}
+
+}  // namespace fstiff::inline v0_1::detail
+
+// The functions of answer/problem.hpp: inline, or compiled in fstiff::double.
+
+namespace fstiff::inline v0_1::detail {
+
+/// Gradient and alpha, as far as they are not known.
+FSTIFF_INLINE void fill_spectrum(Face& face) {
+    const ProcessPrior& prior = detail::prior_of(face.process);
+    const bool has_radius = !face.radius_follows, has_density = !face.density_follows;
+    const Roughness<double> of = face.roughness();
+    const auto set_gradient = [&](const PriorRange& range, Origin origin) {
+        face.rms_gradient = range.middle;
+        face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
+    };
+    if (!face.rms_gradient && !face.alpha && has_radius && has_density) {
+        if (spectral_moments(face).bandwidth() > 1.5) return;
+        face.gradient_of_islands = true;
+        set_gradient(detail::gradient_of_islands(of.rms_height, of.peak_radius, of.peak_density), Origin::islands);
+    } else if (!face.rms_gradient && !has_radius && !has_density) {
+        set_gradient(detail::gradient_of_height(prior, of.rms_height), Origin::process);
+    } else if (face.rms_gradient && !face.alpha && (has_radius || has_density)) {
+        face.follow();
+        if (spectral_moments(face).bandwidth() > 1.5) return;
+    }
+    if (face.alpha) return;
+    face.alpha = prior.alpha.middle;
+    face.priors.push_back({Unknown::alpha, prior.alpha.low, prior.alpha.high, Origin::process, prior.alpha});
+}
+
+FSTIFF_INLINE void fill_hurst(Face& face) {
+    if (face.hurst || face.dimension()) return;
+    const PriorRange& prior = detail::prior_of(face.process).hurst;
+    const double middle = hurst_exponent(face);  // no less than the width of what was measured allows
+    const double least = detail::least_hurst(spectral_moments(face), face.widest_band);
+    const PriorRange range{(std::min)(middle, (std::max)(prior.low, least)), middle, (std::max)(middle, prior.high)};
+    face.priors.push_back({Unknown::hurst, range.low, range.high, Origin::process, range});
+}
+
+/// Skewness and kurtosis: of a trace what their errors leave open, of numbers those of the process.
+FSTIFF_INLINE void fill_shape(Face& face) {
+    const double away = math::normal_95<double>.value;
+    if (face.measured) {
+        if (!face.heights || face.heights->kurtosis.value == 0) return;  // 0: a document without it
+        const double skewness = away * face.heights->skewness.error, kurtosis = away * face.heights->kurtosis.error;
+        face.priors.push_back({Unknown::skewness, face.shape.skewness - skewness, face.shape.skewness + skewness});
+        face.priors.push_back({Unknown::kurtosis, face.shape.kurtosis - kurtosis, face.shape.kurtosis + kurtosis});
+        return;
+    }
+    const ProcessPrior& prior = detail::prior_of(face.process);
+    const double s = prior.skewness.middle, tail = 3 + 1.5 * s * s;
+    const PriorRange kurtosis{tail + prior.tail.low, tail + prior.tail.middle, tail + prior.tail.high};
+    face.set_shape({s, kurtosis.middle});
+    face.priors.push_back(
+        {Unknown::skewness, prior.skewness.low, prior.skewness.high, Origin::process, prior.skewness});
+    face.priors.push_back({Unknown::kurtosis, kurtosis.low, kurtosis.high, Origin::process, kurtosis});
+}
+
+FSTIFF_INLINE void fill_unknown(Face& face, bool shape_known) {
+    if (face.measured && !face.has_radius_and_density() && !(face.rms_gradient && face.alpha)) return;
+    fill_spectrum(face);
+    face.follow();
+    fill_hurst(face);
+    if (!shape_known) fill_shape(face);
+}
+
+FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
+    const auto set_shape = [&](double skewness, double kurtosis) {
+        skewness = std::clamp(skewness, -2.5, 2.5);
+        face.set_shape(
+            {skewness, std::clamp(kurtosis, detail::least_kurtosis(skewness), (std::max)(20.0, face.shape.kurtosis))});
+    };
+    const auto [skewness, kurtosis] = face.shape;
+    switch (which) {
+        case Unknown::height: face.parameters.rms_height.value = value; break;
+        case Unknown::gradient: face.rms_gradient = value; break;
+        case Unknown::alpha: face.alpha = value; break;
+        case Unknown::hurst: face.hurst = value; break;
+        case Unknown::hardness: break;  // of a body
+        case Unknown::skewness:  // the kurtosis goes along, as of heights with the density of a gamma distribution
+            set_shape(value, kurtosis + 1.5 * (value * value - skewness * skewness));
+            break;
+        case Unknown::kurtosis: set_shape(skewness, value); break;
+    }
+    face.follow();
+    return face;
+}
+
+FSTIFF_INLINE Face with_measured(Face face, Unknown which) {
+    std::erase_if(face.priors, [which](const Prior& one) {
+        return one.which == which || (detail::is_of_shape(one.which) && detail::is_of_shape(which));
+    });
+    if (which != Unknown::gradient || !face.gradient_of_islands) return face;
+    face.gradient_of_islands = false;  // alpha follows from R then
+    std::erase_if(face.priors, [](const Prior& one) { return one.which == Unknown::alpha; });
+    face.alpha.reset();
+    fill_spectrum(face);
+    return face;
+}
+
+/// Whether one of \p laws depends on \p which of \p face, which is not known.
+FSTIFF_INLINE bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
+                           Unknown which) {
+    if (which == Unknown::height) return true;
+    if (std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
+    return !detail::is_of_shape(which) && which != Unknown::hurst &&
+           (face.radius_follows || face.density_follows || (problem.default_peaks && has_isotropic_peaks(face)));
+}
+
+FSTIFF_INLINE bool feels_hardness(const Problem& problem, const std::vector<const Law*>& laws) {
+    return std::any_of(laws.begin(), laws.end(), [&](const Law* law) { return flows(problem, *law); });
+}
+FSTIFF_INLINE Problem with_hardness(Problem problem, double value) {
+    problem.hardness = value, problem.hardness_range.reset();
+    return problem;
+}
+
+FSTIFF_INLINE std::vector<FeltPrior> felt_priors(const Problem& problem, const std::vector<const Law*>& laws) {
+    std::vector<FeltPrior> all;
+    if (problem.face.map && problem.face.spectrum_of_map) return all;
+    const std::vector<const Face*> faces = rough_faces(problem);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (const Prior& one : faces[i]->priors)
+            if (is_felt(problem, laws, *faces[i], one.which)) all.push_back({i, &one});
+    return all;
+}
+
+FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
+    std::vector<Alternative> all;
+    for (const auto& [place, prior] : felt_priors(problem, laws)) {
+        const auto with = [&, i = place, which = prior->which](double value) {
+            const Face changed = with_value(*rough_faces(problem)[i], which, value);
+            if (problem.faces.empty()) return changed;
+            return i == 0 ? sum_of_faces(changed, problem.faces[1]) : sum_of_faces(problem.faces[0], changed);
+        };
+        all.push_back({prior->which, with(prior->low), with(prior->high)});
+    }
+    return all;
 }
 
 }  // namespace fstiff::inline v0_1::detail

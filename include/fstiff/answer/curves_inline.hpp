@@ -5,9 +5,6 @@
 
 #include <fstiff/answer/curves.hpp>
 
-#include <fstiff/answer/bands.hpp>
-#include <fstiff/answer/elements.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -68,7 +65,7 @@ FSTIFF_INLINE void take_points(const Problem& problem, const Request& request, L
     find_limit(problem, request, contact, curve);
     const auto has_p_star = [&](const ContactState<double>& state) {
         return std::isfinite(
-            parts::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient));
+            detail::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient));
     };
     if (curve.rms_gradient && !std::all_of(curve.states.begin(), curve.states.end(), has_p_star))
         curve.rms_gradient.reset();
@@ -89,20 +86,19 @@ FSTIFF_INLINE void grow(const AnyContact& contact, LawCurve& curve) {
 }
 
 /// The checks of \p curve that mean something of its law.
-FSTIFF_INLINE std::vector<parts::Check<double>> checks_of(const Problem& problem, const LawCurve& curve,
-                                                          Quantity quantities) {
-    std::vector<parts::Check<double>> checks =
-        parts::check_curve<double>(curve.states,
-                                   {.effective_modulus = problem.effective_modulus,
-                                    .rms_gradient = curve.rms_gradient,
-                                    .max_peak_height = problem.face.parameters.max_peak_height.value,
-                                    .nominal_area = problem.nominal_area,
-                                    .yield_strength = problem.yield_strength},
-                                   quantities);
+FSTIFF_INLINE std::vector<Check<double>> checks_of(const Problem& problem, const LawCurve& curve, Quantity quantities) {
+    std::vector<Check<double>> checks =
+        detail::check_curve<double>(curve.states,
+                                    {.effective_modulus = problem.effective_modulus,
+                                     .rms_gradient = curve.rms_gradient,
+                                     .max_peak_height = problem.face.parameters.max_peak_height.value,
+                                     .nominal_area = problem.nominal_area,
+                                     .yield_strength = problem.yield_strength},
+                                    quantities);
     const bool of_grid = !curve.law->varies || (problem.face.map && problem.face.map->maps.size() > 1);
-    std::erase_if(checks, [&](const parts::Check<double>& check) {
-        return (check.concern == parts::Concern::interacting_asperities && curve.law->holds_when_crowded) ||
-               (check.concern == parts::Concern::not_converged && of_grid);  // the error is that of the grid or shifts
+    std::erase_if(checks, [&](const Check<double>& check) {
+        return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
+               (check.concern == Concern::not_converged && of_grid);  // the error is that of the grid or shifts
     });
     return checks;
 }
@@ -148,7 +144,7 @@ FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Qu
             curves.push_back(
                 curve_of(problem, request, {of.law, of.theta, of.r, slope}, *of.make(), quantities, of_all));
         });
-    if (parts::has(quantities, Quantity::stiffness) && request.samples > 0 &&
+    if (detail::has(quantities, Quantity::stiffness) && request.samples > 0 &&
         (problem.face.has_errors() || problem.hardness_range) && has_states(curves))
         failed = (std::max)(failed, add_bands(problem, request, curves, progress));
 }
@@ -217,11 +213,11 @@ FSTIFF_INLINE std::vector<MadeContact> contacts_of(const Problem& problem, const
 FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
     if (problem.face.map && missing_points(*problem.face.map) > 0)
         problem.face.write([](Face& face) { face.spectrum_of_map = false; });
-    parts::AnswerQuestion<double> question{.known = known_as(problem)};
+    AnswerQuestion<double> question{.known = known_as(problem)};
     for (const Law& law : laws())
         if (!law.needs_whole_map && lack_of(law, problem, at_separations) == Lack::nothing)
             question.available.push_back(law.which);
-    return find_law(parts::answering_law(question));
+    return find_law(detail::answering_law(question));
 }
 
 FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,

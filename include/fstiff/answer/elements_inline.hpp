@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/elements.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/answer/elements.hpp>
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/problem.hpp>
 #include <fstiff/answer/solved_map_inline.hpp>
-#include <fstiff/answer/unknowns.hpp>
 
+#include <fstiff/answer/band.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/math/statistics.hpp>
-#include <fstiff/measured/band_parts.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -42,80 +42,79 @@ FSTIFF_INLINE double counted_area(const Problem& problem) {
 }
 
 /// Uncertainty of \p value by \p band, with its \p parts where they are known.
-FSTIFF_INLINE void take_band(parts::Causes<double>& causes, double value, const parts::SampledBand<double>& band,
-                             const parts::BandParts<double>* parts, bool sampled) {
-    const auto put = [&](parts::Cause cause, double low, double high) {
+FSTIFF_INLINE void take_band(Causes<double>& causes, double value, const SampledBand<double>& band,
+                             const BandParts<double>* parts, bool sampled) {
+    const auto put = [&](Cause cause, double low, double high) {
         causes[static_cast<std::size_t>(cause)] = {low, high};
     };
     if (parts) {
         if (sampled)
-            put(parts::Cause::measurement, -std::hypot(parts->errors_low, parts->window_low),
+            put(Cause::measurement, -std::hypot(parts->errors_low, parts->window_low),
                 std::hypot(parts->errors_high, parts->window_high));
-        put(parts::Cause::cut_offs, parts->scale_low, parts->scale_high);
-        put(parts::Cause::shape, parts->shape_low, parts->shape_high);
-        put(parts::Cause::prior, parts->prior_low, parts->prior_high);
-        const parts::BandPart<double>& hardness = parts->part_of(parts::Unknown::hardness);
-        put(parts::Cause::hardness, hardness.low, hardness.high);
+        put(Cause::cut_offs, parts->scale_low, parts->scale_high);
+        put(Cause::shape, parts->shape_low, parts->shape_high);
+        put(Cause::prior, parts->prior_low, parts->prior_high);
+        const BandPart<double>& hardness = parts->part_of(Unknown::hardness);
+        put(Cause::hardness, hardness.low, hardness.high);
     } else if (sampled && band.low > 0) {
-        put(parts::Cause::measurement, (std::min)(0.0, std::log(band.low / value)),
+        put(Cause::measurement, (std::min)(0.0, std::log(band.low / value)),
             (std::max)(0.0, std::log(band.high / value)));
     }
 }
 
 /// Uncertainty of a profile of a face with a lay: the length of the ridges if it is across the lay, else the profile
 /// across.
-FSTIFF_INLINE parts::CauseSpread<double> of_lay(const Problem& problem) {
+FSTIFF_INLINE CauseSpread<double> of_lay(const Problem& problem) {
     constexpr double softer = 4, stiffer = 2, heavy = 1.5;  // along and across turned, milled, planed and ground maps
-    if (has_lay(problem)) return {-std::log(heavy), std::log(parts::lay_factor)};
+    if (has_lay(problem)) return {-std::log(heavy), std::log(detail::lay_factor)};
     for (const Face* face : measured_faces(problem))
-        if (face->measured->is_profile && parts::prior_of(face->process).has_lay)
+        if (face->measured->is_profile && detail::prior_of(face->process).has_lay)
             return {-std::log(softer), std::log(stiffer)};
     return {};
 }
 
 /// The shape of the heights of \p face; where it is open, the one of its prior that is farthest from Gaussian.
-FSTIFF_INLINE parts::HeightShape<double> farthest_shape(const Face& face) {
-    parts::HeightShape<double> shape = face.shape;
+FSTIFF_INLINE HeightShape<double> farthest_shape(const Face& face) {
+    HeightShape<double> shape = face.shape;
     for (const Prior& prior : face.priors)
-        if (prior.which == parts::Unknown::skewness)
+        if (prior.which == Unknown::skewness)
             for (const double end : {prior.low, prior.high})
                 if (std::abs(end) > std::abs(shape.skewness)) shape = with_value(face, prior.which, end).shape;
     return shape;
 }
 
-FSTIFF_INLINE parts::CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
-                                                   double grid) {
-    parts::LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
+FSTIFF_INLINE CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
+                                            double grid) {
+    LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
     if (reason.p_star) question.p_star = *reason.p_star, question.hardness = relative_hardness(problem).value_or(0);
-    const parts::HeightShape<double> shape = farthest_shape(problem.face);
+    const HeightShape<double> shape = farthest_shape(problem.face);
     if (const auto& heights = problem.face.heights; heights && heights->kurtosis.value != 0)
         question.skewness = heights->skewness, question.kurtosis = heights->kurtosis;
-    else if (question.known == parts::KnownAs::numbers || question.known == parts::KnownAs::height)
+    else if (question.known == KnownAs::numbers || question.known == KnownAs::height)
         question.skewness = {shape.skewness, 0}, question.kurtosis = {shape.kurtosis, 0};
     if (const Measurement<double>& height = problem.face.parameters.rms_height; height.value > 0)
         question.long_waves = height.error / height.value;
-    const parts::LawError<double> error = parts::law_error(question);
+    const LawError<double> error = detail::law_error(question);
     return {-std::hypot(error.low, grid), std::hypot(error.high, grid)};
 }
 
-FSTIFF_INLINE parts::KnownAs known_as(const Problem& problem) {
-    if (is_map(problem.face)) return parts::KnownAs::map;
-    if (!measured_faces(problem).empty()) return parts::KnownAs::trace;
+FSTIFF_INLINE KnownAs known_as(const Problem& problem) {
+    if (is_map(problem.face)) return KnownAs::map;
+    if (!measured_faces(problem).empty()) return KnownAs::trace;
     constexpr double spread_of_height = 4;  // of a gradient by the height alone, 95 % over 5 %; all else gives less
     for (const Prior& prior : problem.face.priors)
-        if (prior.which == parts::Unknown::gradient && prior.high > spread_of_height * prior.low)
-            return parts::KnownAs::height;
-    return parts::KnownAs::numbers;
+        if (prior.which == Unknown::gradient && prior.high > spread_of_height * prior.low) return KnownAs::height;
+    return KnownAs::numbers;
 }
 
 /// \p from with the weight 1 - \p weight, and \p to.
-FSTIFF_INLINE parts::CauseSpread<double> toward(const parts::CauseSpread<double>& from,
-                                                const parts::CauseSpread<double>& to, double weight) {
+FSTIFF_INLINE CauseSpread<double> toward(const CauseSpread<double>& from, const CauseSpread<double>& to,
+                                         double weight) {
     return {std::lerp(from.low, to.low, weight), std::lerp(from.high, to.high, weight)};
 }
 
 /// What one shift of two maps has over the mean of those that were computed, whose scatter is in \p K.
-FSTIFF_INLINE parts::CauseSpread<double> scatter_of_shifts(const Problem& problem, const Estimate<double>& K) {
+FSTIFF_INLINE CauseSpread<double> scatter_of_shifts(const Problem& problem, const Estimate<double>& K) {
     const auto shifts = static_cast<double>(problem.face.map->maps.size());
     const double t = math::student_quantile(math::normal_95<double>, static_cast<int>(shifts) - 1),
                  scatter = t * std::sqrt(1 + 1 / shifts) * K.error / K.value;
@@ -137,11 +136,11 @@ FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size
     const bool scatters = is_map_itself(problem) && problem.face.map->maps.size() > 1;  // by scatter_of_shifts()
     const double grid = scatters ? 0 : to.state.stiffness.error / to.state.stiffness.value;
     const auto error = law_error(problem, LawName::boundary_elements, reason, std::isfinite(grid) ? grid : 0);
-    auto& law = reason.causes[static_cast<std::size_t>(parts::Cause::law)];
-    auto& cut_offs = reason.causes[static_cast<std::size_t>(parts::Cause::cut_offs)];
+    auto& law = reason.causes[static_cast<std::size_t>(Cause::law)];
+    auto& cut_offs = reason.causes[static_cast<std::size_t>(Cause::cut_offs)];
     law = toward(law, error, to.weight);
     cut_offs = toward(cut_offs, {to.cut_offs.low, std::hypot(cut_offs.high, to.cut_offs.high)}, to.weight);
-    reason.causes[static_cast<std::size_t>(parts::Cause::noise)] = {0, to.weight * to.noise};
+    reason.causes[static_cast<std::size_t>(Cause::noise)] = {0, to.weight * to.noise};
     take(&ContactState<double>::stiffness);
     take(&ContactState<double>::loading_stiffness);
     take(&ContactState<double>::real_area_fraction);
@@ -152,7 +151,7 @@ FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size
 /// Widens \p bands where an end falls as the pressure of \p states rises: parts that shrink with p, such as the error
 /// of the grid, are known to their own size alone.
 FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& states,
-                                  std::vector<parts::SampledBand<double>>& bands) {
+                                  std::vector<SampledBand<double>>& bands) {
     std::vector<std::size_t> order(states.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
@@ -171,7 +170,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
     facts.flows = flows(problem, *curve.law);
     facts.of_map_itself = is_map_itself(problem);
     const double area = counted_area(problem);
-    parts::UnmeasuredWaves<double> longer;
+    UnmeasuredWaves<double> longer;
     if (problem.nominal_area) longer = problem.face.unmeasured(std::sqrt(*problem.nominal_area));
     facts.waves_at_least = longer.at_least;
     const std::vector<Solved> of_place = boundary_elements_of(problem, request, facts.flows, curve, progress);
@@ -179,32 +178,32 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         AnswerReason& reason = facts.reasons.emplace_back();
         if (curve.rms_gradient)
             reason.p_star =
-                parts::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient);
+                detail::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient);
         if (const double contacts = area * state.contact_density.value; contacts > 0) reason.contacts = contacts;
     }
-    std::vector<parts::SampledBand<double>> bands;
+    std::vector<SampledBand<double>> bands;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerReason& reason = facts.reasons[i];
-        const auto put = [&](parts::Cause cause, const parts::CauseSpread<double>& spread) {
+        const auto put = [&](Cause cause, const CauseSpread<double>& spread) {
             reason.causes[static_cast<std::size_t>(cause)] = spread;
         };
         if (i < curve.band.size())
             take_band(reason.causes, curve.states[i].stiffness.value, curve.band[i],
                       i < curve.band_parts.size() ? &curve.band_parts[i] : nullptr, !facts.of_map_itself);
-        put(parts::Cause::lay, of_lay(problem));
+        put(Cause::lay, of_lay(problem));
         if (reason.contacts && !facts.of_map_itself)
-            put(parts::Cause::contacts, parts::scatter_of_contacts(*reason.contacts));
-        put(parts::Cause::long_waves, {-longer.growth, 0});
-        put(parts::Cause::law, law_error(problem, curve.law->which, reason, 0));
+            put(Cause::contacts, detail::scatter_of_contacts(*reason.contacts));
+        put(Cause::long_waves, {-longer.growth, 0});
+        put(Cause::law, law_error(problem, curve.law->which, reason, 0));
         const Solved& at = of_place[curve.places[i]];
         if (at.weight > 0) hand_over(problem, at, i, curve, reason);
         if (facts.of_map_itself && problem.face.map->maps.size() > 1)
-            put(parts::Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
+            put(Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
         const double K = curve.states[i].stiffness.value;
         double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more
         loading = facts.flows ? (std::min)(loading, K) : K;
         if (facts.flows && loading > 0) reason.loading_stiffness = loading;
-        const auto whole = parts::band_of(reason.causes);
+        const auto whole = detail::band_of(reason.causes);
         constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
         bands.push_back({K * std::exp(whole.low), K, (std::min)(most, K * std::exp(whole.high))});
         curve.by.push_back(at.weight >= 0.5 ? &find_law(LawName::boundary_elements) : curve.law);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/face.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/problem.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/problem.hpp>
 
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/measured/uncertain_sum.hpp>
+#include <fstiff/measure/uncertain_sum.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
-#include <fstiff/topography/shifted_sum.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,9 @@ FSTIFF_INLINE SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>
 /// Whether sigma, R and D_p of \p face are those that were measured.
 FSTIFF_INLINE bool is_as_measured(const Face& face) {
     if (!face.measured) return false;
-    return std::all_of(parts::parameter_table.begin(), parts::parameter_table.begin() + 3,
-                       [&](const parts::ParameterRow& row) {
-                           const std::size_t i = parts::index_of(row.parameter);
+    return std::all_of(detail::parameter_table.begin(), detail::parameter_table.begin() + 3,
+                       [&](const ParameterRow& row) {
+                           const std::size_t i = detail::index_of(row.parameter);
                            return face.parameters.values()[i] == face.measured->values()[i];
                        });
 }
@@ -50,8 +50,8 @@ FSTIFF_INLINE std::optional<double> Face::value(Parameter which) const {
 }
 
 FSTIFF_INLINE bool Face::has_measured_errors() const {
-    return gradient_error > 0 || std::any_of(parts::surface_parameter_table.begin(),
-                                             parts::surface_parameter_table.end(), [&](const parts::ParameterRow& row) {
+    return gradient_error > 0 || std::any_of(detail::surface_parameter_table.begin(),
+                                             detail::surface_parameter_table.end(), [&](const ParameterRow& row) {
                                                  const auto* known = parameters.find(row.parameter);
                                                  return known && known->error > 0;
                                              });
@@ -61,18 +61,18 @@ FSTIFF_INLINE void Face::write(Parameter which, double value) {
     write([&](Face& face) {
         face.parameters.set(which, {value, 0});
         if (which == Parameter::rms_height) face.parameters.long_end = {};
-        const std::size_t i = parts::index_of(which);
-        for (std::size_t j = 0; j < parts::surface_parameter_count; ++j)
+        const std::size_t i = detail::index_of(which);
+        for (std::size_t j = 0; j < detail::surface_parameter_count; ++j)
             face.parameters.correlation[i][j] = face.parameters.correlation[j][i] = i == j ? 1 : 0;
     });
 }
 
-FSTIFF_INLINE void Face::draw(const std::array<double, parts::surface_parameter_count>& drawn) {
-    for (const parts::ParameterRow& row : parts::surface_parameter_table)
-        if (auto* known = parameters.find(row.parameter)) known->value = drawn[parts::index_of(row.parameter)];
+FSTIFF_INLINE void Face::draw(const std::array<double, detail::surface_parameter_count>& drawn) {
+    for (const ParameterRow& row : detail::surface_parameter_table)
+        if (auto* known = parameters.find(row.parameter)) known->value = drawn[detail::index_of(row.parameter)];
 }
 
-FSTIFF_INLINE bool Face::is_open(parts::Unknown which) const {
+FSTIFF_INLINE bool Face::is_open(Unknown which) const {
     return std::any_of(priors.begin(), priors.end(), [&](const Prior& one) { return one.which == which; });
 }
 
@@ -81,21 +81,21 @@ FSTIFF_INLINE void Face::follow() {
     const double sigma = parameters.rms_height.value;
     SpectralMoments<double> moments;
     if (rms_gradient && alpha) {
-        moments = parts::moments_of_gradient(sigma, *rms_gradient, *alpha);
+        moments = detail::moments_of_gradient(sigma, *rms_gradient, *alpha);
     } else if (density_follows) {  // of R, and of the gradient or alpha
-        const double curvature = parts::radius_times_rms_curvature<double>() / parameters.peak_radius.value;
+        const double curvature = detail::radius_times_rms_curvature<double>() / parameters.peak_radius.value;
         moments.m4 = curvature * curvature;
         moments.m2 = rms_gradient ? *rms_gradient * *rms_gradient / 2 : sigma * std::sqrt(moments.m4 / *alpha);
     } else {  // of D_p, and of the gradient or alpha
-        const double ratio = parameters.peak_density.value / parts::peak_density_of<double>({1, 1, 1});
+        const double ratio = parameters.peak_density.value / detail::peak_density_of<double>({1, 1, 1});
         moments.m2 = rms_gradient ? *rms_gradient * *rms_gradient / 2 : sigma * sigma * (ratio / *alpha);
         moments.m4 = ratio * moments.m2;
     }
-    if (radius_follows) parameters.peak_radius.value = parts::peak_radius_of(moments);
-    if (density_follows) parameters.peak_density.value = parts::peak_density_of(moments);
+    if (radius_follows) parameters.peak_radius.value = detail::peak_radius_of(moments);
+    if (density_follows) parameters.peak_density.value = detail::peak_density_of(moments);
 }
 
-FSTIFF_INLINE void Face::set_shape(const parts::HeightShape<double>& of) {
+FSTIFF_INLINE void Face::set_shape(const HeightShape<double>& of) {
     shape = of;
     bearing = bearing_of_shape(of);
 }
@@ -107,19 +107,19 @@ FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Face
                              face.measured->rms_gradient.value == *face.rms_gradient;
     if (face.has_own_gradient()) all.push_back({as_measured ? measured : given, *face.rms_gradient});
     if (face.has_radius_and_density() && !is_as_measured(face)) {
-        const auto [of_density, of_height] = parts::implied_gradients(face.roughness(), r);
+        const auto [of_density, of_height] = detail::implied_gradients(face.roughness(), r);
         all.push_back({peaks, of_density});
         if (!face.has_own_gradient()) all.push_back({height, of_height});
     }
     for (const ImplausibleGradient& one : all)
-        if (!parts::is_plausible_gradient(one.value)) return one;
+        if (!detail::is_plausible_gradient(one.value)) return one;
     return std::nullopt;
 }
 
 FSTIFF_INLINE SpectralMoments<double> spectral_moments(const Face& face) {
     const Roughness<double> of = face.roughness();
     if (face.rms_gradient && face.alpha)
-        return parts::moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
+        return detail::moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
     SpectralMoments<double> moments{of.rms_height * of.rms_height, 0, 0};
     if (face.has_radius_and_density()) moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
     if (face.rms_gradient) moments.m2 = *face.rms_gradient * *face.rms_gradient / 2;
@@ -130,7 +130,7 @@ FSTIFF_INLINE SpectralMoments<double> spectral_moments(const Face& face) {
 FSTIFF_INLINE double hurst_exponent(const Face& face) {
     if (face.hurst) return *face.hurst;
     const double of_dimension = face.dimension() ? 2 - *face.dimension() : 0.8;
-    return (std::max)(of_dimension, parts::least_hurst(spectral_moments(face), face.widest_band));
+    return (std::max)(of_dimension, detail::least_hurst(spectral_moments(face), face.widest_band));
 }
 
 FSTIFF_INLINE bool has_isotropic_peaks(const Face& face) {
@@ -152,9 +152,9 @@ FSTIFF_INLINE Summits<double> summits_or_highest(const HeightMap<double>& map) {
     inner.isNaN().select(-std::numeric_limits<double>::infinity(), inner).maxCoeff(&j, &i);
     ++j, ++i;
     if (map.heights.block(j - 1, i - 1, 3, 3).isNaN().any()) return found;
-    auto top = parts::top_of(parts::shape_by_differences<double>(map.heights, j, i), map.dx, map.dy, 1.0);
-    if (!(top.min_curvature > parts::min_curvature_ratio<double> * top.max_curvature)) return found;
-    const parts::MapHeights<double> heights(map);
+    auto top = detail::top_of(detail::shape_by_differences<double>(map.heights, j, i), map.dx, map.dy, 1.0);
+    if (!(top.min_curvature > detail::min_curvature_ratio<double> * top.max_curvature)) return found;
+    const MapHeights<double> heights(map);
     top.height += (heights.of(map.heights(j, i)) - heights.mean) * heights.unit;
     top.x += static_cast<double>(i) * map.dx, top.y += static_cast<double>(j) * map.dy;
     found.summits.push_back(top);
@@ -168,7 +168,7 @@ FSTIFF_INLINE std::shared_ptr<const MapOfSurface> map_of_surface(
     double area = 0;
     bool whole = true;
     for (const auto& map : of.maps) {
-        of.summits.push_back(parts::with_hertz_factors(summits_or_highest(*map)));
+        of.summits.push_back(detail::with_hertz_factors(summits_or_highest(*map)));
         const double rms = of.summits.back().rms_height;
         of.mean_square_height += map->area() * rms * rms;
         area += map->area();
@@ -179,7 +179,7 @@ FSTIFF_INLINE std::shared_ptr<const MapOfSurface> map_of_surface(
         of.spectra = std::make_shared<const SpectraOfMaps>([maps = of.maps, area](Edges edges) {
             SpectrumShells<double> sum;
             for (const auto& map : maps)
-                sum = sum_of_spectra(sum, parts::scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
+                sum = sum_of_spectra(sum, detail::scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
             return sum;
         });
     of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
@@ -190,17 +190,17 @@ FSTIFF_INLINE std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
     for (const auto& one : upper.map->maps)
         for (const auto& other : lower.map->maps)
-            if (std::string why = parts::no_sum_of(*one, *other); !why.empty()) return why;
+            if (std::string why = detail::no_sum_of(*one, *other); !why.empty()) return why;
     return "";
 }
 
 /// The map that \p found has in a contact: with all of its short waves, unless a lambda_s was given.
 FSTIFF_INLINE std::shared_ptr<const HeightMap<double>> map_of_contact(const Surface<double>& found) {
     const auto& [cut_offs, map] = std::tie(found.cut_offs, found.map);
-    if (cut_offs.why_s != parts::LambdaSReason::by_table || !map->unfiltered) return {map, &map->map};
+    if (cut_offs.why_s != LambdaSReason::by_table || !map->unfiltered) return {map, &map->map};
     if (!cut_offs.lambda_c) return map->unfiltered;
     if (cut_offs.filter == CutOffFilter::robust) return {map, &map->map};
-    return std::make_shared<const HeightMap<double>>(parts::gaussian_high_pass(*map->unfiltered, *cut_offs.lambda_c));
+    return std::make_shared<const HeightMap<double>>(detail::gaussian_high_pass(*map->unfiltered, *cut_offs.lambda_c));
 }
 
 /// \p found as the contact sees it, with the maps of \p shared, where there are any, in place of its own.
@@ -216,7 +216,7 @@ FSTIFF_INLINE Face face_as_found(const Surface<double>& found,
     if (found.heights) {
         face.rms_gradient = found.rms_gradient.value;
         face.alpha = found.heights->moments.bandwidth();
-        face.set_shape(parts::counted_shape(*found.heights, found.shape_share));
+        face.set_shape(detail::counted_shape(*found.heights, found.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
     if (found.map) maps.push_back(map_of_contact(found));
@@ -227,10 +227,10 @@ FSTIFF_INLINE Face face_as_found(const Surface<double>& found,
         face.map = shared;
     else if (!maps.empty())
         face.map = map_of_surface(std::move(maps));
-    const bool has_all_waves = found.cut_offs.why_s == parts::LambdaSReason::by_table;  // K does not depend on lambda_s
+    const bool has_all_waves = found.cut_offs.why_s == LambdaSReason::by_table;  // K does not depend on lambda_s
     for (const Surface<double>& neighbour : found.neighbours) {
         face.neighbours.push_back(face_as_found(neighbour, has_all_waves ? face.map : nullptr));
-        parts::SurfaceParameters<double>& other = face.neighbours.back().parameters;
+        SurfaceParameters<double>& other = face.neighbours.back().parameters;
         if (!other.r) other.r = face.parameters.r, other.theta = face.parameters.theta;
     }
     return face;
@@ -244,7 +244,7 @@ FSTIFF_INLINE Face face_of(std::shared_ptr<const Surface<double>> measured) {
 
 /// The sum of two faces with the parameters \p of, without maps, neighbours and what was measured.
 FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double>& a,
-                            const SpectralMoments<double>& b, parts::SurfaceParameters<double> of) {
+                            const SpectralMoments<double>& b, SurfaceParameters<double> of) {
     const SpectralMoments<double> sum = a + b;
     Face face;
     face.parameters = std::move(of);
@@ -257,8 +257,8 @@ FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const Spectral
     face.gradient_of_islands = upper.gradient_of_islands || lower.gradient_of_islands;
     if (upper.alpha || lower.alpha) face.alpha = sum.bandwidth();
     if (upper.hurst || lower.hurst) face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
-    const parts::HeightShape<double> shape = parts::sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
-    face.set_shape(parts::counted_shape(shape.skewness, shape.kurtosis, 1.0));
+    const HeightShape<double> shape = detail::sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
+    face.set_shape(detail::counted_shape(shape.skewness, shape.kurtosis, 1.0));
     for (const Face* one : {&upper, &lower}) {
         if (!one->parameters.why_no_density.empty()) face.parameters.why_no_density = one->parameters.why_no_density;
         face.priors.insert(face.priors.end(), one->priors.begin(), one->priors.end());
@@ -270,11 +270,11 @@ FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const Spectral
 FSTIFF_INLINE Face sum_in_order(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
     const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower);
     const auto of_values = [&] {
-        return parts::stated(
-            sum_of_faces(parts::rough_face(upper.parameters, a), parts::rough_face(lower.parameters, b)));
+        return detail::stated(
+            sum_of_faces(detail::rough_face(upper.parameters, a), detail::rough_face(lower.parameters, b)));
     };
     Face face = sum_with(upper, lower, a, b,
-                         shifts == 0 ? of_values() : parts::uncertain_sum(upper.parameters, a, lower.parameters, b));
+                         shifts == 0 ? of_values() : detail::uncertain_sum(upper.parameters, a, lower.parameters, b));
     if (shifts == 0) return face;
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
@@ -289,7 +289,7 @@ FSTIFF_INLINE Face sum_in_order(const Face& upper, const Face& lower, int shifts
     const auto &above = upper.map->maps, &below = lower.map->maps;
     for (std::size_t k = 0; k < static_cast<std::size_t>(shifts); ++k) {  // of several maps each in turn
         HeightMap<double> map =
-            parts::random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
+            detail::random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
         of.summits.push_back(summits_of(map));
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }

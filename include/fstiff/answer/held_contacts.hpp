@@ -5,9 +5,9 @@
 
 #include <fstiff/answer/laws.hpp>
 
-#include <fstiff/contact/contact_law.hpp>
-#include <fstiff/contact/load_means.hpp>
-#include <fstiff/contact/mean_over_shifts.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/tabulated/mean_over_shifts.hpp>
 
 #include <cmath>
 #include <memory>
@@ -25,7 +25,7 @@ public:
     virtual ~Model() = default;
     virtual ContactState<double> at_pressure(double pressure, Quantity wanted) const = 0;
     virtual ContactState<double> at_separation(double separation, Quantity wanted) const = 0;
-    virtual parts::LogSlope<double> log_pressure(double eta) const = 0;
+    virtual LogSlope<double> log_pressure(double eta) const = 0;
     virtual Estimate<double> log_stiffness(double eta) const = 0;
 };
 template <class Contact>
@@ -38,7 +38,7 @@ public:
     ContactState<double> at_separation(double separation, Quantity wanted) const override {
         return contact_.at_separation(separation, wanted);
     }
-    parts::LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
+    LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
     Estimate<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
 
 private:
@@ -52,7 +52,7 @@ public:
     explicit ModelContact(const Contact& contact)
         : model_(std::make_shared<ModelOf<Contact>>(contact)),
           rms_height_(contact.rms_height()),
-          has_kinks_(parts::has_kinks(contact)),
+          has_kinks_(detail::has_kinks(contact)),
           bulk_compliance_(contact.bulk_compliance()),
           interaction_(contact.interaction()) {}
     ContactState<double> at_pressure(double pressure, Quantity wanted) const {
@@ -67,7 +67,7 @@ public:
     ContactPoint<double> point_at_separation(double separation, Quantity wanted) const {
         return ContactPoint<double>::of(at_separation(separation, wanted));
     }
-    parts::LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
+    LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
     Estimate<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
     double rms_height() const { return rms_height_; }
     bool has_kinks() const { return has_kinks_; }
@@ -112,7 +112,7 @@ public:
     }
     bool has_table() const override { return fstiff::Contact<Contact, double> || is_mean_of_tabulated<Contact>; }
     ContactLaw<double> tabulate(const LawRange<double>& range) const override {
-        if constexpr (parts::ProportionalContact<Contact, double>)
+        if constexpr (ProportionalContact<Contact, double>)
             return ContactLaw<double>::tabulate(ProportionalModelContact(contact_), range);
         else if constexpr (fstiff::Contact<Contact, double>)
             return ContactLaw<double>::tabulate(ModelContact(contact_), range);
@@ -132,9 +132,9 @@ class PlasticHolder final : public Holder<Contact> {
 public:
     PlasticHolder(Contact contact, double critical_over_radius)
         : Holder<Contact>(std::move(contact)), critical_over_radius_(critical_over_radius) {}
-    std::vector<parts::LoadMeans<double>> means_at(std::span<const double> etas) const override {
-        std::vector<parts::LoadMeans<double>> means;
-        for (const double eta : etas) means.push_back(parts::load_means(this->contact_, eta, critical_over_radius_));
+    std::vector<LoadMeans<double>> means_at(std::span<const double> etas) const override {
+        std::vector<LoadMeans<double>> means;
+        for (const double eta : etas) means.push_back(detail::load_means(this->contact_, eta, critical_over_radius_));
         return means;
     }
 

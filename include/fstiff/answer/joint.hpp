@@ -17,11 +17,10 @@
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/measured/measure.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/measure/measure.hpp>
+#include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/process_prior.hpp>
-#include <fstiff/ultrasound/propagation.hpp>
-#include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/wave/spring_interface.hpp>
 
 #include <memory>
 #include <optional>
@@ -40,15 +39,15 @@ struct JointFace {
     std::optional<double> alpha{};                      ///< Nayak's m0 m4/m2^2, above 1.5
     std::optional<double> hurst{};                      ///< above 0, at most 1
     std::optional<double> skewness{}, kurtosis{};       ///< of the heights: both or none, from -3 to 3 and up to 100
-    /// In place of them, the heights [m] over the material ratio: of_heights() of it, or parts::bearing_of_core().
-    std::optional<parts::BearingSlope<double>> bearing{};
+    /// In place of them, the heights [m] over the material ratio: of_heights() of it, or detail::bearing_of_core().
+    std::optional<BearingSlope<double>> bearing{};
     std::optional<double> peak_radius{};      ///< R [m], above 0
     std::optional<double> peak_density{};     ///< D_p [1/m^2], above 0
     std::optional<double> max_peak_height{};  ///< R_p [m], above 0
     std::optional<double> r{}, theta{};       ///< of the joint peaks: both or none, 0 <= r < 1, theta [rad] below pi/2
     std::optional<double> fractal_dimension{};  ///< D of a profile, above 1 and at most 1.99
     std::optional<double> fractal_roughness{};  ///< G [m], above 0
-    parts::Process process = parts::Process::unknown;
+    Process process = Process::unknown;
 
     /// Standard errors, 0 or more, of the numbers that are given; of those that were measured in place of the error of
     /// the measurement.
@@ -66,16 +65,13 @@ struct Body {
     /// Mean pressure of an indentation [Pa], above 0, infinite of a body that never yields; none: 2.8 times the yield
     /// strength, or where that is not given either, `hardness_range`, whose width is in the band.
     std::optional<double> hardness{};
-    std::optional<parts::PriorRange> hardness_range{};  ///< of a material by name; none: parts::hardness_of_elastic()
+    std::optional<PriorRange> hardness_range{};  ///< of a material by name; none: detail::hardness_of_elastic()
 };
 
-namespace parts {
-
+/// The body of \p material: its constants, and the range of its hardness.
 [[nodiscard]] inline Body body_of(const NamedMaterial& material) {
     return {.elastic = material.elastic, .hardness_range = material.hardness()};
 }
-
-}  // namespace parts
 
 /// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
 struct Waves {
@@ -83,16 +79,16 @@ struct Waves {
     Impedances<double> longitudinal{};        ///< the wave comes from the upper body
     std::optional<Impedances<double>> shear;  ///< none: not known
 
-    [[nodiscard]] double angular() const { return parts::angular_frequency(frequency); }
+    [[nodiscard]] double angular() const { return detail::angular_frequency(frequency); }
 };
 
 /// Resistances to heat and current.
 struct Conduction {
     /// joint_conductivity() of both bodies [W/(m K)], [S/m], above 0; none: not known.
     std::optional<double> thermal{}, electrical{};
-    std::optional<parts::GapFilling<double>> gap{};  ///< what lies between the faces
-    double radiation = 0;                            ///< h in addition [W/(m^2 K)]
-    double thermal_film = 0, electrical_film = 0;    ///< on the spots [m^2 K/W], [ohm m^2]
+    std::optional<GapFilling<double>> gap{};       ///< what lies between the faces
+    double radiation = 0;                          ///< h in addition [W/(m^2 K)]
+    double thermal_film = 0, electrical_film = 0;  ///< on the spots [m^2 K/W], [ohm m^2]
 };
 
 /// Conditions of a tangential force.

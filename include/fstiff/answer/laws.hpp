@@ -3,38 +3,141 @@
 /// \file
 /// A law by its name at run time: one table, in answer/laws_inline.hpp. To add a law is one line there.
 
-#include <fstiff/answer/any_contact.hpp>
-#include <fstiff/answer/maps.hpp>
-
-#include <fstiff/answer/law_name.hpp>
+#include <fstiff/answer/causes.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
-#include <fstiff/contact/contact_curve.hpp>
+#include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/load_means.hpp>
-#include <fstiff/contact/quantity.hpp>
+#include <fstiff/contact/plastic_contact.hpp>
+#include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/core/text.hpp>
-#include <fstiff/fit/difference_fit.hpp>
-#include <fstiff/fit/identify.hpp>
+#include <fstiff/identify/differences.hpp>
+#include <fstiff/identify/identify.hpp>
+#include <fstiff/measure/height_shape.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
-#include <fstiff/surface/roughness.hpp>
-#include <fstiff/surface/roughness_spectrum.hpp>
+#include <fstiff/peaks/quantity.hpp>
+#include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/spectrum.hpp>
+#include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/summits.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+// A contact whose law is known by name only.
+//
+//     const auto contact = fstiff::contact_of(joint, fstiff::LawName::hybrid);
+//     const double p = 10e6;
+//     contact->at_pressures(std::span(&p, 1), fstiff::Quantity::stiffness).front().state.stiffness.value    [Pa/m]
+//
+// Reference   answer/laws.hpp: the laws
+// Units       SI
+// Valid       as the law
+// Accuracy    that of the law: the same number as the contact by itself (tests/scene/laws_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+template <Real T>
+class ContactLaw;
+template <Real T>
+struct LawRange;
+
+/// A contact whose law is known by name only.
+class AnyContact {
+public:
+    virtual ~AnyContact() = default;
+    /// The states under pressures [Pa], and at separations [m]; a point out of reach has that status.
+    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures,
+                                                                         Quantity wanted) const = 0;
+    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
+                                                                           Quantity wanted) const = 0;
+    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range depends on
+    /// it.
+    [[nodiscard]] virtual std::vector<LoadMeans<double>> means_at(std::span<const double> /*etas*/) const { return {}; }
+    [[nodiscard]] virtual bool has_table() const { return false; }
+    /// The contact tabulated. \throws domain_error unless has_table(), and as
+    /// ContactLaw::tabulate.
+    [[nodiscard]] virtual ContactLaw<double> tabulate(const LawRange<double>& range) const;
+};
+
+}  // namespace fstiff::inline v0_1
+
+// The spectra of maps, their crowded contacts by their bearing curves, and their highest points. They cost a sort and
+// a transform of each map, so that they are made when a law first asks for them; all copies of a surface share them.
+
 namespace fstiff::inline v0_1::detail {
+
+/// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
+[[nodiscard]] std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
+
+/// The spectra that a function makes, of each way to go on beyond the edges.
+class SpectraOfMaps {
+public:
+    using Make = std::function<SpectrumShells<double>(Edges)>;
+    explicit SpectraOfMaps(Make make) : make_(std::move(make)) {}
+
+    [[nodiscard]] const SpectrumShells<double>& of(Edges edges) const {
+        const std::lock_guard lock(guard_);
+        auto& made = made_[static_cast<std::size_t>(edges)];
+        if (!made) made = make_(edges);
+        return *made;
+    }
+
+private:
+    Make make_;
+    mutable std::mutex guard_;
+    mutable std::array<std::optional<SpectrumShells<double>>, 2> made_;
+};
+
+class BearingsOfMaps {
+public:
+    BearingsOfMaps(std::vector<std::shared_ptr<const HeightMap<double>>> maps, std::vector<Summits<double>> summits)
+        : maps_(std::move(maps)), summits_(std::move(summits)) {}
+
+    /// Bearing curve of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
+    [[nodiscard]] BearingContact<double> contact(std::size_t index, Edges edges, double modulus, double gamma) const;
+    /// How hybrid goes from the summits of the map number \p index to that. \throws domain_error as contact() and
+    /// SummitContact.
+    [[nodiscard]] HandOver<double> hand_over(std::size_t index, Edges edges, double modulus, double gamma) const;
+    /// The highest points of the map number \p index. \throws domain_error as HighestPoints.
+    [[nodiscard]] MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;
+
+private:
+    /// What \p all has of \p key, else what \p make makes: without the lock, as that takes long.
+    template <class All, class Make>
+    [[nodiscard]] auto kept(All& all, const typename All::key_type& key, const Make& make) const {
+        std::unique_lock lock(guard_);
+        if (const auto found = all.find(key); found != all.end()) return found->second;
+        lock.unlock();
+        auto made = make();
+        lock.lock();
+        return all.emplace(key, std::move(made)).first->second;
+    }
+
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps_;
+    std::vector<Summits<double>> summits_;  ///< of each map
+    mutable std::mutex guard_;
+    mutable std::map<std::tuple<std::size_t, Edges, double, double>, BearingContact<double>> made_;
+    mutable std::map<std::tuple<std::size_t, Edges, double, double>, HandOver<double>> hand_overs_;
+    mutable std::map<std::tuple<std::size_t, Edges, double>, MapCut<double>> cuts_;
+};
 
 /// Within which load means a law of plastic peaks holds.
 struct PlasticRange {
@@ -69,7 +172,7 @@ struct MapOfSurface {
     [[nodiscard]] double rms_height() const { return taller * std::sqrt(mean_square_height); }
     /// Where there are spectra.
     [[nodiscard]] SpectrumShells<double> spectrum(Edges edges = Edges::mirrored) const {
-        return parts::scaled(spectra->of(edges), taller);
+        return detail::scaled(spectra->of(edges), taller);
     }
 };
 
@@ -99,10 +202,10 @@ struct ContactInputs {
     double hurst = 0.8;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
-    const parts::BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
-    const QuickHybrid* similar = nullptr;                  ///< of surfaces for a band: K alone counts, to 1e-3
-    PlasticMaterial<double> material{};                    ///< of the softer body
-    ProgressHook progress{};                               ///< called once a state where that takes seconds
+    const BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
+    const QuickHybrid* similar = nullptr;           ///< of surfaces for a band: K alone counts, to 1e-3
+    PlasticMaterial<double> material{};             ///< of the softer body
+    ProgressHook progress{};                        ///< called once a state where that takes seconds
 };
 
 /// A measured curve and how it is fitted.
@@ -144,8 +247,8 @@ struct Law {
 [[nodiscard]] std::vector<std::string_view> law_names();
 /// Parameters that can be fitted.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
-/// Fits the parameters of any curve, by differences. \throws as parts::identify_by_differences.
-[[nodiscard]] Identification<double> fit_curve(const FitInputs& inputs, const parts::CurveOfParameters<double>& curve);
+/// Fits the parameters of any curve, by differences. \throws as detail::identify_by_differences.
+[[nodiscard]] Identification<double> fit_curve(const FitInputs& inputs, const CurveOfParameters<double>& curve);
 [[nodiscard]] const Law& find_law(LawName name);
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
@@ -155,7 +258,7 @@ struct Law {
 namespace fstiff::inline v0_1 {
 
 template <>
-inline constexpr auto names<detail::SpectrumSource> = name_list<detail::SpectrumSource>(
+inline constexpr auto names<detail::SpectrumSource> = detail::name_list<detail::SpectrumSource>(
     {{detail::SpectrumSource::map, "map"}, {detail::SpectrumSource::moments, "moments"}});
 
 }  // namespace fstiff::inline v0_1

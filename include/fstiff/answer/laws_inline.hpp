@@ -9,8 +9,8 @@
 #include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
-#include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
+#include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -40,12 +40,12 @@ FSTIFF_INLINE RoughContactOptions<double> options_of(const ContactInputs& inputs
 }
 
 // one contact and one fit are compiled for all three elastic laws
-using LawOfDimension = parts::ElasticLaw<double> (*)(double dimension);
-FSTIFF_INLINE parts::ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
-FSTIFF_INLINE parts::ElasticLaw<double> fractal_consistent(double dimension) {
+using LawOfDimension = ElasticLaw<double> (*)(double dimension);
+FSTIFF_INLINE ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
+FSTIFF_INLINE ElasticLaw<double> fractal_consistent(double dimension) {
     return FractalConsistentLaw<double>(dimension);
 }
-FSTIFF_INLINE parts::ElasticLaw<double> hertz(double) { return HertzLaw<double>{}; }
+FSTIFF_INLINE ElasticLaw<double> hertz(double) { return HertzLaw<double>{}; }
 
 /// A contact of joint peaks with the asperity law that \p of_dimension makes of the fractal dimension.
 template <LawOfDimension of_dimension>
@@ -60,8 +60,8 @@ Identification<double> fitted(const FitInputs& inputs) {
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
-    return held(GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, parts::Heights::gaussian,
-                                            options_of(inputs)));
+    return held(
+        GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, Heights::gaussian, options_of(inputs)));
 }
 
 /// Persson's contact of the spectrum.
@@ -85,7 +85,7 @@ std::unique_ptr<AnyContact> over_shifts(const ContactInputs& inputs, const Make&
 }
 
 /// The crowded contact of one shift by its bearing curve.
-FSTIFF_INLINE parts::BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
+FSTIFF_INLINE BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
     return map.bearings
         ->contact(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
@@ -99,7 +99,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
             return SummitContact<double>(of, inputs.effective_modulus);
         });
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
-        return parts::MutualSummits<double>(of, inputs.effective_modulus, inputs.options.edges);
+        return MutualSummits<double>(of, inputs.effective_modulus, inputs.options.edges);
     });
 }
 
@@ -107,8 +107,8 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
 FSTIFF_INLINE auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
     SummitContact<double> peaks(of, inputs.effective_modulus);
-    parts::BearingContact<double> crowded_contact = crowded(inputs, shift);
-    parts::HandOver<double> hand_over =
+    BearingContact<double> crowded_contact = crowded(inputs, shift);
+    HandOver<double> hand_over =
         map.bearings
             ->hand_over(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
             .of(peaks, map.taller);
@@ -142,7 +142,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
 }
 
 /// Yielded peaks, from numbers: the cut of a Gaussian surface.
-FSTIFF_INLINE parts::GaussianCut<double> gaussian_cut(const ContactInputs& inputs) {
+FSTIFF_INLINE GaussianCut<double> gaussian_cut(const ContactInputs& inputs) {
     return {std::sqrt(inputs.moments.m0), std::sqrt(2 * inputs.moments.m2), inputs.effective_modulus};
 }
 
@@ -151,7 +151,7 @@ struct Flowing {
     double hardness;
     std::optional<double> stiffness(const ContactInputs& inputs, double K, double p) const {
         const double s = p / hardness;
-        return s < 1 ? std::optional(parts::yielded(s, gaussian_cut(inputs).stiffness(s), K).stiffness) : std::nullopt;
+        return s < 1 ? std::optional(detail::yielded(s, gaussian_cut(inputs).stiffness(s), K).stiffness) : std::nullopt;
     }
     QuickHybrid::PressureOver pressure(const ContactInputs& inputs) const {
         const PlasticContact contact(QuickElastic(inputs), gaussian_cut(inputs), hardness);
@@ -191,7 +191,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_peaks(const ContactInputs& inp
     material.effective_modulus = inputs.effective_modulus;
     material.hardness = hardness;
     if (!(material.yield_strength > 0))
-        material.yield_strength = hardness / parts::hardness_over_yield_strength<double>;
+        material.yield_strength = hardness / detail::hardness_over_yield_strength<double>;
     const double critical_over_radius = KogutEtsionLaw<double>(material).critical(1.0);
     return std::make_unique<PlasticHolder<RoughContact<double, PlasticLaw<double>>>>(
         RoughContact(inputs.surface, *inputs.peaks, PlasticLaw<double>(hardness, inputs.effective_modulus),
@@ -220,7 +220,7 @@ public:
         for (const double p : pressures) {
             ContactState<double> state;
             state.pressure = {p, 0, 0};
-            const double K = parts::linear_stiffness(p, rms_height_);
+            const double K = detail::linear_stiffness(p, rms_height_);
             state.stiffness = {K, 4 * std::numeric_limits<double>::epsilon() * K, 0};
             points.push_back(ContactPoint<double>::of(state));
         }
@@ -244,7 +244,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> boundary_elements(const ContactInputs&
     for (const auto& map : inputs.map->maps)
         of_shifts.emplace_back(
             *map, inputs.effective_modulus,
-            parts::TruthOptions<double>{
+            TruthOptions<double>{
                 .points = of.points, .edges = of.edges, .hardness = of.hardness, .progress = inputs.progress});
     return mean_over(std::move(of_shifts));
 }
@@ -374,7 +374,7 @@ inline const std::array<Law, 13> table{{
 FSTIFF_INLINE std::span<const Law> laws() { return of_laws::table; }
 
 FSTIFF_INLINE std::vector<std::string_view> law_names() {
-    const auto words = parts::choices<LawName>();
+    const auto words = detail::choices<LawName>();
     return {words.begin(), words.end()};
 }
 
@@ -385,14 +385,14 @@ FSTIFF_INLINE std::vector<std::string_view> fitted_law_names() {
     return names;
 }
 
-FSTIFF_INLINE Identification<double> fit_curve(const FitInputs& inputs, const parts::CurveOfParameters<double>& curve) {
-    return parts::identify_by_differences(inputs.data, inputs.wanted, inputs.start, curve, inputs.options);
+FSTIFF_INLINE Identification<double> fit_curve(const FitInputs& inputs, const CurveOfParameters<double>& curve) {
+    return detail::identify_by_differences(inputs.data, inputs.wanted, inputs.start, curve, inputs.options);
 }
 
 FSTIFF_INLINE const Law& find_law(LawName name) { return of_laws::table[static_cast<std::size_t>(name)]; }
 
 FSTIFF_INLINE const Law* find_law(std::string_view name) {
-    const auto found = parts::find_named<LawName>(name);
+    const auto found = detail::find_named<LawName>(name);
     return found ? &find_law(*found) : nullptr;
 }
 

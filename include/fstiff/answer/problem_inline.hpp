@@ -38,7 +38,7 @@ FSTIFF_INLINE std::vector<const Face*> measured_faces(const Problem& problem) {
 FSTIFF_INLINE bool has_lay(const Problem& problem) {
     const std::vector<const Face*> measured = measured_faces(problem);
     return std::any_of(measured.begin(), measured.end(),
-                       [](const Face* face) { return parts::is_profile_with_lay(*face->measured); });
+                       [](const Face* face) { return detail::is_profile_with_lay(*face->measured); });
 }
 
 FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
@@ -47,14 +47,14 @@ FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
         return face.map->taller * face.map->spectra->of(problem.law_options.edges).rms_gradient();
     if (face.has_own_gradient()) return face.rms_gradient;
     if (face.has_peaks())
-        if (const auto of_own = parts::rms_gradient(
+        if (const auto of_own = detail::rms_gradient(
                 face.roughness(), PeakDistribution(face.parameters.r->value, face.parameters.theta->value)))
             return of_own;
     if (face.rms_gradient) return face.rms_gradient;
     if (lack_of_spectrum(face) == Lack::nothing) return std::sqrt(2 * spectral_moments(face).m2);
     std::optional<double> of_peaks;
     for (const Peaks& peaks : problem.peaks)
-        if (const auto one = parts::rms_gradient(face.roughness(), peak_density(peaks))) of_peaks = one;
+        if (const auto one = detail::rms_gradient(face.roughness(), peak_density(peaks))) of_peaks = one;
     return of_peaks;
 }
 
@@ -63,29 +63,29 @@ FSTIFF_INLINE Interaction<double> interaction(const Problem& problem) {
     result.reading = problem.reading;
     if (result.reading != InteractionReading::none)
         result.length = problem.length == InteractionLength::nominal
-                            ? parts::interaction_length_of_area(*problem.nominal_area)
+                            ? detail::interaction_length_of_area(*problem.nominal_area)
                         : problem.length == InteractionLength::peak_spacing
-                            ? parts::interaction_length_of_peaks(problem.face.parameters.peak_density.value)
+                            ? detail::interaction_length_of_peaks(problem.face.parameters.peak_density.value)
                             : problem.given_length;
     return result;
 }
 
 /// The hardness of \p body [Pa]: given, by Tabor's factor 2.8 (1951), or its range.
-FSTIFF_INLINE parts::PriorRange hardness_of(const Body& body) {
-    const auto known = [](double value) { return parts::PriorRange{value, value, value}; };
+FSTIFF_INLINE PriorRange hardness_of(const Body& body) {
+    const auto known = [](double value) { return PriorRange{value, value, value}; };
     if (body.hardness) return known(*body.hardness);
-    if (body.yield_strength) return known(parts::hardness_over_yield_strength<double> * *body.yield_strength);
-    return body.hardness_range.value_or(parts::hardness_of_elastic(body.elastic));
+    if (body.yield_strength) return known(detail::hardness_over_yield_strength<double> * *body.yield_strength);
+    return body.hardness_range.value_or(detail::hardness_of_elastic(body.elastic));
 }
 /// Of the bodies of one material it is one number.
-FSTIFF_INLINE parts::PriorRange softer_hardness(const Body& upper, const Body& lower) {
+FSTIFF_INLINE PriorRange softer_hardness(const Body& upper, const Body& lower) {
     const auto a = hardness_of(upper), b = hardness_of(lower);
     const bool same = a.low == b.low && a.middle == b.middle && a.high == b.high;
-    return same ? a : parts::softer(a, b);
+    return same ? a : detail::softer(a, b);
 }
 
 /// The hardness of the joint, \p range, whose softer body is \p softer.
-FSTIFF_INLINE void take_hardness(const Body& softer, const parts::PriorRange& range, Problem& problem) {
+FSTIFF_INLINE void take_hardness(const Body& softer, const PriorRange& range, Problem& problem) {
     problem.hardness = softer.hardness, problem.hardness_range.reset();
     if (range.low < range.high)
         problem.hardness.reset(), problem.hardness_range = range;
@@ -119,7 +119,7 @@ FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::
 
 FSTIFF_INLINE double hardness_of(const Problem& problem) {
     if (problem.hardness_range) return problem.hardness_range->middle;
-    return problem.hardness.value_or(parts::hardness_over_yield_strength<double> * problem.yield_strength.value_or(0));
+    return problem.hardness.value_or(detail::hardness_over_yield_strength<double> * problem.yield_strength.value_or(0));
 }
 
 /// As the laws take it: 0 where it follows from the yield strength, infinite nowhere.
@@ -156,7 +156,7 @@ FSTIFF_INLINE Lack lack_of_spectrum(const Face& face) {
 
 FSTIFF_INLINE Lack lack_of(const Law& law, const Problem& problem, bool at_separations) {
     const Face& face = problem.face;
-    if (at_separations && !parts::has(law.quantities, Quantity::separation)) return Lack::separation;
+    if (at_separations && !detail::has(law.quantities, Quantity::separation)) return Lack::separation;
     if (law.needs_radius() && !face.has_radius_and_density()) return Lack::peaks;
     if (law.needs_map && !face.map) return problem.faces.empty() ? Lack::map : Lack::sum_of_maps;
     if (law.needs_summits && face.map->summits.front().summits.empty()) return Lack::summits;
@@ -244,7 +244,7 @@ FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request
     std::vector<ContactPoint<double>> points;
     if (request.parallel && !law.varies) {
         points.resize(request.points.size());
-        parts::run_pieces(request.parallel, points.size(), [&](std::size_t i) {
+        detail::run_pieces(request.parallel, points.size(), [&](std::size_t i) {
             const std::span<const double> one(&request.points[i], 1);
             points[i] = (request.at_separations ? contact.at_separations(one, quantities)
                                                 : contact.at_pressures(one, quantities))

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/quick_hybrids.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/answer/quick_hybrids.hpp>
-
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/laws.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
-#include <fstiff/contact/similar_hybrids.hpp>
+#include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include <cmath>
 #include <functional>
@@ -69,7 +71,7 @@ private:
 
 class HybridsOfDraws final : public QuickHybrid {
 public:
-    HybridsOfDraws(const parts::BearingSlope<double>* bearing, double gamma) : table_(bearing, gamma) {}
+    HybridsOfDraws(const BearingSlope<double>* bearing, double gamma) : table_(bearing, gamma) {}
     std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const override {
         return table_.stiffness(inputs.moments, inputs.hurst, inputs.effective_modulus, pressure);
     }
@@ -86,7 +88,7 @@ public:
     }
 
 private:
-    parts::SimilarHybrids<double> table_;
+    SimilarHybrids<double> table_;
 };
 
 /// K sigma/(E g) is a function of p/(E g), alpha, H and the bearing curve.
@@ -109,12 +111,12 @@ public:
     }
 
 private:
-    using Gaussian = HybridContact<double, detail::BandHills<double>>;
-    using Scaled = parts::ScaledContact<double, Gaussian>;
+    using Gaussian = HybridContact<double, BandHills<double>>;
+    using Scaled = ScaledContact<double, Gaussian>;
     /// Contact of one alpha and H, with rms height, gradient and modulus 1.
     struct Surface {
         std::optional<Gaussian> gaussian;
-        std::map<const parts::BearingSlope<double>*, Scaled> scaled;
+        std::map<const BearingSlope<double>*, Scaled> scaled;
     };
     static double closing_of(const ContactInputs& inputs) {
         return inputs.effective_modulus * std::sqrt(2 * inputs.moments.m2);
@@ -127,7 +129,7 @@ private:
         const double alpha = std::exp(std::round(std::log(inputs.moments.bandwidth()) * 1e9) / 1e9);
         Surface& of = surfaces_[std::pair(alpha, inputs.hurst)];
         const auto band = [&] { return band_of_moments<double>({1, 0.5, alpha / 4}, inputs.hurst); };
-        const parts::BearingSlope<double>* const bearing = inputs.bearing;
+        const BearingSlope<double>* const bearing = inputs.bearing;
         try {
             if (!bearing) {
                 if (!of.gaussian) of.gaussian = hybrid_of_band(band(), 1.0, gamma_);
@@ -138,7 +140,7 @@ private:
                 found =
                     of.scaled
                         .emplace(bearing, of.scaled.empty() ? hybrid_of_band(band(), *bearing, 1.0, gamma_)
-                                                            : parts::with_bearing(of.scaled.begin()->second, *bearing))
+                                                            : detail::with_bearing(of.scaled.begin()->second, *bearing))
                         .first;
             return call(found->second);
         } catch (const domain_error&) {
@@ -150,12 +152,41 @@ private:
     mutable std::map<std::pair<double, double>, Surface> surfaces_;
 };
 
-FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_draws(const parts::BearingSlope<double>* bearing,
-                                                                  double gamma) {
+FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_draws(const BearingSlope<double>* bearing, double gamma) {
     return std::make_shared<const HybridsOfDraws>(bearing, gamma);
 }
 FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma) {
     return std::make_shared<const HybridsOfNumbers>(gamma);
+}
+
+}  // namespace fstiff::inline v0_1::detail
+
+// The functions of answer/laws.hpp: inline, or compiled in fstiff::double.
+
+namespace fstiff::inline v0_1::detail {
+
+FSTIFF_INLINE std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
+    if (shape.is_gaussian()) return nullptr;
+    return std::make_shared<const BearingSlope<double>>(detail::bearing_of_moments(shape.skewness, shape.kurtosis));
+}
+
+FSTIFF_INLINE BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, double modulus,
+                                                             double gamma) const {
+    return kept(made_, {index, edges, modulus, gamma}, [&] {
+        GaussianOrder<double> order = detail::gaussian_order(*maps_[index]);
+        const PerssonContact<double> gaussian(map_spectrum(order.map, edges), modulus, gamma);
+        return BearingContact<double>(gaussian, std::move(order.curve), order.rms_height);
+    });
+}
+
+FSTIFF_INLINE HandOver<double> BearingsOfMaps::hand_over(std::size_t index, Edges edges, double modulus,
+                                                         double gamma) const {
+    return kept(hand_overs_, {index, edges, modulus, gamma},
+                [&] { return detail::hand_over_of(summits_[index], contact(index, edges, modulus, gamma), edges); });
+}
+
+FSTIFF_INLINE MapCut<double> BearingsOfMaps::cut(std::size_t index, Edges edges, double modulus) const {
+    return kept(cuts_, {index, edges, modulus}, [&] { return MapCut<double>(*maps_[index], modulus, edges); });
 }
 
 }  // namespace fstiff::inline v0_1::detail

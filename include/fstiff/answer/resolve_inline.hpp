@@ -5,9 +5,8 @@
 /// Functions of answer/problem.hpp: inline, or compiled in fstiff::double.
 
 #include <fstiff/answer/problem.hpp>
-#include <fstiff/answer/unknowns.hpp>
 
-#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/surface/material_ratio.hpp>
 
 #include <cmath>
 #include <limits>
@@ -24,11 +23,11 @@ using Given = std::optional<double>;
 FSTIFF_INLINE void require_between(std::string_view name, const Given& value, double low,
                                    double high = (std::numeric_limits<double>::max)()) {
     if (value && !(*value > low && *value <= high))
-        parts::refuse(
+        detail::refuse(
             name, *value,
             high == (std::numeric_limits<double>::max)()
-                ? "finite and greater than " + parts::rounded_text(low, 6)
-                : "greater than " + parts::rounded_text(low, 6) + " and at most " + parts::rounded_text(high, 6));
+                ? "finite and greater than " + detail::rounded_text(low, 6)
+                : "greater than " + detail::rounded_text(low, 6) + " and at most " + detail::rounded_text(high, 6));
 }
 
 /// Those that no other number can be in place of: all but the rms height.
@@ -59,9 +58,9 @@ FSTIFF_INLINE void require_numbers(const JointFace& of) {
     require_between("hurst", of.hurst, 0, 1);
     require_between("fractal_dimension", of.fractal_dimension, 1, greatest_dimension);
     for (const auto& [which, value, error] : given_parameters) {
-        const parts::ParameterRow& row = parts::row_of(which);
-        if (of.*value && !parts::parameter_in_range(which, *(of.*value)))
-            parts::refuse(row.key, *(of.*value), row.range());
+        const ParameterRow& row = detail::row_of(which);
+        if (of.*value && !detail::parameter_in_range(which, *(of.*value)))
+            detail::refuse(row.key, *(of.*value), row.range());
     }
     if (!of.measured && !of.rms_height && !of.mean_height)
         throw domain_error("rms_height: is missing; a face needs it, mean_height or a measured surface");
@@ -82,40 +81,40 @@ FSTIFF_INLINE void require_errors(const JointFace& of, const Face& face) {
     check("the gradient", of.errors.gradient,
           of.rms_gradient || of.profile_gradient || of.profile_spacing || (of.measured && face.rms_gradient));
     for (const auto& [which, value, error] : given_parameters)
-        check(parts::row_of(which).key, of.errors.*error,
+        check(detail::row_of(which).key, of.errors.*error,
               (of.*value).has_value() || (of.measured && face.parameters.find(which)));
 }
 
 /// A gradient of the range \p range, which is from \p origin.
-FSTIFF_INLINE void take_gradient(const parts::PriorRange& range, Origin origin, Face& face) {
+FSTIFF_INLINE void take_gradient(const PriorRange& range, Origin origin, Face& face) {
     face.write([&](Face& one) { one.rms_gradient = range.middle; });
-    if (range.low < range.high) face.priors.push_back({parts::Unknown::gradient, range.low, range.high, origin, range});
+    if (range.low < range.high) face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
 }
 
 /// The height and the gradient of \p of, and the errors that they are given.
 FSTIFF_INLINE void take_height_and_gradient(const JointFace& of, Face& face) {
-    const parts::ProcessPrior& prior = parts::prior_of(face.process);
+    const ProcessPrior& prior = detail::prior_of(face.process);
     if (of.rms_height) face.write(Parameter::rms_height, *of.rms_height);
     if (of.mean_height) {
-        const parts::PriorRange& ratio = prior.mean_over_rms;
+        const PriorRange& ratio = prior.mean_over_rms;
         face.write(Parameter::rms_height, *of.mean_height / ratio.middle);
-        face.priors.push_back({parts::Unknown::height, *of.mean_height / ratio.high, *of.mean_height / ratio.low,
-                               Origin::mean_height, ratio});
+        face.priors.push_back(
+            {Unknown::height, *of.mean_height / ratio.high, *of.mean_height / ratio.low, Origin::mean_height, ratio});
     }
-    const parts::PriorRange of_slope = parts::gradient_of_slope(prior);
-    const auto times = [](const parts::PriorRange& a, const parts::PriorRange& b) {
-        const auto side = [&](double parts::PriorRange::*end) {  // independent factors
+    const PriorRange of_slope = detail::gradient_of_slope(prior);
+    const auto times = [](const PriorRange& a, const PriorRange& b) {
+        const auto side = [&](double PriorRange::*end) {  // independent factors
             return std::hypot(std::log(a.*end / a.middle), std::log(b.*end / b.middle));
         };
         const double middle = a.middle * b.middle;
-        return parts::PriorRange{middle * std::exp(-side(&parts::PriorRange::low)), middle,
-                                 middle * std::exp(side(&parts::PriorRange::high))};
+        return PriorRange{middle * std::exp(-side(&PriorRange::low)), middle,
+                          middle * std::exp(side(&PriorRange::high))};
     };
     if (of.rms_gradient) take_gradient({*of.rms_gradient, *of.rms_gradient, *of.rms_gradient}, Origin::slope, face);
     if (const Given& slope = of.profile_gradient)
         take_gradient(times({*slope, *slope, *slope}, of_slope), Origin::slope, face);
     if (of.profile_spacing)
-        take_gradient(times(parts::slope_of_spacing(face.parameters.rms_height.value, *of.profile_spacing), of_slope),
+        take_gradient(times(detail::slope_of_spacing(face.parameters.rms_height.value, *of.profile_spacing), of_slope),
                       Origin::spacing, face);
 }
 
@@ -135,20 +134,20 @@ FSTIFF_INLINE void take_errors(const JointFace& of, Face& face) {
 /// The shape of the heights of \p of: of a bearing curve that belongs to its height.
 FSTIFF_INLINE void take_shape(const JointFace& of, Face& face) {
     if (of.skewness) {
-        const parts::HeightShape<double> shape{*of.skewness, *of.kurtosis};
+        const HeightShape<double> shape{*of.skewness, *of.kurtosis};
         return face.write([&](Face& one) { one.set_shape(shape); });
     }
     if (!of.bearing) return;
     const double rms_height = face.parameters.rms_height.value;
-    const auto [mean, variance, skewness, kurtosis] = parts::normal_moments(*of.bearing);
+    const auto [mean, variance, skewness, kurtosis] = detail::normal_moments(*of.bearing);
     const double rms = std::sqrt(variance);
     if (!(rms > rms_height / 2 && rms < rms_height * 2))  // likely for a unit
-        throw domain_error(parts::Refusal{.parameter = "bearing",
-                                          .reason = "belongs to an rms height of " + parts::rounded_text(rms, 3) +
-                                                    " m, and rms_height is " + parts::rounded_text(rms_height, 3) +
-                                                    " m; both must agree within a factor of 2"});
-    const auto of_rms = std::make_shared<const parts::BearingSlope<double>>(of.bearing->scaled(1 / rms_height));
-    const parts::HeightShape<double> shape = parts::counted_shape(skewness, kurtosis, 1.0);
+        throw domain_error(Refusal{.parameter = "bearing",
+                                   .reason = "belongs to an rms height of " + detail::rounded_text(rms, 3) +
+                                             " m, and rms_height is " + detail::rounded_text(rms_height, 3) +
+                                             " m; both must agree within a factor of 2"});
+    const auto of_rms = std::make_shared<const BearingSlope<double>>(of.bearing->scaled(1 / rms_height));
+    const HeightShape<double> shape = detail::counted_shape(skewness, kurtosis, 1.0);
     face.write([&](Face& one) { one.shape = shape, one.bearing = of_rms; });
 }
 
@@ -176,18 +175,18 @@ FSTIFF_INLINE Face face_of(const JointFace& of) {
     if (of.fractal_roughness)
         face.write([&](Face& one) { one.parameters.fractal_roughness = {*of.fractal_roughness, 0}; });
     if (face.parameters.r.has_value() != face.parameters.theta.has_value())
-        throw domain_error(parts::Refusal{.parameter = face.parameters.r ? "theta" : "r",
-                                          .reason = "is missing; r and theta belong together"});
+        throw domain_error(Refusal{.parameter = face.parameters.r ? "theta" : "r",
+                                   .reason = "is missing; r and theta belong together"});
     take_shape(of, face);
     fill_unknown(face, has_shape);
     for (const auto& [follows, name, value] :
          {std::tuple(face.radius_follows, "peak_radius", face.parameters.peak_radius.value),
           std::tuple(face.density_follows, "peak_density", face.parameters.peak_density.value)})
         if (follows && !(value > 0 && std::isfinite(value)))  // 0 counts as not known
-            throw domain_error(parts::Refusal{.parameter = of.alpha ? "alpha" : "rms_height",
-                                              .reason = "makes, with rms_height and rms_gradient, " +
-                                                        std::string(name) + " = " + parts::rounded_text(value, 6) +
-                                                        ", which must be finite and greater than 0"});
+            throw domain_error(Refusal{.parameter = of.alpha ? "alpha" : "rms_height",
+                                       .reason = "makes, with rms_height and rms_gradient, " + std::string(name) +
+                                                 " = " + detail::rounded_text(value, 6) +
+                                                 ", which must be finite and greater than 0"});
     return face;
 }
 

@@ -5,11 +5,8 @@
 /// solved points, and how it changes with the cut-offs. For answer/elements_inline.hpp.
 
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/elements.hpp>
-#include <fstiff/answer/rising_curve.hpp>
 
 #include <fstiff/halfspace/truth.hpp>
-#include <fstiff/topography/map_noise.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include <algorithm>
@@ -49,7 +46,7 @@ FSTIFF_INLINE std::vector<ElementPoint> element_points(const Problem& problem, c
     const double size = coarser * coarser * static_cast<double>(map.size());
     for (std::size_t i = 0; i < base.states.size(); ++i) {
         const double touching = base.states[i].real_area_fraction.value * size;
-        const double weight = touching > 0 ? parts::weight_of_elements(touching) : 1;
+        const double weight = touching > 0 ? detail::weight_of_elements(touching) : 1;
         if (weight > 0) all.push_back({base.places[i], std::log(base.states[i].pressure.value), weight});
     }
     for (const MissedPoint& missed : base.missed)
@@ -155,10 +152,10 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
         pressures.push_back(solved.states[places.back()].pressure.value);
     }
     const LawOptions& of = problem.law_options;
-    const parts::TruthOptions<double> how{of.points, of.edges, hardness, false, parallel ? ProgressHook() : progress};
+    const TruthOptions<double> how{of.points, of.edges, hardness, false, parallel ? ProgressHook() : progress};
     std::vector<TruthPoint<double>> found(pressures.size());
     if (parallel)
-        parts::run_pieces(parallel, found.size(), [&](std::size_t k) {
+        detail::run_pieces(parallel, found.size(), [&](std::size_t k) {
             found[k] = truth(map, problem.effective_modulus, std::span(&pressures[k], 1), how).front();
         });
     else
@@ -179,7 +176,7 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
 FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
     if (!is_map(face) || !face.filtered || !face.map->spectra) return 0;
     const HeightMap<double>& map = *face.map->maps.front();
-    return parts::white_noise(face.map->spectra->of(edges), map.dx, map.dy);
+    return detail::white_noise(face.map->spectra->of(edges), map.dx, map.dy);
 }
 
 /// Change of ln K at each state of \p solved once the noise of the map is gone: that of the lambda_s of the tables, as
@@ -194,7 +191,7 @@ FSTIFF_INLINE std::vector<double> without_noise(const Problem& problem, const La
     const HeightMap<double>& map = *face.map->maps.front();
     const double whole = face.map->spectra->of(edges).rms_gradient(),
                  kept = map_spectrum(*face.filtered, edges).rms_gradient(),
-                 of_noise = parts::gradient_of_noise(noise, map.dx, map.dy),
+                 of_noise = detail::gradient_of_noise(noise, map.dx, map.dy),
                  share = (std::min)(1.0, of_noise * of_noise / ((whole - kept) * (whole + kept)));
     if (!(share > 0.01)) return all;
     all = changes(problem, *face.filtered, solved, hardness, parallel, progress);
@@ -205,10 +202,10 @@ FSTIFF_INLINE std::vector<double> without_noise(const Problem& problem, const La
 /// Changes of K of \p solved that the filter of a lambda_s that was given, and the removed plane may have caused: the
 /// filter by the neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be
 /// the surface's own.
-FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
-                                                                  double hardness, const ParallelHook& parallel,
-                                                                  const ProgressHook& progress) {
-    std::vector<parts::CauseSpread<double>> all(solved.states.size());
+FSTIFF_INLINE std::vector<CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
+                                                           double hardness, const ParallelHook& parallel,
+                                                           const ProgressHook& progress) {
+    std::vector<CauseSpread<double>> all(solved.states.size());
     const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
         const std::vector<double> of_map = changes(problem, map, solved, hardness, parallel, progress);
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -222,7 +219,7 @@ FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem&
         if (const double ratio = other.lambda_s.value_or(0) / problem.face.lambda_s.value_or(0);
             ratio < 1 && !problem.face.filtered && other.map)
             widen(*other.map->maps.front(), 1 / (1 - ratio * ratio), false);
-    const parts::PreparedMap<double>& flat = *problem.face.measured->map;
+    const PreparedMap<double>& flat = *problem.face.measured->map;
     const auto [x, y] = flat.tilt;
     const double tilted = std::hypot(x, y) / std::sqrt(12.0) / problem.face.parameters.rms_height.value;
     if (flat.removed != MapForm::plane || !(tilted > 0)) return all;
@@ -238,7 +235,7 @@ FSTIFF_INLINE std::vector<parts::CauseSpread<double>> of_cut_offs(const Problem&
 struct Solved {
     double weight = 0;  ///< next to the law of the summits; 0: not solved
     ContactState<double> state{};
-    parts::CauseSpread<double> cut_offs{};
+    CauseSpread<double> cut_offs{};
     double noise = 0;  ///< change of ln K once the noise of the map is gone
     std::optional<double> seated{};
 };
@@ -257,8 +254,8 @@ FSTIFF_INLINE void reach_further(const std::vector<Solved>& of_place, LawCurve& 
             if (known) into.insert(into.begin() + at, value);
         };
         const double K = solved.state.stiffness.value;
-        insert(curve.band, parts::SampledBand<double>{K, K, K}, !curve.band.empty());
-        insert(curve.band_parts, parts::BandParts<double>{}, !curve.band_parts.empty());
+        insert(curve.band, SampledBand<double>{K, K, K}, !curve.band.empty());
+        insert(curve.band_parts, BandParts<double>{}, !curve.band_parts.empty());
         insert(curve.growth, 0.0, !curve.growth.empty());
         insert(curve.seated, solved.seated.value_or(0), solved.seated && curve.seated.size() == curve.states.size());
         insert(curve.states, solved.state, true);

@@ -16,8 +16,8 @@
 /// Valid       bodies much thicker than the distance of the spots; films much thinner than a spot is wide
 /// Accuracy    5 ulp (tests/asperity/conductance_test.cpp); the gap by its mean width, which the narrow parts exceed
 
-#include <fstiff/core/concepts.hpp>
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <array>
 #include <limits>
@@ -30,8 +30,8 @@ namespace fstiff::inline v0_1 {
 template <Real T>
 [[nodiscard]] T joint_conductivity(T upper, T lower) {
     constexpr T most = (std::numeric_limits<T>::max)();
-    require(upper >= 0 && upper <= most, "upper", upper, "finite and not negative");
-    require(lower >= 0 && lower <= most, "lower", lower, "finite and not negative");
+    detail::require(upper >= 0 && upper <= most, "upper", upper, "finite and not negative");
+    detail::require(lower >= 0 && lower <= most, "lower", lower, "finite and not negative");
     const T less = upper < lower ? upper : lower, more = upper < lower ? lower : upper;
     return more > 0 ? 2 * less / (1 + less / more) : T(0);
 }
@@ -39,11 +39,11 @@ template <Real T>
 /// h of the spots. \throws domain_error unless the modulus is positive.
 template <Real T>
 [[nodiscard]] T spot_conductance(T stiffness, T conductivity, T effective_modulus) {
-    require(effective_modulus > 0, "effective_modulus", effective_modulus, "greater than 0");
+    detail::require(effective_modulus > 0, "effective_modulus", effective_modulus, "greater than 0");
     return stiffness / effective_modulus * conductivity;
 }
 
-namespace parts {
+namespace detail {
 
 /// h of spots that cover \p area of the nominal one, under a film of the resistance \p film of an area.
 template <Real T>
@@ -51,12 +51,16 @@ template <Real T>
     return film > 0 && spots > 0 ? spots / (1 + spots * film / area) : spots;
 }
 
+}  // namespace detail
+
 /// Filling of the gap between two faces.
 template <Real T = double>
 struct GapFilling {
     T conductivity{};      ///< [W/(m K)]
     T temperature_jump{};  ///< M [m]; 0: a liquid or a grease
 };
+
+namespace detail {
 
 /// h of the gap; 0 where the mean planes have passed each other and no gap is left.
 template <Real T>
@@ -112,5 +116,5 @@ template <Real T>
     return T(4 * stefan_boltzmann) * kelvin * kelvin * kelvin / (2 / emissivity - 1);
 }
 
-}  // namespace parts
+}  // namespace detail
 }  // namespace fstiff::inline v0_1

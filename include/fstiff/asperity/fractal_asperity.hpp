@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// One asperity of a fractal surface: a single cosine of base diameter l, pressed in by the approach omega.
+/// One asperity of a fractal surface: a single cosine of base diameter l, pressed in by the approach omega. Contacts
+/// take the laws in asperity/laws.hpp, eq. (3.14) among them.
 ///
 ///     z(x) = delta cos(2 pi x/l),  delta = G^(D-1) l^(2-D),  R = l^D / (4 pi^2 G^(D-1))      eqs. (3.1)-(3.3)
 ///     omega = q delta,  q = 1 - cos(pi l_t/l)                                                eq. (3.4), truncation l_t
@@ -38,7 +39,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T fractal_stiffness_from_area(T area, T fractal_dimension) {
     require(area >= 0 && area <= (std::numeric_limits<T>::max)(), "area", area, "finite and not negative");
-    return 2 * parts::fractal_stiffness_factor(fractal_dimension) * std::numbers::inv_sqrtpi_v<T> * std::sqrt(area);
+    return 2 * detail::fractal_stiffness_factor(fractal_dimension) * std::numbers::inv_sqrtpi_v<T> * std::sqrt(area);
 }
 
 /// One asperity of base diameter l on a surface {D, G}.
@@ -47,7 +48,7 @@ class FractalAsperity {
 public:
     /// \throws domain_error for D, G or l out of range, or an asperity whose height or radius T cannot hold.
     FractalAsperity(const Fractal<T>& fractal, T base_diameter) : base_(base_diameter) {
-        parts::require_fractal_dimension(fractal.dimension);
+        detail::require_fractal_dimension(fractal.dimension);
         require_positive("fractal_roughness", fractal.roughness);
         require_positive("base_diameter", base_diameter);
         constexpr T pi = std::numbers::pi_v<T>;
@@ -112,7 +113,7 @@ class AsperityFamily {
 public:
     /// \throws domain_error unless 1 < D < 2, G > 0 and 0 < q <= 2.
     AsperityFamily(const Fractal<T>& fractal, T truncation_share) : fractal_(fractal), share_(truncation_share) {
-        parts::require_fractal_dimension(fractal.dimension);
+        detail::require_fractal_dimension(fractal.dimension);
         require_positive("fractal_roughness", fractal.roughness);
         require(truncation_share > 0 && truncation_share <= 2, "truncation_share", truncation_share,
                 "greater than 0 and at most 2");
@@ -139,7 +140,7 @@ public:
     [[nodiscard]] T stiffness(T approach) const {
         constexpr T pi = std::numbers::pi_v<T>;
         return held(
-            parts::fractal_stiffness_factor(fractal_.dimension) / pi * std::sqrt(share_) * base_diameter(approach),
+            detail::fractal_stiffness_factor(fractal_.dimension) / pi * std::sqrt(share_) * base_diameter(approach),
             approach);
     }
     /// a, eq. (3.12)

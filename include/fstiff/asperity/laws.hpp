@@ -31,13 +31,13 @@ concept AsperityLaw = requires(const Law& law, const Omega& omega, const Radius&
     law.area(omega, radius);
 };
 
-namespace parts {
-
 /// omega^(omega/2) R^(radius/2): the powers of a law, doubled.
 struct HalfPowers {
     int omega, radius;
     [[nodiscard]] constexpr bool operator==(const HalfPowers&) const = default;
 };
+
+namespace detail {
 
 /// True if the integrals over heights and curvatures, that of the slope of the load too, have one dimension.
 [[nodiscard]] constexpr bool reduces_to_one_dimension(HalfPowers load, HalfPowers stiffness, HalfPowers area) {
@@ -56,7 +56,9 @@ concept PowerLaw = requires(const Law& law) {
     { Law::stiffness_powers } -> std::convertible_to<HalfPowers>;
     { Law::area_powers } -> std::convertible_to<HalfPowers>;
 }
-&&parts::reduces_to_one_dimension(Law::load_powers, Law::stiffness_powers, Law::area_powers);
+&&detail::reduces_to_one_dimension(Law::load_powers, Law::stiffness_powers, Law::area_powers);
+
+}  // namespace detail
 
 /// The elastic laws by their factors, and any of them copied into one type.
 template <Real T = double>
@@ -97,6 +99,8 @@ private:
     T load_factor_, stiffness_factor_, load_slope_, stiffness_slope_;
 };
 
+namespace detail {
+
 /// f = (2/3) (3-D)/(2-D): ratio of the stiffness (3.14) to that of one Hertzian asperity, at least 4/3.
 /// \throws domain_error unless 1 < D < 2.
 template <Real T>
@@ -112,32 +116,32 @@ template <Real T>
     return 1 / ((2 - fractal_dimension) * (3 - fractal_dimension));
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// Hertz: the stiffness is the derivative of the load. There is no D.
 template <Real T = double>
-struct HertzLaw : parts::ElasticLaw<T> {
-    constexpr HertzLaw() : parts::ElasticLaw<T>(T(4) / 3, T(2), T(0), T(0)) {}
+struct HertzLaw : ElasticLaw<T> {
+    constexpr HertzLaw() : ElasticLaw<T>(T(4) / 3, T(2), T(0), T(0)) {}
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
 template <Real T = double>
-struct FractalLaw : parts::ElasticLaw<T> {
+struct FractalLaw : ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalLaw(T fractal_dimension)
-        : parts::ElasticLaw<T>(T(4) / 3, 2 * parts::fractal_stiffness_factor(fractal_dimension), T(0),
-                               parts::log_stiffness_factor_slope(fractal_dimension)) {}
+        : ElasticLaw<T>(T(4) / 3, 2 * detail::fractal_stiffness_factor(fractal_dimension), T(0),
+                        detail::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
 template <Real T = double>
-struct FractalConsistentLaw : parts::ElasticLaw<T> {
+struct FractalConsistentLaw : ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalConsistentLaw(T fractal_dimension)
-        : parts::ElasticLaw<T>(4 * parts::fractal_stiffness_factor(fractal_dimension) / 3,
-                               2 * parts::fractal_stiffness_factor(fractal_dimension),
-                               parts::log_stiffness_factor_slope(fractal_dimension),
-                               parts::log_stiffness_factor_slope(fractal_dimension)) {}
+        : ElasticLaw<T>(4 * detail::fractal_stiffness_factor(fractal_dimension) / 3,
+                        2 * detail::fractal_stiffness_factor(fractal_dimension),
+                        detail::log_stiffness_factor_slope(fractal_dimension),
+                        detail::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 }  // namespace fstiff::inline v0_1

@@ -16,7 +16,6 @@
 /// Valid       the material that the source names; conductivities from [C] are those of pure metals, alloys have less
 /// Accuracy    moduli some 5 %, cast iron 103 to 118 GPa; by density and velocities (tests/asperity)
 
-#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/material.hpp>
 
 #include <algorithm>
@@ -25,7 +24,14 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
+
+/// Units of hardness, as mean pressures [Pa]; HB is that of steel, HBA that of aluminium and magnesium.
+inline constexpr double HV = vickers_pressure, HB = 1.05 * HV, HBA = 1.14 * HV, GPa = 1e9;
+
+}  // namespace fstiff::inline v0_1::detail
+
+namespace fstiff::inline v0_1 {
 
 /// A row of the table.
 ///
@@ -38,22 +44,19 @@ namespace fstiff::inline v0_1::parts {
 /// Al, Cu, brass, W.
 /// Hardness: [f] 5, 50, 95 % over the states of a family, pooled from data sheets; [s] read in the data sheet of a
 /// supplier, who quotes the standard; [m] MatWeb or the same, quoted; [d] of the tensile strength; [r] remembered.
-// clang-format off
-/// Units of hardness, as mean pressures [Pa]; HB is that of steel, HBA that of aluminium and magnesium.
-inline constexpr double HV = vickers_pressure, HB = 1.05 * HV, HBA = 1.14 * HV, GPa = 1e9;
 
 struct NamedMaterial {
-    std::string_view name;             ///< as scenes write it
-    Material<double> elastic;          ///< E [Pa] and nu
-    double density;                    ///< [kg/m^3]
-    PriorRange bulk;                   ///< hardness: mean pressure of a contact, least, typical, greatest, in `unit`
-    double unit;                       ///< [Pa]
-    double longitudinal_velocity = 0;  ///< of bulk waves [m/s]; 0: not known
-    double shear_velocity = 0;         ///< [m/s]
-    double thermal_conductivity = 0;   ///< [W/(m K)]; 0: not known
-    double electrical_conductivity = 0;///< [S/m]; 0: an insulator, or not known
-    std::string_view source;           ///< of E and nu, of the velocities, of the conductivities, of the hardness
-    std::string_view other_names = ""; ///< of the same material, each between blanks
+    std::string_view name;               ///< as scenes write it
+    Material<double> elastic;            ///< E [Pa] and nu
+    double density;                      ///< [kg/m^3]
+    PriorRange bulk;                     ///< hardness: mean pressure of a contact, least, typical, greatest, in `unit`
+    double unit;                         ///< [Pa]
+    double longitudinal_velocity = 0;    ///< of bulk waves [m/s]; 0: not known
+    double shear_velocity = 0;           ///< [m/s]
+    double thermal_conductivity = 0;     ///< [W/(m K)]; 0: not known
+    double electrical_conductivity = 0;  ///< [S/m]; 0: an insulator, or not known
+    std::string_view source;             ///< of E and nu, of the velocities, of the conductivities, of the hardness
+    std::string_view other_names = "";   ///< of the same material, each between blanks
 
     /// 5, 50 and 95 % of the hardness of a machined face [Pa].
     [[nodiscard]] constexpr PriorRange hardness() const {
@@ -64,6 +67,11 @@ struct NamedMaterial {
     }
 };
 
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+// clang-format off
 inline constexpr std::array<NamedMaterial, 44> named_materials{
     {{"steel", {210e9, 0.3}, 7850, {1.15, 1.91, 6.76}, 1.0785 * GPa, 5960, 3235, 53.3, 6.29e6,
       "EN 1993-1-1:2005, 3.2.6; [C] mild steel; EN 1993-1-2:2005, 3.4.1.3; AISI 1020, 0.159 uOhm m; [f] annealed to hardened"},
@@ -147,12 +155,21 @@ template <class Test>
     return false;
 }
 
+}  // namespace fstiff::inline v0_1::detail
+
+namespace fstiff::inline v0_1 {
+
 /// The row of \p name, or nullptr.
 [[nodiscard]] constexpr const NamedMaterial* find_material(std::string_view name) {
-    for (const NamedMaterial& one : named_materials)
-        if (any_name(one, [&](std::string_view other) { return is_same_name(name, other); })) return &one;
+    for (const NamedMaterial& one : detail::named_materials)
+        if (detail::any_name(one, [&](std::string_view other) { return detail::is_same_name(name, other); }))
+            return &one;
     return nullptr;
 }
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
 
 /// Materials with a name that \p name or one of its words is, begins, or begins with.
 [[nodiscard]] inline std::vector<std::string_view> near_materials(std::string_view name) {
@@ -175,4 +192,4 @@ template <class Test>
     return found;
 }
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail

@@ -35,11 +35,11 @@ struct PlasticMaterial {
 
     /// \throws domain_error naming the constant that is out of range.
     constexpr void validate() const {
-        require_positive("effective_modulus", effective_modulus);
-        require_positive("yield_strength", yield_strength);
-        require(poisson_ratio > T(-1) && poisson_ratio <= T(0.5), "poisson_ratio", poisson_ratio,
-                "greater than -1 and at most 0.5");
-        if (hardness != T(0)) require_positive("hardness", hardness);
+        detail::require_positive("effective_modulus", effective_modulus);
+        detail::require_positive("yield_strength", yield_strength);
+        detail::require(poisson_ratio > T(-1) && poisson_ratio <= T(0.5), "poisson_ratio", poisson_ratio,
+                        "greater than -1 and at most 0.5");
+        if (hardness != T(0)) detail::require_positive("hardness", hardness);
     }
 };
 
@@ -47,13 +47,13 @@ struct PlasticMaterial {
 template <Real T = double>
 class PlasticLaw {
 public:
-    static constexpr parts::HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
 
     /// Takes the hardness H and the effective modulus E [Pa]. \throws domain_error unless both are finite and positive.
     constexpr PlasticLaw(T hardness, T effective_modulus)
         : hardness_(hardness), load_factor_(2 * std::numbers::pi_v<T> * (hardness / effective_modulus)) {
-        require_positive("hardness", hardness);
-        require_positive("effective_modulus", effective_modulus);
+        detail::require_positive("hardness", hardness);
+        detail::require_positive("effective_modulus", effective_modulus);
     }
 
     [[nodiscard]] constexpr T load_factor() const { return load_factor_; }
@@ -83,7 +83,7 @@ private:
     T hardness_, load_factor_;
 };
 
-namespace parts {
+namespace detail {
 
 /// \p law at each of \p omega, numbers or an Eigen array of them: a law in pieces has no common formula.
 template <class Omega, class Law>
@@ -123,17 +123,17 @@ struct UnloadsElastically {
     }
 };
 
+}  // namespace detail
+
 /// Fall of the hardness as a contact grows, in JacksonGreenLaw.
 enum class HardnessLaw {
     cosine,   ///< H_G/Y = 2.84 - 0.92 (1 - cos(pi a/R))
     exponent  ///< H_G/Y = 2.84 (1 - exp(-0.82 (a/R)^-0.7)), of 2005
 };
 
-}  // namespace parts
-
 template <>
-inline constexpr auto names<parts::HardnessLaw> =
-    name_list<parts::HardnessLaw>({{parts::HardnessLaw::cosine, "cosine"}, {parts::HardnessLaw::exponent, "2005"}});
+inline constexpr auto names<HardnessLaw> = detail::name_list<HardnessLaw>({{HardnessLaw::cosine, "cosine"},
+                                                                           {HardnessLaw::exponent, "2005"}});
 
 /// One asperity by Jackson and Green: elastic, then elastic-plastic, with a hardness that falls as the contact grows.
 ///
@@ -141,11 +141,10 @@ inline constexpr auto names<parts::HardnessLaw> =
 ///     area   pi R omega, times (s/1.9)^B from s = 1.9 on,  B = 0.14 exp(23 Y/E),  s = omega/omega_c
 ///     omega_c = (pi C Y/(2E))^2 R,  C = 1.295 exp(0.736 nu),  P_c = (4/3) (R/E)^2 (pi C Y/2)^3
 template <Real T = double>
-class JacksonGreenLaw : public parts::UnloadsElastically<JacksonGreenLaw<T>> {
+class JacksonGreenLaw : public detail::UnloadsElastically<JacksonGreenLaw<T>> {
 public:
     /// \throws domain_error naming the constant of the material that is out of range.
-    explicit JacksonGreenLaw(const PlasticMaterial<T>& material,
-                             parts::HardnessLaw hardness_law = parts::HardnessLaw::cosine)
+    explicit JacksonGreenLaw(const PlasticMaterial<T>& material, HardnessLaw hardness_law = HardnessLaw::cosine)
         : hardness_law_(hardness_law) {
         material.validate();
         const T C = T(1.295) * std::exp(T(0.736) * material.poisson_ratio);
@@ -172,7 +171,7 @@ public:
         if (s < begin) return T(4) / 3 * omega * std::sqrt(radius * omega);
         const T critical_load = T(4) / 3 * radius * radius * critical_strain_ * critical_strain_ * critical_strain_;
         const T a_over_R = std::sqrt(area_of(omega, radius) / std::numbers::pi_v<T>) / radius;
-        const T hardness = hardness_law_ == parts::HardnessLaw::cosine
+        const T hardness = hardness_law_ == HardnessLaw::cosine
                                ? T(2.84) - T(0.92) * (1 - std::cos(std::numbers::pi_v<T> * a_over_R))
                                : T(2.84) * -std::expm1(T(-0.82) * std::pow(a_over_R, T(-0.7)));
         return critical_load * (std::exp(-std::pow(s, T(5) / 12) / 4) * s * std::sqrt(s) -
@@ -182,7 +181,7 @@ public:
 private:
     static constexpr T begin = T(1.9);
 
-    parts::HardnessLaw hardness_law_;
+    HardnessLaw hardness_law_;
     T critical_strain_{}, hardness_factor_{}, exponent_{};
 };
 
@@ -192,7 +191,7 @@ private:
 ///     area   A_c {s, 0.93 s^1.136, 0.94 s^1.146, 2 s}           A_c = pi R omega_c,  P_c = (2/3) k H pi R omega_c
 ///     omega_c = (pi k H/(2E))^2 R,  k = 0.454 + 0.41 nu
 template <Real T = double>
-class KogutEtsionLaw : public parts::UnloadsElastically<KogutEtsionLaw<T>> {
+class KogutEtsionLaw : public detail::UnloadsElastically<KogutEtsionLaw<T>> {
 public:
     /// \throws domain_error naming the constant of the material that is out of range.
     explicit KogutEtsionLaw(const PlasticMaterial<T>& material) {

@@ -7,7 +7,7 @@
 ///     rho = s(c, w)/sigma    c = d_g(p/rho)/sigma + 0.2 - 0.3 P    w = sqrt(1/4 + P^2)    P = erf(sqrt(2) p/(rho E g))
 ///
 /// g marks the Gaussian surface of the same order of heights, sigma its rms height, s the slope of the bearing curve
-/// about the level c (surface/bearing_slope.hpp). rho is a fixed point, found anew at each pressure in 10 us; without a
+/// about the level c (surface/bearing_curve.hpp). rho is a fixed point, found anew at each pressure in 10 us; without a
 /// bearing curve the contact is PerssonContact to the last bit. ScaledContact takes any Gaussian contact at that rho.
 ///
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; the scale and its numbers: this project, docs/validation.md
@@ -16,17 +16,17 @@
 /// Accuracy    rho 1e-6, K 2e-5, separation 1e-5 of the rms height, of ScaledContact 1e-4
 ///             (tests/contact/bearing_contact_test.cpp, tests/contact/scaled_contact_test.cpp)
 
-#include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/persson_contact.hpp>
-#include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/math/quadrature.hpp>
+#include <fstiff/peaks/quantity.hpp>
+#include <fstiff/surface/bearing_curve.hpp>
 
 #include <memory>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
 
 /// d_g/sigma of Persson's contact over ln p, by cubics between knots, up to 2 E g and down to where it is \p furthest.
 template <Real T>
@@ -78,6 +78,10 @@ private:
     std::vector<Knot> knots_;
 };
 
+}  // namespace fstiff::inline v0_1::detail
+
+namespace fstiff::inline v0_1 {
+
 /// The crowded contact of a surface with a bearing curve, or without one.
 template <Real T = double>
 class BearingContact : public detail::SlopeContact<BearingContact<T>, T> {
@@ -90,15 +94,15 @@ public:
     /// rms_height zeta. \throws domain_error unless \p rms_height is finite and positive.
     BearingContact(PerssonContact<T> gaussian, BearingSlope<T> curve, std::type_identity_t<T> rms_height)
         : gaussian_(std::move(gaussian)), rms_height_(rms_height) {
-        require_positive("rms_height", rms_height);
+        detail::require_positive("rms_height", rms_height);
         const T furthest = (std::min)(curve.highest(), T(6)) + 1;  // at 7 sigma p is 1e-12 E g
-        set_curve(std::move(curve), parts::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height);
+        set_curve(std::move(curve), detail::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height);
     }
 
     /// Contact of another surface with the same Gaussian one, in a tenth of the time. Its curve \p curve must end as
     /// high, and this contact must not be scaled. \throws domain_error unless this one has a bearing curve.
     [[nodiscard]] BearingContact with_curve(BearingSlope<T> curve) const {
-        require(has_bearing_curve(), "bearing curve", has_bearing_curve(), "there");
+        detail::require(has_bearing_curve(), "bearing curve", has_bearing_curve(), "there");
         BearingContact other = *this;
         other.set_curve(std::move(curve), bearing_->separation, bearing_->rms_height);
         return other;
@@ -107,7 +111,7 @@ public:
     /// The contact of a surface \p factor times as high: K under p is that of this one under p/factor.
     /// \throws domain_error unless it is finite and positive.
     [[nodiscard]] BearingContact scaled(T factor) const {
-        require_positive("factor of the heights", factor);
+        detail::require_positive("factor of the heights", factor);
         BearingContact taller = *this;
         taller.factor_ *= factor, taller.rms_height_ *= factor, taller.last_scale_ *= factor;
         taller.panels_ = detail::Panels<T>(panels);
@@ -117,7 +121,7 @@ public:
     /// The same contact with eta over \p rms_height [m]: of several maps of one surface, over that of all.
     /// \throws domain_error unless it is finite and positive.
     [[nodiscard]] BearingContact over_rms_height(T rms_height) const {
-        require_positive("rms_height", rms_height);
+        detail::require_positive("rms_height", rms_height);
         BearingContact other = *this;
         other.rms_height_ = rms_height;
         return other;
@@ -140,7 +144,7 @@ public:
     /// rho under \p pressure [Pa]: at p/rho the Gaussian surface is in the same state.
     /// \throws domain_error unless it is positive.
     [[nodiscard]] T local_scale(T pressure) const {
-        require_positive("pressure", pressure);
+        detail::require_positive("pressure", pressure);
         if (!bearing_) return factor_;
         T log_rho = 0;
         const auto change = [&] {
@@ -162,11 +166,11 @@ public:
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         if (is_plain()) return gaussian_.at_pressure(pressure, wanted);
         ContactState<T> state =
-            gaussian_.at_pressure(pressure / local_scale(pressure), without(wanted, Quantity::separation));
+            gaussian_.at_pressure(pressure / local_scale(pressure), detail::without(wanted, Quantity::separation));
         for (Estimate<T>* e : {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction})
             e->error += 3 * scale_tolerance * e->value;
         state.pressure = {pressure, 0, 0};
-        state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        state.separation = detail::has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height_;
         return state;
     }
@@ -198,7 +202,8 @@ public:
     /// \throws domain_error unless the pressure of \p eta is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         if (is_plain()) return gaussian_.log_pressure(eta);
-        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+        detail::require(eta > 0 && std::isfinite(eta), "eta", eta,
+                        "finite and greater than 0 (separation over rms height)");
         const T most = std::log(largest_pressure());
         return this->searched_log_pressure(eta, most + std::log(std::numeric_limits<T>::epsilon()) - 60, most,
                                            std::log(full_pressure()) - T(1.5) - 2 * eta,
@@ -231,11 +236,11 @@ private:
 
     struct Bearing {
         BearingSlope<T> curve;
-        parts::PerssonSeparation<T> separation;
+        detail::PerssonSeparation<T> separation;
         T rms_height;  ///< of the curve [m]
     };
 
-    void set_curve(BearingSlope<T> curve, parts::PerssonSeparation<T> separation, T rms_height) {
+    void set_curve(BearingSlope<T> curve, detail::PerssonSeparation<T> separation, T rms_height) {
         last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;  // all in contact: P = 1, d = 0
         bearing_ = std::make_shared<const Bearing>(Bearing{std::move(curve), std::move(separation), rms_height});
         panels_ = detail::Panels<T>(panels);
@@ -257,9 +262,9 @@ public:
     /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as \p Of at p/rho.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         ContactState<T> state =
-            of_.at_pressure(pressure / bearing_.local_scale(pressure), without(wanted, Quantity::separation));
+            of_.at_pressure(pressure / bearing_.local_scale(pressure), detail::without(wanted, Quantity::separation));
         state.pressure = {pressure, 0, 0};
-        state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        state.separation = detail::has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height();
         return state;
     }
@@ -278,7 +283,7 @@ public:
     }
     /// Separation [m] of the mean planes; 0 from the full pressure on. \throws domain_error as at_pressure.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
-        require_positive("pressure", pressure);
+        detail::require_positive("pressure", pressure);
         const T to = std::log(full_pressure()), from = std::log(pressure);
         const T error = T(1e-4) * rms_height();
         if (from >= to) return {T(0), error, 0};
@@ -292,7 +297,8 @@ public:
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
     /// \throws domain_error unless 0 < eta and its pressure is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
-        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+        detail::require(eta > 0 && std::isfinite(eta), "eta", eta,
+                        "finite and greater than 0 (separation over rms height)");
         const T high = std::log(full_pressure());
         return this->searched_log_pressure(eta, high - 60, high, high - T(1.5) - 2 * eta,
                                            "within the reach of the laws");
@@ -300,7 +306,7 @@ public:
 
     [[nodiscard]] T full_pressure() const { return bearing_.full_pressure(); }
     [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
-    [[nodiscard]] bool has_kinks() const { return parts::has_kinks(of_) || bearing_.has_kinks(); }
+    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(of_) || bearing_.has_kinks(); }
     [[nodiscard]] const Of& gaussian() const { return of_; }
     [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
 
@@ -313,4 +319,4 @@ private:
 template <class Of, class Bearing>
 ScaledContact(Of, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<Of>().rms_height())>, Of>;
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1

@@ -15,7 +15,7 @@
 /// Accuracy    that of truth(), bit for bit; at a separation the pressure to 1e-7
 ///             (tests/contact/boundary_element_contact_test.cpp)
 
-#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/math/root.hpp>
@@ -37,20 +37,20 @@ public:
     /// Presses the surface \p map against a smooth flat; options.progress is called while a state is computed.
     /// \throws domain_error as truth().
     BoundaryElementContact(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                           const parts::TruthOptions<T>& options = {})
+                           const TruthOptions<T>& options = {})
         : modulus_(effective_modulus), rms_height_(fstiff::rms_height(map)), area_(map.area()), options_(options) {
         map.require_whole("before boundary elements");
-        require_positive("effective_modulus", effective_modulus);
-        if (options.hardness != T(0)) require_positive("hardness", options.hardness);
-        map_ = parts::map_for_truth(map, options.points);
+        detail::require_positive("effective_modulus", effective_modulus);
+        if (options.hardness != T(0)) detail::require_positive("hardness", options.hardness);
+        map_ = detail::map_for_truth(map, options.points);
     }
 
     /// The state under \p pressure [Pa]; out of reach where all points touch, where the solver does not converge, and
     /// from the hardness on. \throws domain_error for a pressure that is not positive.
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity = Quantity::all) const {
-        require_positive("pressure", pressure);
+        detail::require_positive("pressure", pressure);
         if (options_.hardness > T(0) && !(pressure < options_.hardness))
-            return ContactPoint<T>::out_of_reach("pressure = " + parts::shortest_text(pressure) +
+            return ContactPoint<T>::out_of_reach("pressure = " + detail::shortest_text(pressure) +
                                                  ": must be less than the hardness (Pa)");
         const TruthPoint<T> solved = truth(map_, modulus_, std::array{pressure}, options_).front();
         if (std::isinf(solved.state.stiffness))
@@ -65,10 +65,10 @@ public:
         const T mean = map_.heights.mean(), highest = map_.heights.maxCoeff() - mean;
         const T lowest = options_.hardness > T(0) ? map_.heights.minCoeff() - mean : T(0);
         if (!(separation > lowest && separation < highest))
-            return ContactPoint<T>::out_of_reach("separation = " + parts::shortest_text(separation) +
-                                                 ": must be greater than " + parts::shortest_text(lowest) +
+            return ContactPoint<T>::out_of_reach("separation = " + detail::shortest_text(separation) +
+                                                 ": must be greater than " + detail::shortest_text(lowest) +
                                                  " and less than the highest point (m)");
-        parts::TruthOptions<T> one_grid = options_;
+        TruthOptions<T> one_grid = options_;
         one_grid.grid_error = false;
         one_grid.progress = {};
         const auto excess = [&](T log_pressure) {  // of the gap, and its slope over log p
@@ -81,23 +81,23 @@ public:
         const T guess = std::log(modulus_ * rms_height_ / std::sqrt(area_)) - 3 * separation / rms_height_;
         const auto found = math::newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
         if (!found.converged())
-            return ContactPoint<T>::out_of_reach("separation = " + parts::shortest_text(separation) +
+            return ContactPoint<T>::out_of_reach("separation = " + detail::shortest_text(separation) +
                                                  ": must be that of some pressure (m)");
         return point_at_pressure(std::exp(found.root));
     }
     /// \throws domain_error where there is no point.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return parts::state_or_throw(point_at_pressure(pressure, wanted));
+        return detail::state_or_throw(point_at_pressure(pressure, wanted));
     }
     /// \throws domain_error where there is no point.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return parts::state_or_throw(point_at_separation(separation, wanted));
+        return detail::state_or_throw(point_at_separation(separation, wanted));
     }
     [[nodiscard]] T rms_height() const { return rms_height_; }  ///< of the map before it is made coarser [m]
 
 private:
     [[nodiscard]] ContactState<T> state_of(const TruthPoint<T>& solved) const {
-        const parts::BoundaryElementState<T>& found = solved.state;
+        const BoundaryElementState<T>& found = solved.state;
         ContactState<T> state;
         state.pressure = {found.pressure, 0, 0};
         state.separation = {found.mean_gap, solved.gap_error, found.iterations};
@@ -110,13 +110,13 @@ private:
     }
 
     /// -dp/dd: of few points below H, which come and go one by one, over 3 % of the pressure to either side.
-    [[nodiscard]] T loading_stiffness_of(const parts::BoundaryElementState<T>& at) const {
+    [[nodiscard]] T loading_stiffness_of(const BoundaryElementState<T>& at) const {
         const T few = (std::max)(T(200), T(0.03) * at.contact_fraction * T(map_.heights.size()));
         constexpr T apart = T(1.03);
         const T above = apart * at.pressure, below = at.pressure / apart;
         const bool flows = at.loading_stiffness < at.stiffness;
         if (!flows || T(at.below_hardness) >= few || !(above < options_.hardness)) return at.loading_stiffness;
-        parts::TruthOptions<T> one_grid = options_;
+        TruthOptions<T> one_grid = options_;
         one_grid.grid_error = false, one_grid.progress = {};
         const auto both = truth(map_, modulus_, std::array{below, above}, one_grid);
         const T slope = (above - below) / (both[0].state.mean_gap - both[1].state.mean_gap);
@@ -124,7 +124,7 @@ private:
     }
 
     T modulus_, rms_height_, area_;
-    parts::TruthOptions<T> options_;
+    TruthOptions<T> options_;
     HeightMap<T> map_;
 };
 

@@ -7,11 +7,13 @@
 /// Accuracy    absolute bounds for exact inputs; at a given pressure they contain that of the separation
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/peaks/quantity.hpp>
 
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace fstiff::inline v0_1 {
 
@@ -27,7 +29,7 @@ struct ContactState {
     Estimate<T> loading_stiffness;   ///< -dp/dd [Pa/m]: K where the stiffness of the law is the slope of its load
 };
 
-namespace parts {
+namespace detail {
 
 /// True if every value and error of \p state may be doubled: the tangential stiffness is up to 4/3 of K.
 template <Real T>
@@ -38,7 +40,7 @@ template <Real T>
     return true;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// Status of a point: a state, or the kind of its refusal.
 enum class PointStatus {
@@ -57,7 +59,7 @@ struct ContactPoint {
     [[nodiscard]] bool ok() const { return status == PointStatus::ok; }
 
     [[nodiscard]] static ContactPoint of(const ContactState<T>& state) {
-        return {parts::in_range(state) ? PointStatus::ok : PointStatus::beyond_numbers, state, {}};
+        return {detail::in_range(state) ? PointStatus::ok : PointStatus::beyond_numbers, state, {}};
     }
     [[nodiscard]] static ContactPoint out_of_reach(std::string reason) {
         ContactPoint point{PointStatus::out_of_reach, {}, std::move(reason)};
@@ -66,8 +68,6 @@ struct ContactPoint {
     }
 };
 
-namespace parts {
-
 /// A decreasing function of eta as its logarithm, so that its tail does not underflow.
 template <Real T = double>
 struct LogSlope {
@@ -75,6 +75,8 @@ struct LogSlope {
     T slope;  ///< d log f/d eta, < 0
     T error;  ///< relative error of f
 };
+
+namespace detail {
 
 inline constexpr int min_eta = -1000;  ///< separations that are searched for a pressure
 
@@ -177,6 +179,64 @@ template <Real T>
                       "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law");
 }
 
-}  // namespace parts
+}  // namespace detail
+
+}  // namespace fstiff::inline v0_1
+
+// Contact at many pressures or separations, with a status for each point in place of an exception.
+//
+//     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7}, fstiff::Quantity::stiffness);
+//
+// A contact has point_at_pressure(p, quantities) or point_at_separation(d, quantities), which return a ContactPoint. A
+// point out of reach of the model is a result and leaves the other points alone.
+//
+// Units       those of the contact: pressures [Pa], separations [m]
+// Valid       pressures finite and greater than 0, separations finite; any number of them, in any order
+// Accuracy    every state is that of at_pressure or at_separation, bit for bit (tests/contact/contact_curve_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+namespace detail {
+
+/// Contact with a point at each pressure.
+template <class C, class T>
+concept HasPressures = Real<T> && requires(const C& contact, T pressure, Quantity wanted) {
+    { contact.point_at_pressure(pressure, wanted) } -> std::same_as<ContactPoint<T>>;
+};
+
+/// Contact with a point at each separation.
+template <class C, class T>
+concept HasSeparations = Real<T> && requires(const C& contact, T separation, Quantity wanted) {
+    { contact.point_at_separation(separation, wanted) } -> std::same_as<ContactPoint<T>>;
+};
+
+}  // namespace detail
+
+/// The states of \p contact under \p pressures [Pa], a container such as a vector or a span of numbers.
+/// \throws domain_error for a pressure that is not finite and greater than 0.
+template <class Pressures, detail::HasPressures<typename Pressures::value_type> Contact>
+[[nodiscard]] auto curve_at_pressures(const Contact& contact, const Pressures& pressures,
+                                      Quantity wanted = Quantity::all) {
+    using T = typename Pressures::value_type;
+    for (const T pressure : pressures) detail::require_positive("pressure", pressure);
+    std::vector<ContactPoint<T>> curve;
+    curve.reserve(pressures.size());
+    for (const T pressure : pressures) curve.push_back(contact.point_at_pressure(pressure, wanted));
+    return curve;
+}
+
+/// The states of \p contact at \p separations [m] of the mean planes.
+/// \throws domain_error for a separation that is not finite.
+template <class Separations, detail::HasSeparations<typename Separations::value_type> Contact>
+[[nodiscard]] auto curve_at_separations(const Contact& contact, const Separations& separations,
+                                        Quantity wanted = Quantity::all) {
+    using T = typename Separations::value_type;
+    for (const T separation : separations)
+        detail::require(std::isfinite(separation), "separation", separation, "finite (m)");
+    std::vector<ContactPoint<T>> curve;
+    curve.reserve(separations.size());
+    for (const T separation : separations) curve.push_back(contact.point_at_separation(separation, wanted));
+    return curve;
+}
 
 }  // namespace fstiff::inline v0_1

@@ -6,7 +6,7 @@
 ///     p = (4/3) E D_p sigma^(3/2) R^(1/2) G_{3/2}(h)       K = 2 E D_p sigma^(1/2) R^(1/2) G_{1/2}(h)
 ///     A = pi R sigma D_p G_1(h)                            n = D_p G_0(h)
 ///
-/// all per nominal area; h is the separation over sigma, G_n as in peaks/single_radius.hpp.
+/// all per nominal area; h is the separation over sigma, G_n as in peaks/peak_distribution.hpp.
 ///
 /// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319.
 /// Units       SI
@@ -14,18 +14,18 @@
 /// Accuracy    moments 16 epsilon (tests/contact/greenwood_williamson_test.cpp)
 
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/peaks/single_radius.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 
 namespace fstiff::inline v0_1 {
 
 /// Contact of spherical peaks of equal radius with Hertz's law: RoughContact with SingleRadius.
 template <Real T = double>
-struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>> {
+struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, SingleRadius<T>> {
     /// \throws domain_error naming the parameter that is out of range.
     GreenwoodWilliamson(const Roughness<T>& surface, std::type_identity_t<T> effective_modulus,
-                        parts::Heights heights = parts::Heights::gaussian, const RoughContactOptions<T>& options = {})
-        : RoughContact<T, HertzLaw<T>, parts::SingleRadius<T>>(surface, parts::SingleRadius<T>{heights}, HertzLaw<T>{},
-                                                               effective_modulus, options) {}
+                        Heights heights = Heights::gaussian, const RoughContactOptions<T>& options = {})
+        : RoughContact<T, HertzLaw<T>, SingleRadius<T>>(surface, SingleRadius<T>{heights}, HertzLaw<T>{},
+                                                        effective_modulus, options) {}
 };
 
 }  // namespace fstiff::inline v0_1

@@ -17,13 +17,13 @@
 
 #include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/point_forces.hpp>
+#include <fstiff/peaks/quantity.hpp>
 #include <fstiff/topography/summits.hpp>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
 
 /// Effect of the push of the others on the contacts, a measure of the range of the law.
 template <Real T = double>
@@ -36,7 +36,7 @@ struct Crowding {
 
 /// The contact of the summits of one map, each of which sinks under the loads of all others.
 template <Real T = double>
-class MutualSummits : public detail::SlopeContact<MutualSummits<T>, T> {
+class MutualSummits : public SlopeContact<MutualSummits<T>, T> {
     using Values = Eigen::Array<T, Eigen::Dynamic, 1>;
 
 public:
@@ -341,4 +341,4 @@ private:
     std::vector<EllipticHertz<T>> hertz_;
 };
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail

@@ -7,7 +7,7 @@
 ///     d   = sqrt(2/pi) int_0^g W(sqrt(2) p/(E G)) dG/q,  W(y) = int_y^inf B(erf s) exp(-s^2) ds/s
 ///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16],    A/A0 = erf(sqrt(2) p/(E g)),  no number of contacts (0)
 ///
-/// G(q): rms gradient of all waves up to q (contact/gradient_spectrum.hpp). Derivation: docs/theory.md, section 8.
+/// G(q): rms gradient of all waves up to q (surface/spectrum.hpp). Derivation: docs/theory.md, section 8.
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Yang, Persson, J. Phys. Condens. Matter 20 (2008) 215214
 ///             (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45); c = 1/4: this project
 /// Units       SI: m, Pa, Pa/m
@@ -16,12 +16,39 @@
 /// Accuracy    K 1e-13, separation 1e-13 of the rms height, in double (tests/contact/persson_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/gradient_spectrum.hpp>
-#include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
-#include <fstiff/math/error_function.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
-#include <fstiff/surface/roughness_spectrum.hpp>
+#include <fstiff/core/error.hpp>
+#include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/math/quadrature.hpp>
+#include <fstiff/peaks/quantity.hpp>
+#include <fstiff/surface/spectrum.hpp>
+
+// Stiffness of elastic contact far from both ends of the load: proportional to the pressure, whatever the peaks.
+//
+//     K = p/(gamma sigma),  gamma = 0.48
+//
+// Reference   Akarapu et al., Phys. Rev. Lett. 106 (2011) 204301; Campana et al., J. Phys. Condens. Matter 23 (2011)
+//             085001
+// Units       p [Pa], sigma [m], K [Pa/m] per nominal area
+// Valid       self-affine Gaussian surfaces, elastic; p* = p/(E g_rms) from 0.008 to 0.12 (answer/checks)
+// Accuracy    a fifth of K there, a factor of 2 for p* of 0.002 to 0.25 (docs/validation.md,
+//             tests/docs/validation_test.cpp)
+
+namespace fstiff::inline v0_1::detail {
+
+template <Real T>
+inline constexpr T linear_law_factor = T(0.48);  ///< gamma
+
+/// K = p/(0.48 sigma) [Pa/m]. \throws domain_error unless p >= 0 and sigma > 0, both finite.
+template <Real T>
+[[nodiscard]] constexpr T linear_stiffness(T pressure, T rms_height) {
+    require(pressure >= T(0) && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
+            "finite and not negative");
+    require_positive("rms_height", rms_height);
+    return pressure / (linear_law_factor<T> * rms_height);
+}
+
+}  // namespace fstiff::inline v0_1::detail
 
 namespace fstiff::inline v0_1 {
 
@@ -102,15 +129,15 @@ public:
         require_compared(pressure);
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};
-        if (parts::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
+        if (detail::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
             const T K = stiffness(pressure);
             state.stiffness = {K, error_of_K * K, nodes()};
-            if (parts::has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
-            if (!parts::has(wanted, Quantity::stiffness)) state.stiffness = {};
+            if (detail::has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
+            if (!detail::has(wanted, Quantity::stiffness)) state.stiffness = {};
         }
-        if (parts::has(wanted, Quantity::separation)) state.separation = separation(pressure);
+        if (detail::has(wanted, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height_;
-        if (parts::has(wanted, Quantity::real_area_fraction)) {
+        if (detail::has(wanted, Quantity::real_area_fraction)) {
             const T share = real_area_fraction(pressure);
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }
@@ -166,8 +193,9 @@ public:
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
     /// \throws domain_error unless the pressure of \p eta is within reach.
-    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
-        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        detail::require(eta > 0 && std::isfinite(eta), "eta", eta,
+                        "finite and greater than 0 (separation over rms height)");
         const T full = largest_pressure();
         // d = u0 ln(p0/p) for light loads, from the pressure E g
         const T guess = std::log(modulus_ * rms_gradient()) - eta * rms_height_ / light_load_length() - T(0.5);
@@ -189,9 +217,9 @@ public:
     [[nodiscard]] T largest_compared_pressure() const { return T(0.75) * modulus_ * rms_gradient(); }
     /// \throws domain_error unless \p pressure [Pa] is positive and at most largest_compared_pressure().
     void require_compared(T pressure) const {
-        require_positive("pressure", pressure);
-        require(pressure <= largest_compared_pressure(), "pressure", pressure,
-                "at most 0.75 E g: closed beyond, the bulk carries (Pa)");
+        detail::require_positive("pressure", pressure);
+        detail::require(pressure <= largest_compared_pressure(), "pressure", pressure,
+                        "at most 0.75 E g: closed beyond, the bulk carries (Pa)");
     }
 
 private:
@@ -203,9 +231,9 @@ private:
           energy_(detail::persson_energy(static_cast<double>(gamma), static_cast<double>(closing))),
           gradient_(pieces.back().to),
           pieces_(std::move(pieces)) {
-        require_positive("effective_modulus", effective_modulus);
-        require(gamma > 0 && gamma <= 1, "gamma", gamma, "greater than 0 and at most 1");
-        require(closing >= 0 && closing <= 1, "closing", closing, "at least 0 and at most 1");
+        detail::require_positive("effective_modulus", effective_modulus);
+        detail::require(gamma > 0 && gamma <= 1, "gamma", gamma, "greater than 0 and at most 1");
+        detail::require(closing >= 0 && closing <= 1, "closing", closing, "at least 0 and at most 1");
         make_panels();
     }
 
@@ -220,9 +248,9 @@ private:
     [[nodiscard]] double last_y(double x) const { return std::sqrt(x / gradient_ * (x / gradient_) + 30); }
 
     void require_reach(T pressure) const {
-        require_positive("pressure", pressure);
+        detail::require_positive("pressure", pressure);
         if (!(pressure <= largest_pressure())) [[unlikely]]
-            require(false, "pressure", pressure, "at most 18 E g: all is in full contact there (Pa)");
+            detail::require(false, "pressure", pressure, "at most 18 E g: all is in full contact there (Pa)");
     }
 
     /// Integrates the spectrum against the Lagrange polynomials of each panel.

@@ -15,12 +15,11 @@
 /// Accuracy    p(d) 1e-10 of the rms height, 1e-5 where K has kinks; K of Gaussian numbers within 15 % of boundary
 ///             elements at 95 of 100 points (tests/contact/plastic_contact_map_test.cpp)
 
-#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/math/normal_distribution.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
-#include <fstiff/topography/coarsen.hpp>
+#include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
@@ -30,7 +29,7 @@
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
+namespace detail {
 
 /// The highest parts of a surface as a flat cuts them, of a share of the area: K of them held together [Pa/m], and the
 /// level of the flat over the mean plane [m] with its fall as the share grows [m].
@@ -135,7 +134,7 @@ public:
     /// \throws domain_error as HighestPoints and map_spectrum.
     MapCut(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges)
         : gaussian_(gaussian_cut(map, effective_modulus, edges)),
-          knots_(std::make_shared<const parts::CutKnots<T>>(coarsened(map, 256), effective_modulus, edges)),
+          knots_(std::make_shared<const CutKnots<T>>(coarsened(map, 256), effective_modulus, edges)),
           curve_(std::make_shared<const BearingSlope<T>>(BearingSlope<T>::of_heights(
               std::span<const T>(map.heights.data(), static_cast<std::size_t>(map.heights.size()))))),
           mean_(mean_height(map)) {}
@@ -155,15 +154,15 @@ public:
 
 private:
     GaussianCut<T> gaussian_;
-    std::shared_ptr<const parts::CutKnots<T>> knots_;
+    std::shared_ptr<const CutKnots<T>> knots_;
     std::shared_ptr<const BearingSlope<T>> curve_;
     T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
 };
 
-}  // namespace parts
+}  // namespace detail
 
 /// \p Elastic is the contact of the same surface without flow, at light and heavy loads: HybridContact.
-template <Real T, class Elastic, parts::CutSurface<T> Cut>
+template <Real T, class Elastic, detail::CutSurface<T> Cut>
 class PlasticContact : private detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
     using Base = detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
     friend Base;
@@ -172,7 +171,7 @@ public:
     /// \throws domain_error unless hardness [Pa] is finite and positive.
     PlasticContact(Elastic elastic, Cut cut, std::type_identity_t<T> hardness)
         : elastic_(std::move(elastic)), cut_(std::move(cut)), hardness_(hardness) {
-        require_positive("hardness", hardness);
+        detail::require_positive("hardness", hardness);
     }
 
     using Base::bulk_compliance;
@@ -183,20 +182,21 @@ public:
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive, less than H, and within the reach of the elastic contact.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        require_positive("pressure", pressure);
-        require(pressure < hardness_, "pressure", pressure, "less than the hardness (Pa): all has flowed there");
+        detail::require_positive("pressure", pressure);
+        detail::require(pressure < hardness_, "pressure", pressure,
+                        "less than the hardness (Pa): all has flowed there");
         const T share = pressure / hardness_;
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};
-        const bool area = parts::has(wanted, Quantity::real_area_fraction);
+        const bool area = detail::has(wanted, Quantity::real_area_fraction);
         const ContactState<T> elastic = elastic_.at_pressure(
             pressure, area ? Quantity::stiffness | Quantity::real_area_fraction : Quantity::stiffness);
-        if (parts::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
+        if (detail::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
             const Estimate<T>& alone = elastic.stiffness;
-            const parts::Yielded<T> of = parts::yielded(share, cut_.stiffness(share), alone.value);
+            const detail::Yielded<T> of = detail::yielded(share, cut_.stiffness(share), alone.value);
             const T K = of.stiffness, loading = 1 / compliance(share, of), error = alone.error / alone.value + T(1e-9);
-            if (parts::has(wanted, Quantity::stiffness)) state.stiffness = {K, error * K, alone.evaluations};
-            if (parts::has(wanted, Quantity::loading_stiffness))
+            if (detail::has(wanted, Quantity::stiffness)) state.stiffness = {K, error * K, alone.evaluations};
+            if (detail::has(wanted, Quantity::loading_stiffness))
                 state.loading_stiffness = {loading, error * loading, alone.evaluations};
         }
         if (area) {
@@ -205,7 +205,7 @@ public:
             const T whole = -std::expm1(-std::hypot(std::log1p(-share), alone));
             state.real_area_fraction = {whole, elastic.real_area_fraction.error, 0};
         }
-        if (parts::has(wanted, Quantity::separation)) state.separation = separation(pressure);
+        if (detail::has(wanted, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height();
         return state;
     }
@@ -229,34 +229,34 @@ public:
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
     /// \throws domain_error unless the pressure of eta is within reach.
-    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
-        require(std::isfinite(eta), "eta", eta, "finite (separation over rms height)");
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        detail::require(std::isfinite(eta), "eta", eta, "finite (separation over rms height)");
         const T width = width_of_panel(), start = at_half(), side = eta * rms_height() > start ? -1 : 1;
         const T target = std::abs(eta * rms_height() - start);
         std::size_t whole = 0;
         T fall = 0;
         for (T next; T(whole) * width < furthest && (next = fall + panel(side, whole)) <= target; ++whole) fall = next;
-        require(T(whole) * width < furthest, "eta", eta, "within the reach of the laws");
+        detail::require(T(whole) * width < furthest, "eta", eta, "within the reach of the laws");
         const T from = side * T(whole) * width, to = from + side * width;
         const auto residual = [&](T u) {
             return std::pair(side * fall_between(from, u) + fall - target, side * fall_at(u));
         };
         const auto found = math::newton_bracketed(residual, (std::min)(from, to), (std::max)(from, to), (from + to) / 2,
                                                   64 * std::numeric_limits<T>::epsilon() * (1 + std::abs(from)));
-        require(found.converged(), "eta", eta, "within the reach of the laws");
+        detail::require(found.converged(), "eta", eta, "within the reach of the laws");
         const T slope = -rms_height() / (1 + std::exp(found.root)) / fall_at(found.root);
         return {std::log(hardness_) - std::log1p(std::exp(-found.root)), slope, found.error - error_share() * slope};
     }
 
     /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
     [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
-        const parts::LogSlope<T> p = log_pressure(eta);
+        const LogSlope<T> p = log_pressure(eta);
         const Estimate<T> K = at_pressure(std::exp(p.log), Quantity::stiffness).stiffness;
         return {std::log(K.value), p.error + K.error / K.value};
     }
 
     [[nodiscard]] T rms_height() const { return elastic_.rms_height(); }
-    [[nodiscard]] bool has_kinks() const { return parts::has_kinks(elastic_); }
+    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(elastic_); }
 
 private:
     static constexpr int furthest = 36;  ///< ln(p/(H - p)) to either side: 2e-16 of H
@@ -265,14 +265,14 @@ private:
     [[nodiscard]] T width_of_panel() const { return has_kinks() ? T(1) / 8 : T(1); }
 
     /// The contact under \p share of H, compared with boundary elements or not: closed where the elastic one is.
-    [[nodiscard]] parts::Yielded<T> yielded(T share) const {
+    [[nodiscard]] detail::Yielded<T> yielded(T share) const {
         const T p = share * hardness_;
-        return parts::yielded(
+        return detail::yielded(
             share, cut_.stiffness(share),
             p < elastic_.full_pressure() ? elastic_.stiffness(p) : std::numeric_limits<T>::infinity());
     }
     /// -dd/dp [m/Pa] on loading.
-    [[nodiscard]] T compliance(T share, const parts::Yielded<T>& of) const {
+    [[nodiscard]] T compliance(T share, const detail::Yielded<T>& of) const {
         return 1 / of.stiffness + (of.flow > 0 ? of.flow * cut_.level(share).second / hardness_ : T(0));
     }
     /// -dd/du [m] where u = ln(p/(H - p)).

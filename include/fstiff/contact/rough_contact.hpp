@@ -17,19 +17,21 @@
 ///             (tests/contact/rough_contact_test.cpp, tests/contact/random_contacts_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
-#include <fstiff/contact/contact_integrals.hpp>
+#include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/law_means.hpp>
-#include <fstiff/contact/law_sums.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/peaks/single_radius.hpp>
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/peaks/contact_integrals.hpp>
+#include <fstiff/peaks/law_means.hpp>
+#include <fstiff/peaks/law_sums.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/peaks/quantity.hpp>
 #include <fstiff/surface/moments.hpp>
-#include <fstiff/surface/roughness.hpp>
+
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
-
-namespace parts {
 
 /// Rms curvature sigma_kappa from the mean peak radius R.
 enum class CurvatureScale {
@@ -37,22 +39,19 @@ enum class CurvatureScale {
     consistent           ///< 1/(R E t): the mean curvature of the peaks of the density (4.4) is 1/R
 };
 
-}  // namespace parts
-
 template <>
-inline constexpr auto names<parts::CurvatureScale> =
-    name_list<parts::CurvatureScale>({{parts::CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"},
-                                      {parts::CurvatureScale::consistent, "consistent"}});
+inline constexpr auto names<CurvatureScale> = detail::name_list<CurvatureScale>(
+    {{CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"}, {CurvatureScale::consistent, "consistent"}});
 
 /// Options of a RoughContact.
 template <Real T = double>
 struct RoughContactOptions {
     Interaction<T> interaction{};
-    parts::CurvatureScale curvature = parts::CurvatureScale::bush_gibson_thomas;
-    parts::IntegralOptions<T> integrals{};
+    CurvatureScale curvature = CurvatureScale::bush_gibson_thomas;
+    IntegralOptions<T> integrals{};
 };
 
-namespace parts {
+namespace detail {
 
 /// sigma_kappa [1/m].
 template <Real T>
@@ -69,16 +68,16 @@ template <Real T>
     return 1 / surface.peak_radius;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// The contact of a distribution of peaks, each of which obeys one law: load, stiffness, area and number.
 template <Real T, class Law, class Peaks = PeakDistribution<T>>
 class RoughContact {
-    static_assert(parts::PowerLaw<Law, T> || detail::HasLoad<Law, T>,
+    static_assert(detail::PowerLaw<Law, T> || detail::HasLoad<Law, T>,
                   "this law has no member load(omega, radius) for numbers or an Eigen array, nor factors and powers");
-    static_assert(parts::PowerLaw<Law, T> || detail::HasStiffness<Law, T>,
+    static_assert(detail::PowerLaw<Law, T> || detail::HasStiffness<Law, T>,
                   "this law has no member stiffness(omega, radius) for numbers or an Eigen array");
-    static_assert(parts::PowerLaw<Law, T> || detail::HasArea<Law, T>,
+    static_assert(detail::PowerLaw<Law, T> || detail::HasArea<Law, T>,
                   "this law has no member area(omega, radius) for numbers or an Eigen array");
 
 public:
@@ -90,11 +89,11 @@ public:
           law_(law),
           options_(options),
           scales_{surface.rms_height, surface.peak_density, effective_modulus,
-                  parts::rms_curvature(surface, peaks, options.curvature)} {
+                  detail::rms_curvature(surface, peaks, options.curvature)} {
         surface.validate();
         options.interaction.validate();
-        require_positive("effective_modulus", effective_modulus);
-        if constexpr (parts::PowerLaw<Law, T>)
+        detail::require_positive("effective_modulus", effective_modulus);
+        if constexpr (detail::PowerLaw<Law, T>)
             pressure_unit_ = scales_.of(effective_modulus * static_cast<T>(law.load_factor()), Law::load_powers);
         else
             pressure_unit_ = effective_modulus * (surface.peak_density * surface.rms_height * surface.rms_height);
@@ -123,8 +122,8 @@ public:
     }
 
     /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
-    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
-        parts::LogSlope<T> p = log_slope(sums(eta, slope_quantities));
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        LogSlope<T> p = log_slope(sums(eta, slope_quantities));
         p.log += std::log(pressure_unit_);
         return p;
     }
@@ -145,8 +144,8 @@ public:
     [[nodiscard]] T bulk_compliance() const { return bulk_compliance_; }
     /// True if K is a constant times -dp/dd without interaction, at every separation.
     static constexpr bool stiffness_follows_slope = [] {
-        if constexpr (parts::PowerLaw<Law, T>)
-            return Law::stiffness_powers == parts::HalfPowers{Law::load_powers.omega - 2, Law::load_powers.radius};
+        if constexpr (detail::PowerLaw<Law, T>)
+            return Law::stiffness_powers == HalfPowers{Law::load_powers.omega - 2, Law::load_powers.radius};
         else if constexpr (requires { Law::stiffness_is_slope; })
             return static_cast<bool>(Law::stiffness_is_slope);
         else
@@ -154,7 +153,7 @@ public:
     }();
     /// K over -dp/dd without interaction: 1 where the stiffness of the law is the slope of its load.
     [[nodiscard]] T stiffness_over_slope() const requires stiffness_follows_slope {
-        if constexpr (parts::PowerLaw<Law, T>)
+        if constexpr (detail::PowerLaw<Law, T>)
             return static_cast<T>(law_.stiffness_factor()) /
                    (T(Law::load_powers.omega) / 2 * static_cast<T>(law_.load_factor()));
         else
@@ -166,23 +165,23 @@ private:
     static constexpr Quantity slope_quantities = Quantity::pressure | Quantity::loading_stiffness;
     static constexpr Quantity for_compliance = Quantity::pressure | Quantity::stiffness | Quantity::loading_stiffness;
 
-    using Outcome = parts::StateOrRefusal<T>;
+    using Outcome = detail::StateOrRefusal<T>;
 
     [[nodiscard]] Outcome state_at_separation(T separation, Quantity wanted) const {
         const T eta = separation / scales_.rms_height;
-        if (!(eta >= parts::min_eta && eta <= T(1e6))) {
+        if (!(eta >= detail::min_eta && eta <= T(1e6))) {
             const T rms = scales_.rms_height;
             return {
                 {},
-                parts::refusal_of("separation", separation,
-                                  "between " + parts::shortest_text(static_cast<T>(parts::min_eta) * rms) + " and " +
-                                      parts::shortest_text(T(1e6) * rms) + " m, -1000 and 1e6 rms heights")};
+                detail::refusal_of("separation", separation,
+                                   "between " + detail::shortest_text(static_cast<T>(detail::min_eta) * rms) + " and " +
+                                       detail::shortest_text(T(1e6) * rms) + " m, -1000 and 1e6 rms heights")};
         }
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {
                 ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
                 state.separation = {separation, 0, 0};
-                if (!parts::has(wanted, Quantity::pressure)) state.pressure = {};
+                if (!detail::has(wanted, Quantity::pressure)) state.pressure = {};
                 return {state, {}};
             }
             case InteractionReading::as_printed:
@@ -195,16 +194,16 @@ private:
     }
 
     [[nodiscard]] Outcome state_at_pressure(T pressure, Quantity wanted) const {
-        require_positive("pressure", pressure);
+        detail::require_positive("pressure", pressure);
         if constexpr (requires { law_.pressure_limit(); })  // of a plastic law, at which all of the area is in contact
             if (!(pressure < static_cast<T>(law_.pressure_limit())))
-                return {{}, parts::refusal_of("pressure", pressure, "less than the hardness of the law (Pa)")};
+                return {{}, detail::refusal_of("pressure", pressure, "less than the hardness of the law (Pa)")};
         Integrator roughly(law_, peaks_, scales_, slope_quantities,
-                           (std::max)(options_.integrals.relative_tolerance, parts::rough_tolerance<T>));
+                           (std::max)(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
         Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
-        const auto search = parts::eta_of(std::log(pressure / pressure_unit_), max_eta(),
-                                          [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
-        if (!search.found) return {{}, parts::unreachable_pressure(pressure, search)};
+        const auto search = detail::eta_of(std::log(pressure / pressure_unit_), max_eta(),
+                                           [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
+        if (!search.found) return {{}, detail::unreachable_pressure(pressure, search)};
         if (options_.interaction.reading == InteractionReading::as_printed)
             return printed(search.eta.value, {pressure, 0, 0}, wanted);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
@@ -218,22 +217,22 @@ private:
     }
 
     /// Logarithm of the load over pressure_unit_, and its slope.
-    parts::LogSlope<T> log_slope(const detail::LawSums<T>& j) const {
+    LogSlope<T> log_slope(const detail::LawSums<T>& j) const {
         return {std::log(j.load.value / pressure_unit_) + j.log_scale,
                 -j.loading.value * scales_.rms_height / j.load.value, j.load.error / j.load.value};
     }
 
     [[nodiscard]] T max_eta() const {
-        if constexpr (std::same_as<Peaks, parts::SingleRadius<T>>)
-            if (peaks_.heights == parts::Heights::exponential) return parts::max_exponential_eta<T>();
-        return parts::max_gaussian_eta<T>();
+        if constexpr (std::same_as<Peaks, SingleRadius<T>>)
+            if (peaks_.heights == Heights::exponential) return detail::max_exponential_eta<T>();
+        return detail::max_gaussian_eta<T>();
     }
 
     /// exp(log_scale) multiplied in.
     detail::LawSums<T> unscaled(detail::LawSums<T> j, T eta) const {
         T scale = math::gaussian((std::max)(eta, T(0)));
-        if constexpr (std::same_as<Peaks, parts::SingleRadius<T>>)
-            if (peaks_.heights == parts::Heights::exponential) scale = std::exp(j.log_scale);
+        if constexpr (std::same_as<Peaks, SingleRadius<T>>)
+            if (peaks_.heights == Heights::exponential) scale = std::exp(j.log_scale);
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 
@@ -262,8 +261,8 @@ private:
             state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
         const auto in_series = [&](Quantity quantity, Estimate<T>& k, T with) {
             const T share = 1 / (1 + with * bulk_compliance_);
-            k = parts::has(wanted, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations}
-                                             : Estimate<T>{};
+            k = detail::has(wanted, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations}
+                                              : Estimate<T>{};
         };
         const T slope = state.loading_stiffness.value;
         in_series(Quantity::stiffness, state.stiffness, stiffness_follows_slope ? slope : state.stiffness.value);
@@ -273,9 +272,9 @@ private:
 
     Outcome printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
         const T eta_new = eta_old - pressure.value * bulk_compliance_ / scales_.rms_height;
-        if (!(eta_new >= parts::min_eta))
+        if (!(eta_new >= detail::min_eta))
             return {{},
-                    parts::refusal_of("eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))")};
+                    detail::refusal_of("eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))")};
         ContactState<T> state =
             at_eta({eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, wanted);
         state.pressure = pressure;
@@ -308,3 +307,89 @@ private:
 };
 
 }  // namespace fstiff::inline v0_1
+
+// Mean depth of the peaks of a contact, each peak weighted by its load, to check the range of plastic laws.
+//
+//     <s>   = sum load omega/omega_c / sum load          omega_c = (its strain)^2 R, where a peak begins to flow
+//     <a/R> = sum load a/R / sum load                    a = sqrt(area/pi)
+//
+// Reference   this project
+// Units       eta is the separation over the rms height; the means have no unit
+// Valid       as RoughContact
+// Accuracy    the tolerance asked for, 1e-4 by default; each mean carries its bound
+//             (tests/contact/load_means_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+/// Depth to which the peaks are pressed in, as means over the load that they carry.
+template <Real T = double>
+struct LoadMeans {
+    Estimate<T> interference;  ///< of omega/omega_c
+    Estimate<T> radius_ratio;  ///< of a/R
+};
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+/// \p Law with its load times omega/omega_c as stiffness and its load times a/R as area.
+template <Real T, class Law>
+class LoadWeighted {
+public:
+    LoadWeighted(const Law& law, T critical_over_radius) : law_(law), critical_over_radius_(critical_over_radius) {}
+
+    template <class Omega>
+    [[nodiscard]] auto load(const Omega& omega, T radius) const {
+        return each(omega, [&](T w) { return static_cast<T>(law_.load(w, radius)); });
+    }
+    template <class Omega>
+    [[nodiscard]] auto stiffness(const Omega& omega, T radius) const {
+        return each(omega, [&](T w) { return law_.load(w, radius) * (w / (critical_over_radius_ * radius)); });
+    }
+    template <class Omega>
+    [[nodiscard]] auto area(const Omega& omega, T radius) const {
+        return each(omega, [&](T w) {
+            return law_.load(w, radius) * (std::sqrt(law_.area(w, radius) / std::numbers::pi_v<T>) / radius);
+        });
+    }
+    [[nodiscard]] T critical(T radius) const requires requires(const Law& law) { law.critical(radius); }
+    { return law_.critical(radius); }
+    [[nodiscard]] auto kinks() const requires requires(const Law& law) { law.kinks(); }
+    { return law_.kinks(); }
+
+private:
+    Law law_;
+    T critical_over_radius_;
+};
+
+/// The means over the peaks of \p contact at \p eta, with omega_c = \p critical_over_radius times R. Of a contact with
+/// interaction eta is that of its states. \throws domain_error for an eta outside the range of RoughContact, a
+/// tolerance outside that of the integrals, and unless critical_over_radius is finite and positive.
+template <Real T, class Law, class Peaks>
+[[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta, T critical_over_radius,
+                                      T relative_tolerance = T(1e-4)) {
+    require_positive("critical_over_radius", critical_over_radius);
+    RoughContactOptions<T> options = contact.options();
+    options.interaction = {};
+    options.integrals.relative_tolerance = relative_tolerance;
+    const T modulus = contact.effective_modulus(), sigma = contact.rms_height();
+    const RoughContact weighted(contact.surface(), contact.peaks(),
+                                LoadWeighted<T, Law>(contact.law(), critical_over_radius), modulus, options);
+    const auto sums =
+        weighted.at_separation(eta * sigma, Quantity::pressure | Quantity::stiffness | Quantity::real_area_fraction);
+    const auto over_load = [&](const Estimate<T>& sum, T unit) {
+        const T mean = sum.value * unit / sums.pressure.value;
+        return Estimate<T>{mean, mean * (sum.error / sum.value + sums.pressure.error / sums.pressure.value),
+                           sum.evaluations + sums.pressure.evaluations};
+    };
+    return {over_load(sums.stiffness, T(1)), over_load(sums.real_area_fraction, modulus)};
+}
+
+/// The same for a law that gives the beginning of flow of its peaks.
+template <Real T, class Law, class Peaks>
+requires requires(const Law& law) { law.critical(T(1)); }
+[[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta) {
+    return load_means(contact, eta, static_cast<T>(contact.law().critical(T(1))));
+}
+
+}  // namespace fstiff::inline v0_1::detail

@@ -15,11 +15,11 @@
 /// Accuracy    1e-11 of K per relative change, 1e-10 for r and theta near pi/2, else 1e-8
 ///             (tests/contact/sensitivity_test.cpp)
 
-#include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/core/concepts.hpp>
-#include <fstiff/peaks/single_radius.hpp>
-#include <fstiff/surface/roughness.hpp>
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/peaks/peak_sums.hpp>
+#include <fstiff/surface/moments.hpp>
 
 #include <numbers>
 
@@ -39,7 +39,7 @@ struct Sensitivity {
     T theta{};              ///< dK/dtheta [Pa/m per radian]
 };
 
-namespace parts {
+namespace detail {
 
 /// Law with the derivatives of its load and its stiffness by D: d ln/dD, 0 without a D.
 template <class Law, class T>
@@ -86,7 +86,7 @@ struct DerivativeSums {
     }
 
     /// Boundary term of the integration by parts at t = 0, where t^b erf(k t) is 2 k/sqrt(pi) for b = -1.
-    void add_boundary(const detail::PeakProblem<T>& p, T step) {
+    void add_boundary(const PeakProblem<T>& p, T step) {
         if constexpr (powers.radius == 2) {
             const T at_zero = p.eta / p.c, outer = p.floor * p.r / p.c;
             r += 2 * std::numbers::inv_sqrtpi_v<T> * p.k * lower_moment<powers.omega>(at_zero) *
@@ -95,7 +95,7 @@ struct DerivativeSums {
     }
 
     /// J[a,b] = c^a/(2 theta) step value: the common factors cancel in every logarithmic derivative.
-    [[nodiscard]] typename LogDerivatives<T>::One log_derivatives(const detail::PeakProblem<T>& p, T log_factor) const {
+    [[nodiscard]] typename LogDerivatives<T>::One log_derivatives(const PeakProblem<T>& p, T log_factor) const {
         const T inverse_c = 1 / p.c, cosine = std::cos(p.theta);
         const T dk = 1 / (std::numbers::sqrt2_v<T> * cosine * cosine);
         constexpr T factor = lower_factor<powers.omega, T>;
@@ -108,10 +108,10 @@ struct DerivativeSums {
 template <HalfPowers load_powers, HalfPowers stiffness_powers, Real T>
 class DerivativeAccumulator {
 public:
-    explicit DerivativeAccumulator(const detail::PeakProblem<T>& problem) : k_(problem.k) {}
+    explicit DerivativeAccumulator(const PeakProblem<T>& problem) : k_(problem.k) {}
 
-    EIGEN_DONT_INLINE void add(const detail::PeakNodes<T>& nodes) {
-        T erf[detail::PeakNodes<T>::capacity], moment[4];
+    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
+        T erf[PeakNodes<T>::capacity], moment[4];
         detail::erf_at(nodes, k_, math::ErfPolynomials::for_tolerance(0), erf);
         std::array<math::Lanes<T, 4>, 8> moments;
         for (int i = 0; i < nodes.size(); ++i) {
@@ -144,7 +144,7 @@ private:
 template <class Law, Real T>
 LogDerivatives<T> log_derivatives(const PeakDistribution<T>& peaks, T eta) {
     const T log_accuracy = -std::log(100 * std::numeric_limits<T>::epsilon());
-    const detail::PeakProblem<T> p(peaks, eta, log_accuracy + 5);
+    const PeakProblem<T> p(peaks, eta, log_accuracy + 5);
     DerivativeAccumulator<Law::load_powers, Law::stiffness_powers, T> sums(p);
     const T step = detail::visit_nodes(p, log_accuracy, sums);
     sums.load.add_boundary(p, step);
@@ -193,8 +193,8 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     const Peaks& peaks = contact.peaks();
     const CurvatureScale scale = contact.options().curvature;
     const LogDerivatives<T> j = log_derivatives<Law>(peaks, eta);
-    const detail::PeakScales<T> scales{surface.rms_height, surface.peak_density, contact.effective_modulus(),
-                                       rms_curvature(surface, peaks, scale)};
+    const PeakScales<T> scales{surface.rms_height, surface.peak_density, contact.effective_modulus(),
+                               rms_curvature(surface, peaks, scale)};
     constexpr HalfPowers load = Law::load_powers, stiffness = Law::stiffness_powers;
     Exponents<T> out;
     const T unit = scales.of(scales.effective_modulus * static_cast<T>(contact.law().stiffness_factor()), stiffness);
@@ -262,7 +262,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
     return out;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. With interaction the bulk is in
 /// series, 1/K' = 1/K + L/(E f), and L is held. Does not allocate for a law with powers; others take differences of six
@@ -270,13 +270,13 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
 template <Real T, class Law, class Peaks>
 [[nodiscard]] Sensitivity<T> sensitivity(const RoughContact<T, Law, Peaks>& contact, std::type_identity_t<T> pressure) {
     const InteractionReading reading = contact.interaction().reading;
-    require(reading != InteractionReading::as_printed, "interaction", T(2),
-            "none or effective_separation for a derivative");
+    detail::require(reading != InteractionReading::as_printed, "interaction", T(2),
+                    "none or effective_separation for a derivative");
     const T eta = contact.at_pressure(pressure, Quantity::pressure).eta;
-    const parts::Exponents<T> of = parts::exponents(contact, eta);
+    const detail::Exponents<T> of = detail::exponents(contact, eta);
     const T k = of.k, modulus = contact.effective_modulus();
     const T follow = of.eta.stiffness / of.eta.load;  // d ln K / d ln p along the curve
-    const auto at_constant_pressure = [&](const typename parts::Exponents<T>::Pair& z) {
+    const auto at_constant_pressure = [&](const typename detail::Exponents<T>::Pair& z) {
         return k * (z.stiffness - follow * z.load);
     };
     Sensitivity<T> out;

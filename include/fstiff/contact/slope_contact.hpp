@@ -2,14 +2,14 @@
 #pragma once
 /// \file
 /// Common part of the contacts whose K is -dp/dd at every pressure, and which take no interaction: Persson's, the
-/// hybrid one and that of the summits of a map. With it each of them is a Contact (contact/contact_concept.hpp).
+/// hybrid one and that of the summits of a map. With it each of them is a Contact (contact/interaction.hpp).
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/math/quadrature.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/peaks/quantity.hpp>
 
 #include <atomic>
 #include <memory>
@@ -54,7 +54,7 @@ public:
     }
     /// log(K/(Pa/m)) at eta, the separation over the rms height. \throws domain_error as log_pressure.
     [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
-        const parts::LogSlope<T> p = self().log_pressure(eta);
+        const LogSlope<T> p = self().log_pressure(eta);
         return {p.log + std::log(-p.slope / self().rms_height()), 2 * p.error};
     }
     [[nodiscard]] Interaction<T> interaction() const { return {}; }
@@ -78,7 +78,7 @@ protected:
     }
 
     /// log p where d(p) = eta rms_height, between \p low and \p high. \throws domain_error naming eta, and \p reach.
-    [[nodiscard]] parts::LogSlope<T> searched_log_pressure(T eta, T low, T high, T guess, const char* reach) const {
+    [[nodiscard]] LogSlope<T> searched_log_pressure(T eta, T low, T high, T guess, const char* reach) const {
         const T rms = self().rms_height(), tolerance = 16 * std::numeric_limits<T>::epsilon() * (1 + std::abs(high));
         const auto residual = [&](T log_p) {
             const T p = std::exp(log_p);
@@ -93,14 +93,14 @@ protected:
     /// The state at the pressure that \p separation has; the error of the pressure enters every value.
     [[nodiscard]] ContactState<T> state_at_separation(T separation, Quantity wanted) const {
         const T eta = separation / self().rms_height();
-        const parts::LogSlope<T> p = self().log_pressure(eta);
+        const LogSlope<T> p = self().log_pressure(eta);
         const T pressure = std::exp(p.log);
         ContactState<T> state = self().at_pressure(pressure, wanted);
         for (Estimate<T>* e :
              {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
             e->error += 2 * p.error * e->value;
         state.pressure =
-            parts::has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
+            detail::has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
         state.separation = {separation, 0, 0};
         state.eta = eta;
         return state;

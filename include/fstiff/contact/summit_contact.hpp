@@ -16,16 +16,16 @@
 
 #include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/peaks/quantity.hpp>
 #include <fstiff/topography/summits.hpp>
 
 #include <iterator>
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
+namespace detail {
 
 /// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from
 /// them, need not find these again. \throws domain_error for curvatures that are not positive.
@@ -38,7 +38,7 @@ template <Real T>
     return of;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// The contact of the summits of one map, each by itself: ellipses of Hertz.
 template <Real T = double>
@@ -49,14 +49,14 @@ public:
     /// \throws domain_error for no summits and a modulus that is not finite and positive.
     SummitContact(const Summits<T>& of, std::type_identity_t<T> effective_modulus)
         : modulus_(effective_modulus), area_(of.area), rms_height_(of.rms_height) {
-        require_positive("effective_modulus", effective_modulus);
-        require_positive("rms_height", of.rms_height);
-        require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
-        for (const parts::Summit<T>& one : of.summits) {
+        detail::require_positive("effective_modulus", effective_modulus);
+        detail::require_positive("rms_height", of.rms_height);
+        detail::require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
+        for (const Summit<T>& one : of.summits) {
             height_.push_back(one.height);
             const bool found = one.load_factor > 0;
-            const auto hertz = found ? parts::EllipticHertz<T>{one.load_factor, one.area_factor, T(0)}
-                                     : parts::elliptic_hertz(one.max_curvature, one.min_curvature);
+            const auto hertz = found ? detail::EllipticHertz<T>{one.load_factor, one.area_factor, T(0)}
+                                     : detail::elliptic_hertz(one.max_curvature, one.min_curvature);
             load_factor_.push_back(hertz.load_factor);
             area_factor_.push_back(hertz.area_factor);
         }
@@ -65,13 +65,13 @@ public:
     /// \throws domain_error for a separation at which no summit touches.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         if (!(separation < height_[0]))
-            parts::refuse("separation", separation, "less than the height of the highest summit (m)");
+            detail::refuse("separation", separation, "less than the height of the highest summit (m)");
         return state(separation, 0, wanted);
     }
 
     /// \throws domain_error unless the pressure [Pa] is finite and positive.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        require_positive("pressure", pressure);
+        detail::require_positive("pressure", pressure);
         // p^(2/3) is nearly linear in d
         const T target = std::cbrt(pressure) * std::cbrt(pressure), top = height_[0];
         const T single = std::cbrt(pressure * area_ / modulus_ / load_factor_[0]);
@@ -85,16 +85,17 @@ public:
         const auto found =
             math::newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
                                    4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
-        require(found.converged(), "pressure", pressure, "within the range of numbers for the scales of this map");
+        detail::require(found.converged(), "pressure", pressure,
+                        "within the range of numbers for the scales of this map");
         ContactState<T> at = state(found.root, found.error, wanted);
         at.pressure = {pressure, 0, static_cast<int>(at.pressure.evaluations)};
         return at;
     }
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error as at_separation.
-    [[nodiscard]] parts::LogSlope<T> log_pressure(T eta) const {
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         if (!(eta * rms_height_ < height_[0]))
-            parts::refuse("eta", eta, "less than the height of the highest summit over the rms height");
+            detail::refuse("eta", eta, "less than the height of the highest summit over the rms height");
         const Sums j = sums(eta * rms_height_);
         return {std::log(j.load), -j.stiffness / j.load * rms_height_, rounding};
     }
@@ -128,8 +129,9 @@ private:
         const Sums j = sums(d);
         const T relative = rounding + error * j.stiffness / j.load;
         const auto given = [&](Quantity quantity, T value) {
-            return parts::has(wanted, quantity) ? Estimate<T>{value, relative * value, static_cast<int>(height_.size())}
-                                                : Estimate<T>{};
+            return detail::has(wanted, quantity)
+                       ? Estimate<T>{value, relative * value, static_cast<int>(height_.size())}
+                       : Estimate<T>{};
         };
         ContactState<T> at;
         at.eta = d / rms_height_;

@@ -14,8 +14,8 @@
 ///
 /// A field that is empty is left out.
 
-#include <fstiff/core/concepts.hpp>
 #include <fstiff/core/config.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/text.hpp>
 
 #include <stdexcept>
@@ -23,8 +23,6 @@
 #include <utility>
 
 namespace fstiff::inline v0_1 {
-
-namespace parts {
 
 /// Place in a file.
 struct Place {
@@ -50,22 +48,24 @@ struct Refusal {
     std::string_view reason{};   ///< the end of the sentence where it is not "must be <allowed>"
 };
 
+namespace detail {
+
 /// The part of \p text from \p begin on; less where a text ends sooner, as one with a NUL in it does.
 constexpr std::string_view part(std::string_view text, std::size_t begin,
                                 std::size_t length = std::string_view::npos) noexcept {
     return text.substr(begin < text.size() ? begin : text.size(), length);
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// An argument or a datum outside the range that the model or the method allows. Copies do not throw. The views of its
 /// fields live as long as the exception.
 class domain_error : public std::domain_error {
 public:
-    explicit domain_error(const parts::Refusal& refusal) : domain_error(Sentence(refusal)) {}
+    explicit domain_error(const Refusal& refusal) : domain_error(Sentence(refusal)) {}
     /// A plain sentence, for a refusal without a parameter.
     template <std::convertible_to<std::string_view> Text>  // no template takes the braces that a Refusal has
-    explicit domain_error(const Text& reason) : domain_error(parts::Refusal{.reason = reason}) {}
+    explicit domain_error(const Text& reason) : domain_error(Refusal{.reason = reason}) {}
 
     [[nodiscard]] std::string_view parameter() const noexcept { return field(spans_.parameter); }
     [[nodiscard]] std::string_view value() const noexcept { return field(spans_.value); }
@@ -74,12 +74,12 @@ public:
     /// The end of the sentence, after place, parameter and value.
     [[nodiscard]] std::string_view reason() const noexcept { return field(spans_.reason); }
     /// The place that was given first, which is the nearest one.
-    [[nodiscard]] FSTIFF_COLD parts::Place place() const {
+    [[nodiscard]] FSTIFF_COLD Place place() const {
         return {std::string(field(spans_.file)), spans_.line, std::string(field(spans_.key)), spans_.before_line};
     }
 
     /// The same error at \p place. A place it has already is kept; only its sentence begins with \p place.
-    [[nodiscard]] FSTIFF_COLD domain_error with_place(const parts::Place& place) const {
+    [[nodiscard]] FSTIFF_COLD domain_error with_place(const Place& place) const {
         const std::string text = place.text();
         if (text.empty()) return *this;
         Sentence sentence(text + ": " + what(), spans_);
@@ -96,7 +96,7 @@ public:
     }
     /// The same error for a parameter called \p name, put before the reason if the error had none.
     [[nodiscard]] FSTIFF_COLD domain_error with_parameter(std::string_view name) const {
-        Sentence sentence(std::string(parts::part(what(), 0, spans_.parameter.begin)), spans_);
+        Sentence sentence(std::string(detail::part(what(), 0, spans_.parameter.begin)), spans_);
         sentence.spans.allowed = {};
         const bool is_range = !allowed().empty();
         sentence.put({.parameter = name,
@@ -120,12 +120,12 @@ private:
         std::string text{};
         Spans spans{};
         Sentence(std::string before, const Spans& place) : text(std::move(before)), spans(place) {}
-        explicit Sentence(const parts::Refusal& refusal) { put(refusal); }
+        explicit Sentence(const Refusal& refusal) { put(refusal); }
         Span put(std::string_view field) {
             text += field;
             return {text.size() - field.size(), field.size()};
         }
-        FSTIFF_COLD void put(const parts::Refusal& refusal) {
+        FSTIFF_COLD void put(const Refusal& refusal) {
             spans.parameter = put(refusal.parameter);
             if (!refusal.parameter.empty() && !refusal.value.empty()) text += " = ";
             spans.value = put(refusal.value);
@@ -142,7 +142,7 @@ private:
     explicit domain_error(const Sentence& sentence) : std::domain_error(sentence.text), spans_(sentence.spans) {}
 
     [[nodiscard]] std::string_view field(Span span) const noexcept {
-        return parts::part(what(), span.begin, span.length);
+        return detail::part(what(), span.begin, span.length);
     }
 
     Spans spans_;
@@ -155,11 +155,11 @@ public:
     file_error(const std::string& file, const std::string& reason)
         : std::runtime_error(file + ": " + reason), end_of_file_(file.size()) {}
 
-    [[nodiscard]] std::string_view file() const noexcept { return parts::part(what(), begin_, end_of_file_ - begin_); }
-    [[nodiscard]] std::string_view reason() const noexcept { return parts::part(what(), end_of_file_ + 2); }
+    [[nodiscard]] std::string_view file() const noexcept { return detail::part(what(), begin_, end_of_file_ - begin_); }
+    [[nodiscard]] std::string_view reason() const noexcept { return detail::part(what(), end_of_file_ + 2); }
 
     /// The same error, whose sentence begins with \p place, where the file was named.
-    [[nodiscard]] FSTIFF_COLD file_error with_place(const parts::Place& place) const {
+    [[nodiscard]] FSTIFF_COLD file_error with_place(const Place& place) const {
         const std::string text = place.text();
         if (text.empty()) return *this;
         const std::size_t shift = text.size() + 2;
@@ -173,7 +173,7 @@ private:
     std::size_t begin_ = 0, end_of_file_;
 };
 
-namespace parts {
+namespace detail {
 
 /// Returns \p call(); its errors get \p place.
 template <class Call>
@@ -207,14 +207,12 @@ requires Real<T> || std::integral<T>
         refuse(parameter, static_cast<double>(value), digits, allowed);
 }
 
-}  // namespace parts
-
 /// Throws domain_error "<parameter> = <value>: must be <allowed>" unless \p satisfied.
 /// The comparison that makes \p satisfied should be false for NaN, so that NaN is refused with the rest.
 template <class T>
 requires Real<T> || std::integral<T>
 constexpr void require(bool satisfied, std::string_view parameter, T value, std::string_view allowed) {
-    if (!satisfied) parts::refuse(parameter, value, allowed);
+    if (!satisfied) detail::refuse(parameter, value, allowed);
 }
 
 /// Throws unless \p value is finite and greater than zero.
@@ -222,5 +220,7 @@ template <Real T>
 constexpr void require_positive(std::string_view parameter, T value) {
     require(value > T(0) && value <= (std::numeric_limits<T>::max)(), parameter, value, "finite and greater than 0");
 }
+
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

@@ -23,7 +23,7 @@
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
+namespace detail {
 
 /// A value of an enum and its word.
 template <class Enum>
@@ -32,16 +32,18 @@ struct Named {
     std::string_view name;
 };
 
-}  // namespace parts
+}  // namespace detail
 
 /// The words of \p Enum in the order in which choices are listed. Empty for an enum that has no words; every other one
 /// specialises it with a name_list.
 template <class Enum>
-inline constexpr std::array<parts::Named<Enum>, 0> names{};
+inline constexpr std::array<detail::Named<Enum>, 0> names{};
+
+namespace detail {
 
 /// The list of a specialisation of `names`. Does not compile when a value or a word is there twice, or a word is empty.
 template <class Enum, std::size_t count>
-[[nodiscard]] consteval std::array<parts::Named<Enum>, count> name_list(const parts::Named<Enum> (&list)[count]) {
+[[nodiscard]] consteval std::array<Named<Enum>, count> name_list(const Named<Enum> (&list)[count]) {
     for (std::size_t i = 0; i < count; ++i) {
         if (list[i].name.empty()) throw "a word is empty";
         for (std::size_t j = 0; j < i; ++j)
@@ -51,23 +53,21 @@ template <class Enum, std::size_t count>
     return std::to_array(list);
 }
 
-namespace parts {
-
 /// An enum that has words.
 template <class Enum>
 concept NamedEnum = std::is_enum_v<Enum> && !names<Enum>.empty();
 
-}  // namespace parts
+}  // namespace detail
 
 /// The word of \p value; empty for a value that has none.
-template <parts::NamedEnum Enum>
+template <detail::NamedEnum Enum>
 [[nodiscard]] constexpr std::string_view name_of(Enum value) noexcept {
     for (const auto& known : names<Enum>)
         if (known.value == value) return known.name;
     return {};
 }
 
-namespace parts {
+namespace detail {
 
 /// The value whose word is \p name, case-sensitive; none when there is no such word.
 template <NamedEnum Enum>
@@ -93,13 +93,13 @@ template <NamedEnum Enum>
     return text;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// The value whose word is \p text. \throws domain_error with \p parameter, \p text and the words that are allowed.
-template <parts::NamedEnum Enum>
+template <detail::NamedEnum Enum>
 [[nodiscard]] Enum parse(std::string_view text, std::string_view parameter) {
-    if (const auto found = parts::find_named<Enum>(text)) return *found;
-    parts::refuse(parameter, "\"" + std::string(text) + "\"", "one of " + parts::choices_text<Enum>());
+    if (const auto found = detail::find_named<Enum>(text)) return *found;
+    detail::refuse(parameter, "\"" + std::string(text) + "\"", "one of " + detail::choices_text<Enum>());
 }
 
 }  // namespace fstiff::inline v0_1

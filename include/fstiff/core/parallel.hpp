@@ -10,9 +10,17 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <string_view>
 #include <vector>
 
+// Progress of a long computation, reported to its caller; the library itself prints nothing.
+
 namespace fstiff::inline v0_1 {
+
+/// Called with the name of the part that runs and how much of it is done: \p done of \p all, done < all; from the
+/// thread that computes, a few hundred times or more. An exception from it ends the computation and reaches the caller.
+/// Empty: not called. Where one part ends and the next begins, \p what changes or \p done falls.
+using ProgressHook = std::function<void(std::string_view what, std::size_t done, std::size_t all)>;
 
 /// One piece of work by its index. It does not throw.
 using Piece = std::function<void(std::size_t index)>;
@@ -20,7 +28,7 @@ using Piece = std::function<void(std::size_t index)>;
 /// returned. Empty: one after the other.
 using ParallelHook = std::function<void(std::size_t count, const Piece& run)>;
 
-namespace parts {
+namespace detail {
 
 /// Calls \p call(i) for every i below \p count through \p hook. What a call throws reaches the caller, of several the
 /// one with the least index.
@@ -42,6 +50,6 @@ void run_pieces(const ParallelHook& hook, std::size_t count, const Call& call) {
         if (one) std::rethrow_exception(one);
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

@@ -15,7 +15,7 @@
 ///             fixed_text are correctly rounded (tests/core/text_test.cpp). Without std::to_chars of the scalar
 ///             shortest_text has the same digits, but may write 1e+05 for 100000.
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -26,7 +26,7 @@
 #include <string>
 #include <system_error>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
 
 inline bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_hexadecimal_digit(char c) {
@@ -193,4 +193,4 @@ template <Real T>
     }
 }
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail

@@ -7,19 +7,29 @@
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
-#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
-#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/contact/tangential_law.hpp>
-#include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
-#include <fstiff/fit/identify.hpp>
+#include <fstiff/identify/identify.hpp>
+#include <fstiff/peaks/contact_integrals.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
+
+// The kernel of the contact integrals in double, compiled once, in the library fstiff::double.
+
+#ifndef FSTIFF_DOUBLE
+#define FSTIFF_DOUBLE extern template
+#endif
 
 namespace fstiff::inline v0_1 {
+
+FSTIFF_DOUBLE double detail::visit_nodes(const detail::PeakProblem<double>&, double, detail::PeakAccumulator<double>&);
+FSTIFF_DOUBLE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
+                                                const IntegralOptions<double>&);
 
 FSTIFF_DOUBLE class RoughContact<double, HertzLaw<double>>;
 FSTIFF_DOUBLE class RoughContact<double, FractalLaw<double>>;
@@ -33,21 +43,21 @@ FSTIFF_DOUBLE class ContactLaw<double>;
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const RoughContact<double, HertzLaw<double>>&,
                                                               const LawRange<double>&);
 
-FSTIFF_DOUBLE class HybridContact<double, SummitContact<double>, parts::HandOver<double>>;
-FSTIFF_DOUBLE HybridContact<double, SummitContact<double>, parts::HandOver<double>> hybrid_of_map(
-    const HeightMap<double>&, double, Edges);
+FSTIFF_DOUBLE class HybridContact<double, SummitContact<double>, HandOver<double>>;
+FSTIFF_DOUBLE HybridContact<double, SummitContact<double>, HandOver<double>> hybrid_of_map(const HeightMap<double>&,
+                                                                                           double, Edges);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(
-    const HybridContact<double, SummitContact<double>, parts::HandOver<double>>&, const LawRange<double>&);
+    const HybridContact<double, SummitContact<double>, HandOver<double>>&, const LawRange<double>&);
 FSTIFF_DOUBLE class HybridContact<double, detail::BandHills<double>>;
 FSTIFF_DOUBLE HybridContact<double, detail::BandHills<double>> hybrid_of_band(const BandSpectrum<double>&, double,
                                                                               double);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const HybridContact<double, detail::BandHills<double>>&,
                                                               const LawRange<double>&);
-FSTIFF_DOUBLE class parts::ScaledContact<double, HybridContact<double, detail::BandHills<double>>>;
-FSTIFF_DOUBLE parts::ScaledContact<double, HybridContact<double, detail::BandHills<double>>> hybrid_of_band(
-    const BandSpectrum<double>&, const parts::BearingSlope<double>&, double, double);
+FSTIFF_DOUBLE class ScaledContact<double, HybridContact<double, detail::BandHills<double>>>;
+FSTIFF_DOUBLE ScaledContact<double, HybridContact<double, detail::BandHills<double>>> hybrid_of_band(
+    const BandSpectrum<double>&, const BearingSlope<double>&, double, double);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(
-    const parts::ScaledContact<double, HybridContact<double, detail::BandHills<double>>>&, const LawRange<double>&);
+    const ScaledContact<double, HybridContact<double, detail::BandHills<double>>>&, const LawRange<double>&);
 
 FSTIFF_DOUBLE class TangentialLaw<double>;
 FSTIFF_DOUBLE TangentialLaw<double>::Response<1> TangentialLaw<double>::step(const SlipState<double, 1>&, double,
@@ -60,9 +70,9 @@ FSTIFF_DOUBLE TangentialLaw<double>::Response<2> TangentialLaw<double>::step(con
 FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, HertzLaw<double>>&, double);
 FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, FractalLaw<double>>&, double);
 FSTIFF_DOUBLE class detail::CurveProblem<double>;
-FSTIFF_DOUBLE class parts::FitSummary<double>;
+FSTIFF_DOUBLE class detail::FitSummary<double>;
 FSTIFF_DOUBLE math::LeastSquaresFit<double> math::least_squares(const Eigen::VectorXd&, Eigen::Index,
-                                                                const parts::FitCurve<double>&,
+                                                                const detail::FitCurve<double>&,
                                                                 const math::LeastSquaresOptions<double>&);
 
 }  // namespace fstiff::inline v0_1

@@ -17,10 +17,9 @@
 ///             the wave of Westergaard and another code: tests/halfspace/boundary_elements_test.cpp
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
-#include <fstiff/topography/coarsen.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
@@ -31,8 +30,6 @@
 #include <vector>
 
 namespace fstiff::inline v0_1 {
-
-namespace parts {
 
 /// Options of the solution of the half space.
 template <Real T = double>
@@ -60,26 +57,24 @@ struct BoundaryElementState {
     bool converged = false;  ///< residual and that of the stiffness are below the tolerance
 };
 
-}  // namespace parts
-
 /// The elastic half space under one map, solved at one pressure after another.
 template <Real T = double>
 class BoundaryElements {
-    using Field = parts::GridField<T>;
+    using Field = detail::GridField<T>;
 
 public:
     /// Presses the surface \p map against a smooth flat. \throws domain_error for missing points and as
     /// HeightMap::validate.
     BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                     const parts::BoundaryElementOptions<T>& options = {});
+                     const BoundaryElementOptions<T>& options = {});
 
     /// The contact under \p pressure [Pa], whatever was solved before. \throws domain_error unless 0 < pressure, < H.
-    [[nodiscard]] parts::BoundaryElementState<T> at_pressure(T pressure);
+    [[nodiscard]] BoundaryElementState<T> at_pressure(T pressure);
 
     /// State of the last solution on the grid half as fine, from which it began. \throws domain_error before
     /// at_pressure() and without such a grid: for less than 16 points along the shorter side, and for heights that all
     /// cancel on it.
-    [[nodiscard]] parts::BoundaryElementState<T> on_coarser_grid();
+    [[nodiscard]] BoundaryElementState<T> on_coarser_grid();
 
     /// Pressures of the last solution [Pa], mirrored rows and columns left out.
     [[nodiscard]] Field pressures() const { return p_ * modulus_; }
@@ -97,12 +92,12 @@ private:
     /// Sets and conjugate gradients for p of the mean \p nominal (over E); with more than \p most iterations given up.
     Found solve_sets(T nominal, T tolerance, int most);
     /// Lets points leave and join the set of those between 0 and H. \return true if none did.
-    [[nodiscard]] bool is_set_kept(parts::SetGradients<T>& gradients, T nominal);
+    [[nodiscard]] bool is_set_kept(detail::SetGradients<T>& gradients, T nominal);
     /// Puts p between 0 and H, and scales those in between to the mean \p nominal. \return false if they cannot.
     [[nodiscard]] bool bound(T nominal);
     /// The same by projected gradients with the step of Barzilai and Borwein, where sets go round in circles.
     Found solve_cut(T nominal, T tolerance);
-    [[nodiscard]] parts::BoundaryElementState<T> state(T pressure, const Found& found) const;
+    [[nodiscard]] BoundaryElementState<T> state(T pressure, const Found& found) const;
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
     static void project(Field& p, T nominal, T hard);
     /// Conjugate gradients for t on the points of the contact with p below \p most: value is 1/K.
@@ -127,7 +122,7 @@ private:
 
     T modulus_;
     T softest_;  ///< pressure over E and deflection of the longest wave [1/m]: the first step of solve_cut
-    parts::BoundaryElementOptions<T> options_;
+    BoundaryElementOptions<T> options_;
     Field height_, p_, u_;  ///< [m]; pressure over E; deflection [m]
     mutable detail::SurfaceCompliance<T> compliance_;
     mutable detail::WaveFactors<float> inverse_;
@@ -136,7 +131,7 @@ private:
 
 template <Real T>
 BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                                      const parts::BoundaryElementOptions<T>& options)
+                                      const BoundaryElementOptions<T>& options)
     : modulus_(effective_modulus),
       softest_(std::numbers::pi_v<T> / (std::max)(map.dx * T(map.columns()), map.dy * T(map.rows()))),
       options_(options),
@@ -144,30 +139,31 @@ BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identit
       compliance_(map.rows(), map.columns(), map.dx, map.dy, options.edges),
       inverse_(compliance_.inverse()) {
     map.validate();
-    require_positive("effective_modulus", effective_modulus);
-    if (options.hardness != T(0)) require_positive("hardness", options.hardness);
+    detail::require_positive("effective_modulus", effective_modulus);
+    if (options.hardness != T(0)) detail::require_positive("hardness", options.hardness);
     map.require_whole("before boundary elements");
     height_ -= height_.mean();
     if ((std::min)(map.rows(), map.columns()) < least_side) return;
-    const HeightMap<T> half = parts::coarsened(map, (std::max)(map.rows(), map.columns()) / 2);
+    const HeightMap<T> half = detail::coarsened(map, (std::max)(map.rows(), map.columns()) / 2);
     if (half.heights.maxCoeff() == half.heights.minCoeff()) return;  // heights that cancel, of a zigzag
-    parts::BoundaryElementOptions<T> silent = options;
+    BoundaryElementOptions<T> silent = options;
     silent.progress = {};
     coarser_.emplace_back(half, effective_modulus, silent);
 }
 
 template <Real T>
-parts::BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
-    require_positive("pressure", pressure);
+BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
+    detail::require_positive("pressure", pressure);
     if (options_.hardness > 0)
-        require(pressure < options_.hardness, "pressure", pressure, "less than the hardness (Pa)");
+        detail::require(pressure < options_.hardness, "pressure", pressure, "less than the hardness (Pa)");
     return state(pressure, approach(pressure / modulus_, options_.tolerance));
 }
 
 template <Real T>
-parts::BoundaryElementState<T> BoundaryElements<T>::on_coarser_grid() {
-    require(!coarser_.empty(), "coarser grids", 0, "1, which a map of 16 points a side has unless it is flat there");
-    require(p_.size() > 0, "pressures solved", 0, "at least 1");
+BoundaryElementState<T> BoundaryElements<T>::on_coarser_grid() {
+    detail::require(!coarser_.empty(), "coarser grids", 0,
+                    "1, which a map of 16 points a side has unless it is flat there");
+    detail::require(p_.size() > 0, "pressures solved", 0, "at least 1");
     const T nominal = p_.mean();
     BoundaryElements& coarser = coarser_.front();
     return coarser.state(nominal * modulus_, coarser.solve(nominal, options_.tolerance));
@@ -203,8 +199,8 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal, T tole
 }
 
 template <Real T>
-parts::BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& found) const {
-    parts::BoundaryElementState<T> state;
+BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& found) const {
+    BoundaryElementState<T> state;
     state.pressure = pressure;
     const auto contact = p_ > T(0);
     const Eigen::Index count = contact.count();
@@ -232,8 +228,8 @@ parts::BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Foun
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T tolerance, int most) {
     const T total = nominal * T(p_.size());
-    parts::SetGradients<T> gradients(compliance_, inverse_, height_);
-    gradients.start(parts::points_of<T>((p_ < hard()).select(p_, T(0))), u_);
+    detail::SetGradients<T> gradients(compliance_, inverse_, height_);
+    gradients.start(detail::points_of<T>((p_ < hard()).select(p_, T(0))), u_);
     int iteration = 0, quiet = 0;
     T sum = std::numeric_limits<T>::infinity();
     while (iteration < most && !gradients.points().empty()) {
@@ -255,7 +251,7 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T
 }
 
 template <Real T>
-bool BoundaryElements<T>::is_set_kept(parts::SetGradients<T>& gradients, T nominal) {
+bool BoundaryElements<T>::is_set_kept(detail::SetGradients<T>& gradients, T nominal) {
     const auto& points = gradients.points();
     const T level = gradients.level();
     const auto is_inside = [&](Eigen::Index k) { return p_.data()[k] > 0 && p_.data()[k] < hard(); };
@@ -358,8 +354,8 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::held(T most) const {
     const Field start = (p_ < most).select(p_, T(0)), on = (start > T(0)).template cast<T>();
-    const parts::HeldContact<T> found =
-        parts::held_together(compliance_, inverse_, on, start, held_tolerance, options_.max_iterations);
+    const detail::HeldContact<T> found =
+        detail::held_together(compliance_, inverse_, on, start, held_tolerance, options_.max_iterations);
     return {found.compliance, found.residual, found.iterations};
 }
 

@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
 
 /// Result of conjugate gradients.
 template <Real T = double>
@@ -48,7 +48,7 @@ class SetGradients {
 
 public:
     /// Under \p heights. \p inverse is that of \p compliance.
-    SetGradients(detail::SurfaceCompliance<T>& compliance, detail::WaveFactors<float>& inverse, const Field& heights)
+    SetGradients(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse, const Field& heights)
         : compliance_(&compliance),
           inverse_(&inverse),
           heights_(&heights),
@@ -116,8 +116,8 @@ private:
         return pull;
     }
 
-    detail::SurfaceCompliance<T>* compliance_;
-    detail::WaveFactors<float>* inverse_;
+    SurfaceCompliance<T>* compliance_;
+    WaveFactors<float>* inverse_;
     const Field* heights_;
     std::vector<Eigen::Index> points_;
     Values gap_, direction_;
@@ -137,9 +137,9 @@ template <Real T>
 
 /// held_together, with the inverse of \p compliance.
 template <Real T>
-[[nodiscard]] HeldContact<T> held_together(detail::SurfaceCompliance<T>& compliance,
-                                           detail::WaveFactors<float>& inverse, const GridField<T>& on,
-                                           const GridField<T>& start, T tolerance, int max_iterations) {
+[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse,
+                                           const GridField<T>& on, const GridField<T>& start, T tolerance,
+                                           int max_iterations) {
     using Field = GridField<T>;
     // start over its mean has the mean 1; corrections of mean 0 take u to one value on the set
     Field t = start / start.mean(), u = t;
@@ -159,10 +159,10 @@ template <Real T>
 
 /// Result for the points where \p on is 1 (others 0), from the pressures \p start on them, which are not 0 altogether.
 template <Real T>
-[[nodiscard]] HeldContact<T> held_together(detail::SurfaceCompliance<T>& compliance, const GridField<T>& on,
+[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, const GridField<T>& on,
                                            const GridField<T>& start, T tolerance = T(1e-6),
                                            int max_iterations = 2000) {
-    detail::WaveFactors<float> inverse = compliance.inverse();
+    WaveFactors<float> inverse = compliance.inverse();
     return held_together(compliance, inverse, on, start, tolerance, max_iterations);
 }
 
@@ -196,7 +196,7 @@ public:
             static_cast<std::size_t>(std::clamp(std::round(points), T(1), static_cast<T>(order_.size() - 1)));
         GridField<T> on = GridField<T>::Zero(rows_, static_cast<Eigen::Index>(order_.size()) / rows_);
         for (std::size_t i = 0; i < count; ++i) on.data()[order_[i]] = 1;
-        detail::SurfaceCompliance<T> compliance = compliance_;
+        SurfaceCompliance<T> compliance = compliance_;
         return modulus_ / held_together<T>(compliance, on, on, tolerance).compliance * (points / static_cast<T>(count));
     }
 
@@ -204,7 +204,7 @@ private:
     T modulus_;
     Eigen::Index rows_;
     std::vector<Eigen::Index> order_;  ///< the highest first
-    detail::SurfaceCompliance<T> compliance_;
+    SurfaceCompliance<T> compliance_;
 };
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail

@@ -18,7 +18,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/math/fft.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/math/quadrature.hpp>
 #include <fstiff/topography/line_transform.hpp>
 
 #include <Eigen/Core>
@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
 
 /// Border between the sum over images and the grid: 2e-9 of the largest deflection.
 struct FineSplit {
@@ -258,7 +258,7 @@ private:
     }
 
     T range_, self_{}, mean_{}, per_cell_{};
-    detail::SurfaceCompliance<T> compliance_;
+    SurfaceCompliance<T> compliance_;
     GridField<T> grid_, margined_;  ///< the latter with columns beyond the edges, for windows across them
     std::vector<std::pair<Eigen::Index, Eigen::Index>> beyond_;  ///< each such column and where it belongs
     std::vector<Window> windows_;
@@ -267,4 +267,4 @@ private:
     std::vector<T> near_value_;
 };
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail

@@ -33,16 +33,16 @@ template <Real T>
 class WaveFactors {
 public:
     /// \p factors: a row for each wave along x, in the order of LineTransform, in it one for each along y.
-    WaveFactors(parts::GridField<T> factors, Edges edges)
+    WaveFactors(GridField<T> factors, Edges edges)
         : factors_(std::move(factors)),
           turned_(factors_.rows(), factors_.cols()),
           along_x_(static_cast<std::size_t>(factors_.rows()), edges),
           along_y_(static_cast<std::size_t>(factors_.cols()), edges) {}
 
-    [[nodiscard]] const parts::GridField<T>& factors() const { return factors_; }
+    [[nodiscard]] const GridField<T>& factors() const { return factors_; }
 
-    void apply(parts::GridField<T>& field) {
-        constexpr std::size_t lines = parts::LinesTransform<T>::lines;
+    void apply(GridField<T>& field) {
+        constexpr std::size_t lines = LinesTransform<T>::lines;
         const auto rows = static_cast<std::size_t>(field.rows()), columns = static_cast<std::size_t>(field.cols());
         for (std::size_t j = 0; j < rows; j += lines) {
             const std::size_t count = (std::min)(lines, rows - j);
@@ -67,8 +67,8 @@ public:
     }
 
 private:
-    parts::GridField<T> factors_, turned_;  ///< columns by rows of the field
-    parts::LinesTransform<T> along_x_, along_y_;
+    GridField<T> factors_, turned_;  ///< columns by rows of the field
+    LinesTransform<T> along_x_, along_y_;
 };
 
 /// Displacement of the surface of an elastic half space under pressures on a grid.
@@ -89,12 +89,12 @@ public:
         : edges_(edges), compliance_(factors(rows, columns, dx, dy, edges, radial, along), edges) {}
 
     /// \p field becomes the deflection [m] under it, taken as pressure over E. Its mean becomes 0.
-    void deflect(parts::GridField<T>& field) { compliance_.apply(field); }
+    void deflect(GridField<T>& field) { compliance_.apply(field); }
 
     /// The inverse of deflect() over the stiffness of the stiffest wave, the mean left out, in single precision: a
     /// preconditioner.
-    [[nodiscard]] detail::WaveFactors<float> inverse() const {
-        const parts::GridField<T>& of = compliance_.factors();
+    [[nodiscard]] WaveFactors<float> inverse() const {
+        const GridField<T>& of = compliance_.factors();
         const auto softness = [](T value) { return value > 0 ? value : std::numeric_limits<T>::infinity(); };
         const T least = of.unaryExpr(softness).minCoeff();
         return {(least / of.unaryExpr(softness)).template cast<float>(), edges_};
@@ -102,20 +102,20 @@ public:
 
 private:
     template <class Radial, class Along>
-    static parts::GridField<T> factors(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges,
-                                       const Radial& radial, const Along& along) {
+    static GridField<T> factors(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges, const Radial& radial,
+                                const Along& along) {
         require_positive("dx", dx);
         require_positive("dy", dy);
         using Line = Eigen::Array<T, Eigen::Dynamic, 1>;
         const auto waves = [edges](Eigen::Index points, T step) -> Line {
             return Line::NullaryExpr(points, [&](Eigen::Index k) {
                 return 2 * std::numbers::pi_v<T> / (step * T(points)) *
-                       parts::wave_number<T>(static_cast<std::size_t>(k), edges);
+                       detail::wave_number<T>(static_cast<std::size_t>(k), edges);
             });
         };
         const Line qx = waves(columns, dx), qy = waves(rows, dy);
         const Line share_x = (qx * dx).unaryExpr(along), share_y = (qy * dy).unaryExpr(along);
-        parts::GridField<T> compliance(columns, rows);
+        GridField<T> compliance(columns, rows);
         for (Eigen::Index i = 0; i < columns; ++i)
             for (Eigen::Index j = 0; j < rows; ++j) {
                 const T q = std::hypot(qx[i], qy[j]);
@@ -126,7 +126,7 @@ private:
     }
 
     Edges edges_;
-    detail::WaveFactors<T> compliance_;
+    WaveFactors<T> compliance_;
 };
 
 }  // namespace fstiff::inline v0_1::detail

@@ -14,7 +14,7 @@
 ///             side the error of 27 against 512 is less (tests/halfspace/truth_test.cpp)
 
 #include <fstiff/halfspace/boundary_elements.hpp>
-#include <fstiff/topography/coarsen.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,6 @@
 #include <vector>
 
 namespace fstiff::inline v0_1 {
-
-namespace parts {
 
 /// Options of the truth of a map.
 template <Real T = double>
@@ -36,18 +34,16 @@ struct TruthOptions {
     ProgressHook progress{};  ///< called once a pressure
 };
 
-}  // namespace parts
-
 /// Result of boundary elements at one pressure.
 template <Real T = double>
 struct TruthPoint {
-    parts::BoundaryElementState<T> state{};
+    BoundaryElementState<T> state{};
     T stiffness_error{};  ///< change from the grid half as fine [Pa/m]; infinite where all points of one grid alone
                           ///< touch; 0 where all points of both touch, and where it was not asked for
     T gap_error{};        ///< the same of the mean gap [m]
 };
 
-namespace parts {
+namespace detail {
 
 /// The grid on which \p map is solved.
 template <Real T>
@@ -59,15 +55,15 @@ template <Real T>
     return fine;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// The contact of \p map against a smooth flat under \p pressures [Pa], in their order.
 /// \throws domain_error as BoundaryElements, and for fewer than 16 points.
 template <Real T, class Pressures>
 [[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                                               const Pressures& pressures, const parts::TruthOptions<T>& options = {}) {
-    const parts::BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
-    BoundaryElements<T> solver(parts::map_for_truth(map, options.points), effective_modulus, how);
+                                               const Pressures& pressures, const TruthOptions<T>& options = {}) {
+    const BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
+    BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, how);
     std::vector<TruthPoint<T>> points;
     for (const T pressure : pressures) {
         if (options.progress) options.progress("pressures", points.size(), std::size(pressures));

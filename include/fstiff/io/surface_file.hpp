@@ -64,7 +64,7 @@ enum class X3pIncrement { apply, ignore };
 namespace fstiff::inline v0_1 {
 
 template <>
-inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
+inline constexpr auto names<io::SurfaceFormat> = fstiff::detail::name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::automatic, "auto"},  {io::SurfaceFormat::profile, "profile"},
     {io::SurfaceFormat::triples, "triples"}, {io::SurfaceFormat::matrix, "matrix"},
     {io::SurfaceFormat::sdf, "sdf"},         {io::SurfaceFormat::x3p, "x3p"},
@@ -77,17 +77,13 @@ inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::netcdf, "netcdf"},   {io::SurfaceFormat::opdx, "opdx"},
 });
 template <>
-inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
-                                                                             {io::X3pIncrement::ignore, "ignore"}});
+inline constexpr auto names<io::X3pIncrement> = fstiff::detail::name_list<io::X3pIncrement>(
+    {{io::X3pIncrement::apply, "apply"}, {io::X3pIncrement::ignore, "ignore"}});
 
 }  // namespace fstiff::inline v0_1
 
 namespace fstiff::inline v0_1::io {
 
-/// Format named "profile", "triples", "matrix", "sdf", "x3p" and so on, or "auto". \throws domain_error listing them.
-[[nodiscard]] SurfaceFormat surface_format(std::string_view name);
-/// Name of \p format, as surface_format() accepts it.
-[[nodiscard]] std::string_view surface_format_name(SurfaceFormat format);
 /// Form, other than a table of numbers, that begins like \p bytes; automatic where none matches.
 [[nodiscard]] SurfaceFormat form_of_first_bytes(std::string_view bytes);
 /// Whether fstiff::io was built with zlib and pugixml, which X3P needs.
@@ -127,8 +123,10 @@ struct SurfaceOptions {
     OptionNames names{};    ///< for messages
 };
 
+namespace detail {
 /// Columns of which a profile may choose one.
 inline constexpr std::size_t max_profile_columns = 4096;
+}  // namespace detail
 
 /// Form of a file and the decisions of its reader.
 struct SurfaceRecord {

@@ -32,9 +32,8 @@ enum class MapForm { automatic, triples, matrix };
 namespace fstiff::inline v0_1 {
 
 template <>
-inline constexpr auto names<io::MapForm> = name_list<io::MapForm>({{io::MapForm::automatic, "automatic"},
-                                                                   {io::MapForm::triples, "triples"},
-                                                                   {io::MapForm::matrix, "matrix"}});
+inline constexpr auto names<io::MapForm> = fstiff::detail::name_list<io::MapForm>(
+    {{io::MapForm::automatic, "automatic"}, {io::MapForm::triples, "triples"}, {io::MapForm::matrix, "matrix"}});
 
 }  // namespace fstiff::inline v0_1
 

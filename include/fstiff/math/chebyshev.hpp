@@ -10,7 +10,7 @@
 /// Valid       a < b, at most `capacity` coefficients
 /// Accuracy    that of the samples times log(degree), and the coefficients left out; a derivative costs degree^2
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>

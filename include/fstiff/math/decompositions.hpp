@@ -12,7 +12,7 @@
 /// Valid       finite elements, squares within the range of numbers; PivotedQr, singular_vectors: rows >= columns
 /// Accuracy    backward stable: for well-conditioned matrices a few ulp per row (tests/math/decompositions_test.cpp)
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <Eigen/Core>
 

@@ -146,14 +146,14 @@ auto with_power(T a, const F& f) {
     if (a == T(0.5)) return f.template operator()<1>();
     if (a == T(1)) return f.template operator()<2>();
     if (a == T(1.5)) return f.template operator()<3>();
-    require(a == T(2.5), "a", a, "-1/2, 0, 1/2, 1, 3/2 or 5/2");
+    detail::require(a == T(2.5), "a", a, "-1/2, 0, 1/2, 1, 3/2 or 5/2");
     return f.template operator()<5>();
 }
 
 /// F_a(x). \throws domain_error for an a outside the list above or an x that is NaN.
 template <Real T>
 [[nodiscard]] T gaussian_moment(T a, T x) {
-    require(!std::isnan(x), "x", x, "a number");
+    detail::require(!std::isnan(x), "x", x, "a number");
     x = std::clamp(x, -(std::numeric_limits<T>::max)(), (std::numeric_limits<T>::max)());
     return with_power(a, [x]<int TwiceA>() { return scaled_moment<TwiceA>(x) * (x > 0 ? gaussian(x) : T(1)); });
 }

@@ -11,7 +11,6 @@
 /// Accuracy    1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights below 1e-17 are 0
 
 #include <fstiff/math/fft.hpp>
-#include <fstiff/math/fft_of_lines.hpp>
 
 #include <numbers>
 
@@ -35,7 +34,8 @@ public:
 
     /// Replaces the numbers by their sums. \throws domain_error unless there are as many as were announced.
     void operator()(std::vector<T>& data) {
-        require(data.size() == size_, "numbers to smooth", static_cast<T>(data.size()), "as many as were announced");
+        detail::require(data.size() == size_, "numbers to smooth", static_cast<T>(data.size()),
+                        "as many as were announced");
         fft_.forward(data, spectrum_);
         for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= shape_[k].real();  // the kernel is even
         fft_.inverse(spectrum_, data);
@@ -68,8 +68,8 @@ public:
 private:
     /// Reach of the weights, to 1e-17.
     static std::size_t reach(std::size_t size, T width) {
-        require_positive("numbers to smooth", static_cast<T>(size));
-        require_positive("width", width);
+        detail::require_positive("numbers to smooth", static_cast<T>(size));
+        detail::require_positive("width", width);
         // before the conversion to a whole number, whose range a huge width would leave
         return T(1.66) * width >= static_cast<T>(size - 1)
                    ? size - 1

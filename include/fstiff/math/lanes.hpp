@@ -9,7 +9,7 @@
 /// Accuracy    that of Eigen's packet functions: exp and log 2 ulp, all others correctly rounded; multiply_add rounds
 ///             once where the machine has a fused one
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <Eigen/Core>
 

@@ -38,15 +38,15 @@ struct LeastSquaresOptions {
 /// End of a search for least squares.
 enum class FitStatus {
     converged,
-    singular,      ///< a combination of the parameters leaves the residuals as they are: no covariance
-    at_bound,      ///< a parameter came to the end of its range, which the caller gives (fit/identify): no covariance
+    singular,  ///< a combination of the parameters leaves the residuals as they are: no covariance
+    at_bound,  ///< a parameter came to the end of its range, which the caller gives (identify/identify): no covariance
     not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
 };
 
 }  // namespace math
 
 template <>
-inline constexpr auto names<math::FitStatus> = name_list<math::FitStatus>({
+inline constexpr auto names<math::FitStatus> = detail::name_list<math::FitStatus>({
     {math::FitStatus::converged, "converged"},
     {math::FitStatus::singular, "singular"},
     {math::FitStatus::not_converged, "not_converged"},
@@ -117,13 +117,11 @@ template <Real T, class Evaluate>
     using Vector = typename Fit::Vector;
     using Matrix = typename Fit::Matrix;
     const Eigen::Index count = start.size();
-    if (count == 0)
-        throw domain_error(parts::Refusal{.parameter = "parameters to fit", .reason = "none; must be at least 1"});
+    if (count == 0) throw domain_error(Refusal{.parameter = "parameters to fit", .reason = "none; must be at least 1"});
     if (residuals < count)
-        throw domain_error(parts::Refusal{.parameter = "data",
-                                          .reason = std::to_string(residuals) +
-                                                    " points; must be at least as many as the " +
-                                                    std::to_string(count) + " parameters to fit"});
+        throw domain_error(Refusal{.parameter = "data",
+                                   .reason = std::to_string(residuals) + " points; must be at least as many as the " +
+                                             std::to_string(count) + " parameters to fit"});
     Fit fit;
     fit.parameters = start;
     fit.residuals.resize(residuals);
@@ -134,9 +132,8 @@ template <Real T, class Evaluate>
         return evaluate(x, f, j) && f.allFinite() && j.allFinite() && std::isfinite(f.squaredNorm());
     };
     if (!usable(start, fit.residuals, jacobian))
-        throw domain_error(
-            parts::Refusal{.parameter = "the starting values",
-                           .reason = "the model has no value there for the data; must be closer to them"});
+        throw domain_error(Refusal{.parameter = "the starting values",
+                                   .reason = "the model has no value there for the data; must be closer to them"});
     fit.sum_of_squares = fit.residuals.squaredNorm();
 
     T damping = T(1e-3);

@@ -15,7 +15,7 @@
 /// Accuracy    that of the coefficients and 2 ulp of the largest term; value() gives the same bits everywhere, and so
 ///             does four_values(); the two differ by rounding
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <Eigen/Core>
 

@@ -15,7 +15,7 @@
 ///             may be inaccurate, 0, infinite or NaN, which only costs time, but its sign must be right
 /// Accuracy    |root - true root| <= error <= max(tolerance, 4 eps |root|) when converged (tests/math/root_test.cpp)
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>

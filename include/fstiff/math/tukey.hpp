@@ -51,7 +51,7 @@ template <Real T>
 /// \throws domain_error when there are none.
 template <Real T>
 [[nodiscard]] T median(std::vector<T>& values) {
-    require(!values.empty(), "values of a median", values.size(), "at least 1");
+    detail::require(!values.empty(), "values of a median", values.size(), "at least 1");
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2 == 1) return *middle;

@@ -17,6 +17,8 @@
 ///             (tests/peaks/peak_distribution_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
+#include <fstiff/math/gaussian_moment.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -29,16 +31,17 @@ class PeakDistribution {
 public:
     /// \throws domain_error unless 0 <= r < 1 and 0 < theta < pi/2.
     PeakDistribution(T r, T theta) : r_(r), theta_(theta) {
-        require(r >= 0 && r < 1, "r", r, "at least 0 and less than 1");
-        require(theta > 0 && theta < std::numbers::pi_v<T> / 2, "theta", theta,
-                "between 0 and pi/2, both excluded (radians)");
+        detail::require(r >= 0 && r < 1, "r", r, "at least 0 and less than 1");
+        detail::require(theta > 0 && theta < std::numbers::pi_v<T> / 2, "theta", theta,
+                        "between 0 and pi/2, both excluded (radians)");
     }
 
     /// Distribution from the autocorrelation of the profile at one and at two sampling steps.
     /// \throws domain_error unless -1 < rho1 < 1 and 2 rho1^2 - 1 < rho2 < 1, as three ordinates allow.
     static PeakDistribution from_autocorrelation(T rho1, T rho2) {
-        require(rho1 > -1 && rho1 < 1, "rho1", rho1, "between -1 and 1, both excluded");
-        require(rho2 > 2 * rho1 * rho1 - 1 && rho2 < 1, "rho2", rho2, "between 2 rho1^2 - 1 and 1, both excluded");
+        detail::require(rho1 > -1 && rho1 < 1, "rho1", rho1, "between -1 and 1, both excluded");
+        detail::require(rho2 > 2 * rho1 * rho1 - 1 && rho2 < 1, "rho2", rho2,
+                        "between 2 rho1^2 - 1 and 1, both excluded");
         const T curvature = (3 - 4 * rho1) + rho2;  // sigma_kappa^2 h^4 / (2 sigma^2)
         const T slope = 1 - rho1;                   // sigma_m^2 h^2 / (2 sigma^2)
         return {std::sqrt(2 / curvature) * slope, std::asin(std::sqrt(curvature / slope) / 2)};
@@ -49,8 +52,8 @@ public:
     static PeakDistribution exponential(T theta) {
         constexpr T pi = std::numbers::pi_v<T>;
         constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
-        require(theta >= pi / 4 - slack && theta <= pi / 3 + slack, "theta", theta,
-                "between pi/4 and pi/3 (radians) for an exponential autocorrelation");
+        detail::require(theta >= pi / 4 - slack && theta <= pi / 3 + slack, "theta", theta,
+                        "between pi/4 and pi/3 (radians) for an exponential autocorrelation");
         const T cot = std::cos(theta) / std::sin(theta);
         return {std::sqrt((std::max)(T(0), (1 - cot) * (1 + cot))), theta};
     }
@@ -58,7 +61,7 @@ public:
     /// The peaks of an isotropic surface of Nayak's alpha, measured at a vanishing step: r = 1/sqrt(alpha) and theta =
     /// 0.001, whose density is within 1e-6 of that of the limit 0. \throws domain_error unless alpha > 1.
     static PeakDistribution isotropic(T alpha) {
-        require(alpha > 1 && std::isfinite(alpha), "Nayak's alpha", alpha, "finite and greater than 1");
+        detail::require(alpha > 1 && std::isfinite(alpha), "Nayak's alpha", alpha, "finite and greater than 1");
         return {1 / std::sqrt(alpha), T(1e-3)};
     }
 
@@ -117,7 +120,7 @@ public:
             case 2: return 1 + std::sin(2 * theta_) / (2 * theta_);
             case 3: return 3 * half * (s - s * s * s / 3) / theta_;
             case 4: return 3 + 2 * std::sin(2 * theta_) / theta_ + std::sin(4 * theta_) / (4 * theta_);
-            default: parts::refuse("moment order", n, "1, 2, 3 or 4");
+            default: detail::refuse("moment order", n, "1, 2, 3 or 4");
         }
     }
 
@@ -155,6 +158,75 @@ private:
 
     T r_;
     T theta_;
+};
+
+}  // namespace fstiff::inline v0_1
+
+// Peaks of one radius, their heights Gaussian or exponential: the distribution of Greenwood and Williamson.
+//
+//     G_n(h) = int_h^inf (s-h)^n phi(s) ds   Gaussian: F_n(h)/sqrt(2 pi);  exponential: exp(-h) Gamma(n+1, max(-h, 0))
+//
+// h is the separation over sigma. Exponential heights begin at the mean plane: phi(s) = exp(-s), s >= 0.
+//
+// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319.
+// Units       dimensionless
+// Valid       n in {-1/2, 0, 1/2, 1, 3/2, 5/2} (exponential: from 0 on), any h that is a number
+// Accuracy    16 epsilon (tests/contact/greenwood_williamson_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+/// Distribution of the heights of the peaks.
+enum class Heights { gaussian, exponential };
+
+template <>
+inline constexpr auto names<Heights> = detail::name_list<Heights>({{Heights::gaussian, "gaussian"},
+                                                                   {Heights::exponential, "exponential"}});
+
+namespace detail {
+
+/// exp(x) Gamma(n+1, x) for n = TwiceN/2 and x >= 0.
+template <int TwiceN, Real T>
+T scaled_upper_gamma(T x) {
+    if constexpr (TwiceN == 0) return T(1);
+    if constexpr (TwiceN == -1)
+        return std::numbers::sqrt2_v<T> * math::scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
+    if constexpr (TwiceN > 0) return T(TwiceN) / 2 * scaled_upper_gamma<TwiceN - 2>(x) + std::pow(x, T(TwiceN) / 2);
+}
+
+/// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2, 5/2.
+template <Real T>
+[[nodiscard]] T height_moment(T n, T h, Heights heights = Heights::gaussian) {
+    if (heights == Heights::gaussian)
+        return math::gaussian_moment(n, h) / (std::numbers::sqrt2_v<T> / std::numbers::inv_sqrtpi_v<T>);
+    require(!std::isnan(h), "h", h, "a number");
+    return math::with_power(n, [h]<int TwiceN>() {
+        return scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))) * std::exp(-(std::max)(h, T(0)));
+    });
+}
+
+}  // namespace detail
+
+/// All peaks have the radius R of the surface.
+template <Real T = double>
+struct SingleRadius {
+    Heights heights = Heights::gaussian;
+
+    /// G_n(h) = first * exp(second): neither under- nor overflows. n = TwiceN/2.
+    template <int TwiceN>
+    [[nodiscard]] std::pair<T, T> scaled_height_moment(T h) const {
+        if (heights == Heights::gaussian)
+            return {math::scaled_moment<TwiceN>(h) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>,
+                    h > 0 ? -h * h / 2 : T(0)};
+        return {detail::scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))), -(std::max)(h, T(0))};
+    }
+    /// phi(s).
+    [[nodiscard]] T density(T s) const {
+        return heights == Heights::gaussian
+                   ? std::exp(-s * s / 2) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>
+               : s >= 0 ? std::exp(-s)
+                        : T(0);
+    }
+    [[nodiscard]] bool operator==(const SingleRadius&) const = default;
 };
 
 }  // namespace fstiff::inline v0_1

@@ -23,7 +23,7 @@
 
 #include <cstdint>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
 
 /// Sums over pairs of one profile; heights are scaled, and 0 where \p present is 0; an empty \p present means that no
 /// point is missing.
@@ -275,7 +275,7 @@ template <Real T>
         if (!present.empty()) present[i] = exists ? 1 : 0;
         heights[i] = exists ? static_cast<double>(profile.heights[i]) / scale : 0.0;
     }
-    parts::AllLags<double> all(heights, present, longest == 0 ? points - 1 : longest);
+    AllLags<double> all(heights, present, longest == 0 ? points - 1 : longest);
     StructureFunction<T> result;
     result.step.resize(all.sum.size());
     result.lag.resize(all.sum.size());
@@ -303,4 +303,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail

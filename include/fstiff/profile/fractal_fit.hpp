@@ -6,8 +6,8 @@
 ///     ln S2(tau) = (4-2D) ln tau + ln C + ln(4 - 2^(4-2D))                          eq. (2.5), of second differences
 ///     error^2 = max(model, bootstrap)^2 v/(v-2) + window^2      v: length of the profile over the longest lag
 ///
-/// The model is the covariance of a Gaussian self-affine profile (profile/structure_errors), the bootstrap resamples
-/// moving blocks, and the window error comes from other windows (profile/window_spread).
+/// The model is the covariance of a Gaussian self-affine profile (profile/structure_fit), the bootstrap resamples
+/// moving blocks, and the window error comes from other windows (profile/fractal_result).
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8); Kunsch, Ann. Stat. 17 (1989)
 ///             1217 (bootstrap); docs/errata.md (the constant C)
@@ -17,17 +17,14 @@
 ///             (tests/profile/fractal_fit_test.cpp); coverage of the errors in tests/profile/coverage_test.cpp
 
 #include <fstiff/profile/fractal_result.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/lag_window.hpp>
-#include <fstiff/profile/level.hpp>
-#include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/structure_function.hpp>
-#include <fstiff/profile/tip_cutoff.hpp>
-#include <fstiff/profile/window_spread.hpp>
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
+namespace detail {
 
 template <Real T>
 void check_options(const FractalFitOptions<T>& options) {
@@ -115,42 +112,41 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
     return result;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// D and G of a profile after removal of its form and before its filters, from lags between its lambda_s and lambda_c.
 /// \throws domain_error for a profile or an option out of range, a window with too few lags, when no half decade of
 /// lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const parts::LevelledProfile<T>& levelled,
-                                        const parts::FractalFitOptions<T>& options = {}) {
-    parts::FractalFitOptions<T> how = options;
+[[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {}) {
+    FractalFitOptions<T> how = options;
     how.lambda_s = (std::max)(how.lambda_s, levelled.lambda_s.value_or(T(0)));
     if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
         how.longest = *levelled.lambda_c;
-    return parts::fit_profile(levelled.of_structure(), how);
+    return detail::fit_profile(levelled.of_structure(), how);
 }
 
 /// D and G of \p profile as it is. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const parts::FractalFitOptions<T>& options = {}) {
-    return parts::fit_profile(profile, options);
+[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {}) {
+    return detail::fit_profile(profile, options);
 }
 
 /// D and G of a structure function, with its resamples; options.divisor, .seed and .resamples are not used.
 /// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
 template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const parts::MeasuredStructureFunction<T>& measured,
-                                        const parts::FractalFitOptions<T>& options = {}) {
-    parts::check_options(options);
-    require_positive("spacing", measured.spacing);
-    require(measured.profiles >= T(1) && measured.profiles <= (std::numeric_limits<T>::max)(), "profiles",
-            measured.profiles, "finite and at least 1");
-    require(measured.rms_height >= T(0) && measured.rms_height <= (std::numeric_limits<T>::max)(), "rms height",
-            measured.rms_height, "finite and not negative");
-    require(measured.apart >= T(0) && measured.apart <= (std::numeric_limits<T>::max)(), "apart", measured.apart,
-            "finite and not negative");
-    require(options.tip_radius == T(0), "tip radius", options.tip_radius,
-            "left out for a structure function: a tip needs heights");
+[[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
+                                        const FractalFitOptions<T>& options = {}) {
+    detail::check_options(options);
+    detail::require_positive("spacing", measured.spacing);
+    detail::require(measured.profiles >= T(1) && measured.profiles <= (std::numeric_limits<T>::max)(), "profiles",
+                    measured.profiles, "finite and at least 1");
+    detail::require(measured.rms_height >= T(0) && measured.rms_height <= (std::numeric_limits<T>::max)(), "rms height",
+                    measured.rms_height, "finite and not negative");
+    detail::require(measured.apart >= T(0) && measured.apart <= (std::numeric_limits<T>::max)(), "apart",
+                    measured.apart, "finite and not negative");
+    detail::require(options.tip_radius == T(0), "tip radius", options.tip_radius,
+                    "left out for a structure function: a tip needs heights");
     const StructureFunction<T>& s = measured.second_differences;
     if (s.step.size() != s.size() || s.value.size() != s.size() || s.pairs.size() != s.size())
         throw domain_error("structure function: its vectors must have one length");
@@ -159,14 +155,14 @@ template <Real T>
             s.pairs[k] < 1)
             throw domain_error("structure function, lag = " + std::to_string(s.step[k]) +
                                " samples: lags must rise between 1 and less than half the points, each with a triple");
-        require(s.value[k] >= T(0) && s.value[k] <= (std::numeric_limits<T>::max)(), "structure function", s.value[k],
-                "finite and not negative");
+        detail::require(s.value[k] >= T(0) && s.value[k] <= (std::numeric_limits<T>::max)(), "structure function",
+                        s.value[k], "finite and not negative");
     }
-    if (options.window) parts::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
-    return parts::fit_measured(measured, options, T(0));
+    if (options.window) detail::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
+    return detail::fit_measured(measured, options, T(0));
 }
 
-namespace parts {
+namespace detail {
 
 /// Adds the properties of the window to the result.
 template <Real T>
@@ -203,11 +199,11 @@ void set_window(FractalFit<T>& result, const LogStructure<double>& log, const Ch
 
 /// Computes D, G, and their errors.
 template <Real T>
-void set_fractal(FractalFit<T>& result, const detail::LogFit<double>& line, const LogStructure<double>& log,
-                 const detail::LineFitter<double>& fitter, const Matrix<double>& resampled, T spacing,
+void set_fractal(FractalFit<T>& result, const LogFit<double>& line, const LogStructure<double>& log,
+                 const LineFitter<double>& fitter, const Matrix<double>& resampled, T spacing,
                  const FractalFitOptions<T>& options) {
     const IndexRange& range = line.range;
-    const detail::FractalLine<double> main =
+    const FractalLine<double> main =
         detail::fractal_line<double>(line, options.convention, static_cast<double>(options.gamma));
     const auto expected = [&](const Vector<double>& row) { return std::sqrt(fitter.covariance_of(row, row, range)); };
     // the scatter of a profile with few of the longest lags is uncertain: deviation of Student's t
@@ -290,7 +286,7 @@ template <Real T>
 
 /// S2 of the fitted \p line at the lags of its window.
 template <Real T>
-void set_fitted(FractalFit<T>& result, const detail::LogFit<double>& line, const LogStructure<double>& log, T spacing) {
+void set_fitted(FractalFit<T>& result, const LogFit<double>& line, const LogStructure<double>& log, T spacing) {
     for (Eigen::Index k = 0; k < line.range.count(); ++k) {
         const auto at = static_cast<std::size_t>(line.range.first + k);
         result.fitted.step.push_back(log.step[at]);
@@ -327,8 +323,8 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     const IndexRange& range = chosen.range;
     double power = std::clamp(set_ordinary_line(result, log, range), 0.05, 1.95);
     const double log_gamma = std::log(static_cast<double>(options.gamma));
-    std::optional<detail::LineFitter<double>> fitter;
-    detail::LogFit<double> line;
+    std::optional<LineFitter<double>> fitter;
+    LogFit<double> line;
     for (int round = 0; round < 4; ++round) {  // covariance, filter and band ends depend weakly on the slope
         const bool band_ends = range.first > 0 && log.slope[0] > power + 0.3;  // S2 is steeper at shorter lags
         fitter.emplace(log, covariance_of(log, power), power, log_gamma, band_ends);
@@ -357,6 +353,6 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     return result;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

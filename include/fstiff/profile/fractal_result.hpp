@@ -8,17 +8,15 @@
 /// Valid       as profile/fractal_fit.hpp
 /// Accuracy    that of the fit
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/profile/lag_window.hpp>
+#include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/fractal.hpp>
-#include <fstiff/surface/structure_constant.hpp>
 
 #include <cstdint>
 
 namespace fstiff::inline v0_1 {
-
-namespace parts {
 
 /// Options of the fit of D and G.
 template <Real T = double>
@@ -63,8 +61,6 @@ struct NeighbourWindow {
     bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
 };
 
-}  // namespace parts
-
 /// D and G of a structure function, with their errors and the data of the fit.
 template <Real T = double>
 struct FractalFit {
@@ -77,21 +73,21 @@ struct FractalFit {
     T sampling_log_roughness_error{};     ///< its share of sampling
     T window_log_roughness_error{};       ///< and of the window
     T dimension_roughness_correlation{};  ///< of the errors of D and ln G
-    std::vector<parts::NeighbourWindow<T>> neighbours;  ///< that the share of the window comes from
+    std::vector<NeighbourWindow<T>> neighbours;  ///< that the share of the window comes from
     T regression_dimension_error{};  ///< ordinary least-squares error of D, as if all lags were independent: too small
     T model_dimension_error{};       ///< from the covariance of a Gaussian self-affine profile
     T bootstrap_dimension_error{};   ///< from the moving-block bootstrap; 0 when left out
     T line_dimension{};              ///< D of the ordinary straight line over the same window
     LagWindow<T> window;             ///< shortest and longest lag used [m]
     bool automatic_window{};
-    parts::WindowEnd begins{};  ///< why the window begins there
-    parts::WindowEnd ends{};    ///< and ends there
-    T reliable_from{};          ///< shortest lag that resolution and tip allow [m]; 0: not restricted
-    bool behind_plateau{};      ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
-    T slope_tolerance{};        ///< that the automatic window took; 0 for a window given
-    std::size_t lags{};         ///< lags used
-    bool finite_band{};         ///< whether the waves beyond the ends of the band show
-    bool log_periodic{};        ///< whether these terms entered
+    WindowEnd begins{};     ///< why the window begins there
+    WindowEnd ends{};       ///< and ends there
+    T reliable_from{};      ///< shortest lag that resolution and tip allow [m]; 0: not restricted
+    bool behind_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
+    T slope_tolerance{};    ///< that the automatic window took; 0 for a window given
+    std::size_t lags{};     ///< lags used
+    bool finite_band{};     ///< whether the waves beyond the ends of the band show
+    bool log_periodic{};    ///< whether these terms entered
     bool curved{};  ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
                     ///< to end of the window or from its ends to its middle, a half of the window or a window
                     ///< next to it disagrees, the slope is below 0.2, or that of a part is, and less than that of the
@@ -110,3 +106,155 @@ struct FractalFit {
 };
 
 }  // namespace fstiff::inline v0_1
+
+// Sensitivity of D and G to the window of lags: its bends, its halves, and the straight windows next to it.
+//
+//     D = 2 - slope/2        ln G by (2.4) from ln S2 at the reference lag of the line
+//     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, by their widths in ln tau
+//                      + t^2 s^2/(t^2 + s^2) of a found window shorter than two half decades:
+//                        t = tolerance/sqrt(12), s error of the difference of the halves
+//
+// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.4), (2.5); the rules are this project's
+// Units       ln of lags in samples; G in units of the spacing
+// Valid       lines of profile/structure_fit; G for 1 < D < 2
+// Accuracy    G of an exact power law 1e-12, its derivative 1e-7 (tests/profile/window_spread_test.cpp)
+
+namespace fstiff::inline v0_1::detail {
+
+/// Whether ln S2 bends: its quadratic or its cubic term, each compared with its own sampling error.
+template <Real F>
+bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const IndexRange& range) {
+    const Vector<F> x =
+        log.lag.segment(range.first, range.count()).array() - (log.lag[range.first] + log.lag[range.last]) / 2;
+    const auto bends = [&](Eigen::Index degree, F change_of_slope) {  // that one of the term gives
+        Matrix<F> powers(x.size(), degree + 1);
+        for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
+        Vector<F> row = Vector<F>::Zero(log.lag.size());
+        row.segment(range.first, range.count()) = math::PivotedQr<F>(powers).solver().row(degree).transpose();
+        const F bend = std::abs(row.dot(fitter.y()));
+        return bend * change_of_slope > F(0.2) && bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
+    };
+    const F width = x[x.size() - 1] - x[0];
+    return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
+}
+
+/// Whether a part of the window is a plateau: a local slope below 0.2, below \p slope of the fit by 0.3 and by more
+/// than chance.
+template <Real F>
+bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
+    for (Eigen::Index k = range.first; k <= range.last; ++k)
+        if (log.slope[k] < F(0.2) && slope - log.slope[k] > (std::max)(F(0.3), F(1.5) * log.slope_error[k]))
+            return true;
+    return false;
+}
+
+/// D and ln G of a line, and their derivatives by the values of ln S2.
+template <Real F>
+struct FractalLine {
+    F dimension{}, log_g{};  // G in units of the spacing
+    F log_g_of_dimension{};  // how ln G changes with D, at one level of S2
+    Vector<F> dimension_row, log_g_row;
+};
+
+/// D and G of a line; without G unless its slope is between 0 and 2.
+template <Real F>
+FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
+    FractalLine<F> found;
+    found.dimension = 2 - line.slope / 2;
+    found.dimension_row = -line.slope_row / 2;
+    found.log_g_row = Vector<F>::Zero(line.slope_row.size());
+    if (!(found.dimension > F(1) && found.dimension < F(2))) return found;
+    // of D and ln(S2/lag^2) at the reference lag
+    const F level = line.level - 2 * line.reference;
+    const auto log_g = [&](F d) {
+        return (level - std::log(4 - std::pow(F(2), 4 - 2 * d)) -
+                std::log(detail::structure_constant<F>(d, convention, gamma))) /
+               (2 * (d - 1));
+    };
+    const F nearby = F(1e-4) * (std::min)(found.dimension - 1, 2 - found.dimension);
+    const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
+    found.log_g_of_dimension = slope;
+    found.log_g = log_g(found.dimension) + line.reference;
+    found.log_g_row = line.level_row / (2 * (found.dimension - 1)) + slope * found.dimension_row;
+    return found;
+}
+
+/// The halves of \p range that hold enough lags, and the straight windows on either side of it.
+template <Real F>
+std::vector<IndexRange> neighbours_of(const LogStructure<F>& log, const IndexRange& range, bool automatic) {
+    std::vector<IndexRange> found;
+    const F middle = (log.lag[range.first] + log.lag[range.last]) / 2;
+    Eigen::Index centre = range.first;
+    while (centre < range.last && log.lag[centre] < middle) ++centre;
+    const auto enough = static_cast<Eigen::Index>(detail::min_window_lags);
+    for (const IndexRange half : {IndexRange{range.first, centre}, {centre, range.last}})
+        if (half.count() >= enough) found.push_back(half);
+    if (!automatic) return found;
+    const Eigen::Index end = log.lag.size() - 1;
+    for (const IndexRange side : {IndexRange{0, range.first}, {range.last, end}})
+        for (const F tolerance : {F(0.2), F(0.3)}) {
+            std::optional<IndexRange> beside = detail::straight_range(log, tolerance, false, side);
+            if (!beside) beside = detail::straight_range(log, tolerance, true, side);
+            if (!beside) continue;
+            found.push_back(*beside);
+            break;
+        }
+    return found;
+}
+
+/// Shares of the window in the errors of D and ln G, from the windows next to that of \p main.
+template <Real T>
+void set_neighbours(FractalFit<T>& result, const FractalLine<double>& main, const IndexRange& range,
+                    const LogStructure<double>& log, const LineFitter<double>& fitter, T spacing, double beyond_model,
+                    double& product, const FractalFitOptions<T>& options) {
+    double weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
+    product = 0;
+    const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
+    for (const IndexRange& lags : neighbours_of(log, range, result.automatic_window)) {
+        const FractalLine<double> other =
+            fractal_line<double>(fitter.fit(lags, range), options.convention, static_cast<double>(options.gamma));
+        NeighbourWindow<T> neighbour;
+        neighbour.window = {lag(lags.first), lag(lags.last)};
+        neighbour.half = lags.first >= range.first && lags.last <= range.last;
+        neighbour.dimension = static_cast<T>(other.dimension);
+        const bool fractal = other.dimension > 1.0 && other.dimension < 2.0;
+        if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
+        const double width = log.lag[lags.last] - log.lag[lags.first];
+        if (!neighbour.half) weights += width;
+        const auto excess = [&](const Vector<double>& row, double difference) {
+            const double expected = fitter.covariance_of(row, row, range) * beyond_model;
+            return std::pair{(std::max)(0.0, difference * difference - 2 * expected), std::sqrt(expected)};
+        };
+        const double off = other.dimension - main.dimension;
+        const auto [excess_d, expected] = excess(other.dimension_row - main.dimension_row, off);
+        neighbour.difference = static_cast<T>(off);
+        neighbour.difference_error = static_cast<T>(expected);
+        neighbour.disagrees = std::abs(off) > 2.5 * expected && std::abs(off) > 0.05;
+        of_dimension += width * excess_d;
+        if (fractal) {
+            const double off_g = other.log_g - main.log_g;
+            const double excess_g = excess(other.log_g_row - main.log_g_row, off_g).first;
+            of_log_g += width * excess_g;
+            product += width * std::copysign(std::sqrt(excess_d * excess_g), off * off_g);
+        }
+        result.neighbours.push_back(neighbour);
+    }
+    of_dimension /= weights, of_log_g /= weights, product /= weights;
+    if (result.automatic_window &&
+        log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<double>(detail::min_window_ratio))) {
+        // In so short a window the search allows a bend that changes D by up to half the tolerance, with the standard
+        // deviation t. The difference of the halves, with the error s, contributes its part to their share; the rest
+        // t^2 s^2/(t^2 + s^2) is added here.
+        const double t = static_cast<double>(result.slope_tolerance) / std::sqrt(12.0);
+        double s = 0;  // the halves depart from the whole in opposite directions
+        int halves = 0;
+        for (const auto& one : result.neighbours)
+            if (one.half) s += static_cast<double>(one.difference_error), ++halves;
+        const double unseen = halves == 2 ? t * t * s * s / (t * t + s * s) : t * t, moved = main.log_g_of_dimension;
+        of_dimension += unseen, of_log_g += unseen * moved * moved, product += unseen * moved;
+    }
+    result.window_dimension_error = static_cast<T>(std::sqrt(of_dimension));
+    result.window_log_roughness_error = static_cast<T>(std::sqrt(of_log_g));
+}
+
+}  // namespace fstiff::inline v0_1::detail

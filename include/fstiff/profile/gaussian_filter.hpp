@@ -18,12 +18,14 @@
 
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/gaussian_smoother.hpp>
+#include <fstiff/math/rounding.hpp>
 #include <fstiff/math/tukey.hpp>
+#include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
 #include <numbers>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1::detail {
 
 /// Transmission of a wave of \p wavelength into the waviness. \throws domain_error unless both lengths are positive.
 template <Real T>
@@ -157,8 +159,7 @@ template <Real T>
             "cut-off", cutoff, "at least 5 spacings and at most the length of the profile");
     const T scale = height_scale(profile), mean = mean_height(profile);
     const std::size_t size = profile.size(), terms = static_cast<std::size_t>(order) + 1;
-    parts::RegressionSums<double> regression(size, static_cast<double>(cutoff) / static_cast<double>(profile.spacing),
-                                             order);
+    RegressionSums<double> regression(size, static_cast<double>(cutoff) / static_cast<double>(profile.spacing), order);
     std::vector<std::vector<double>> s, t;
     const auto exists = [&](std::size_t i) { return !std::isnan(profile.heights[i]); };
     std::vector<double> heights(size);
@@ -185,4 +186,69 @@ template <Real T>
     return roughness;
 }
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail
+
+// A profile without its form, with the removed form and the profile before the filters.
+//
+//     const auto flat = fstiff::detail::level(profile, fstiff::Form::line);
+//     const auto fit = fstiff::fit_fractal(flat);
+//
+// Units       heights, cut-off [m]
+// Valid       as detrend(), gaussian_low_pass() and gaussian_roughness()
+// Accuracy    that of detrend() and gaussian_roughness() (tests/profile/level_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+/// A profile without its form, and the cut-offs of its filters.
+template <Real T = double>
+struct LevelledProfile {
+    Profile<T> profile;
+    Form removed = Form::none;
+    std::optional<T> cutoff{};    ///< of the Gaussian filter that belongs to the form and took its long waves [m]
+    std::optional<T> lambda_s{};  ///< of the filter that then took the short waves [m]
+    std::optional<T> lambda_c{};  ///< and of the one that took the long ones, of without_waviness() [m]
+    std::optional<Profile<T>> unfiltered{};  ///< the profile before lambda_s and lambda_c, where there is one
+
+    /// Profile for the structure function: it compares points at a lag, and lags from lambda_s to lambda_c need no
+    /// filter. lambda_s would reduce S at every lag by the shorter waves, and lambda_c would bend it.
+    [[nodiscard]] const Profile<T>& of_structure() const { return unfiltered ? *unfiltered : profile; }
+};
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+/// Removes the \p form of \p profile, then, with \p lambda_s, its short waves, and then, with a \p cutoff, the waviness
+/// of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0 where it is
+/// not known. \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a profile that
+/// is constant, apart from rounding, after the removal of its form.
+template <Real T>
+[[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
+                                       std::optional<std::type_identity_t<T>> cutoff = {},
+                                       std::type_identity_t<T> resolution = 0,
+                                       std::optional<std::type_identity_t<T>> lambda_s = {}) {
+    LevelledProfile<T> flat{
+        .profile = detail::detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
+    if (form != Form::none)
+        math::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
+                                            flat.profile.heights.data(), profile.size(), resolution);
+    if (lambda_s) {
+        flat.unfiltered = cutoff ? gaussian_roughness(flat.profile, *cutoff) : flat.profile;
+        flat.profile = gaussian_low_pass(flat.profile, *lambda_s);
+    }
+    if (cutoff) flat.profile = gaussian_roughness(flat.profile, *cutoff);
+    return flat;
+}
+
+/// Removes the waves of \p levelled above \p lambda_c and keeps the profile before it for the structure function.
+/// \throws domain_error as gaussian_roughness().
+template <Real T>
+[[nodiscard]] LevelledProfile<T> without_waviness(LevelledProfile<T> levelled, std::type_identity_t<T> lambda_c) {
+    Profile<T> roughness = gaussian_roughness(levelled.profile, lambda_c);
+    if (!levelled.unfiltered) levelled.unfiltered = std::move(levelled.profile);
+    levelled.profile = std::move(roughness);
+    levelled.lambda_c = lambda_c;
+    return levelled;
+}
+
+}  // namespace fstiff::inline v0_1::detail

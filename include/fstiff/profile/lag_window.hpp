@@ -6,8 +6,8 @@
 /// An automatic window is the longest range, at least half a decade, over which the local slope of ln S2 differs from
 /// the slope of the range by at most 0.2, or by twice its sampling error; 0.3 and then 0.45 where no range satisfies
 /// that. The slope is between 0.2 and 1.95. The search uses lags from 4 samples to a tenth of the points that
-/// resolution, lambda_s and tip (profile/tip_cutoff) allow, up to three quarters of the saturation of S2. A range after
-/// a plateau (a shorter lag with a slope below 0.2 and 0.3 less than the range) is the last choice.
+/// resolution, lambda_s and tip (profile/structure_function) allow, up to three quarters of the saturation of S2. A
+/// range after a plateau (a shorter lag with a slope below 0.2 and 0.3 less than the range) is the last choice.
 ///
 /// Units       lags [m]; inside, in samples
 /// Valid       at least 4 lags at which S2 > 0
@@ -27,8 +27,6 @@ struct LagWindow {
     T from{}, to{};
 };
 
-namespace parts {
-
 /// Reason for the beginning or the end of a window.
 enum class WindowEnd {
     given,       ///< by hand
@@ -42,23 +40,21 @@ enum class WindowEnd {
     length,      ///< the longest lag searched: the profile has too few longer ones
 };
 
-}  // namespace parts
-
 /// Short name, to follow "begins" or "ends".
 template <>
-inline constexpr auto names<parts::WindowEnd> = name_list<parts::WindowEnd>({
-    {parts::WindowEnd::given, "as given"},
-    {parts::WindowEnd::sampling, "at the first lag searched"},
-    {parts::WindowEnd::resolution, "at the resolution"},
-    {parts::WindowEnd::lambda_s, "at lambda_s"},
-    {parts::WindowEnd::tip, "where the tip no longer shows"},
-    {parts::WindowEnd::smooth, "where the profile becomes smooth"},
-    {parts::WindowEnd::saturated, "where the structure function saturates"},
-    {parts::WindowEnd::bend, "where the slope changes"},
-    {parts::WindowEnd::length, "at the longest lag searched"},
+inline constexpr auto names<WindowEnd> = detail::name_list<WindowEnd>({
+    {WindowEnd::given, "as given"},
+    {WindowEnd::sampling, "at the first lag searched"},
+    {WindowEnd::resolution, "at the resolution"},
+    {WindowEnd::lambda_s, "at lambda_s"},
+    {WindowEnd::tip, "where the tip no longer shows"},
+    {WindowEnd::smooth, "where the profile becomes smooth"},
+    {WindowEnd::saturated, "where the structure function saturates"},
+    {WindowEnd::bend, "where the slope changes"},
+    {WindowEnd::length, "at the longest lag searched"},
 });
 
-namespace parts {
+namespace detail {
 
 /// Description in words, to follow "begins" or "ends".
 [[nodiscard]] constexpr std::string_view describe(WindowEnd end) { return name_of(end); }
@@ -278,6 +274,6 @@ WindowEnd why_there(const LogStructure<F>& log, const IndexRange& range, Eigen::
     return slope < F(0.2) ? WindowEnd::saturated : WindowEnd::bend;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

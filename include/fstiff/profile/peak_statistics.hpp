@@ -15,7 +15,7 @@
 /// Valid       at least 16 points and a triple; peak_statistics() refuses r = 1 (single sine), theta = pi/2 (zigzag)
 /// Accuracy    1e-13 in double (tests/profile/spectral_moments_test.cpp, tests/profile/peak_statistics_test.cpp)
 
-#include <fstiff/math/accumulate.hpp>
+#include <fstiff/math/rounding.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/moments.hpp>
@@ -24,7 +24,7 @@
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
+namespace detail {
 
 /// Sums over the triples of a profile; \p Sum is the scalar or a compensated sum of it.
 template <Real S, class Sum = S>
@@ -54,7 +54,7 @@ private:
     static S total(const math::CompensatedSum<S>& sum) { return sum.value(); }
 };
 
-}  // namespace parts
+}  // namespace detail
 
 /// Statistics of neighbours and triples of a profile, which describe its peaks.
 template <Real T = double>
@@ -80,7 +80,7 @@ template <Real T>
     PeakStatistics<T> result;
     result.rms_height = rms_height(profile);
     const T scale = result.rms_height;  // heights below are in units of sigma
-    parts::TripleSums<double, math::CompensatedSum<double>> sums;
+    detail::TripleSums<double, math::CompensatedSum<double>> sums;
     const std::vector<T>& z = profile.heights;
     for (std::size_t i = 1; i + 1 < z.size(); ++i) sums.add((z[i] - z[i - 1]) / scale, (z[i + 1] - z[i]) / scale);
     result.triples = sums.triples;
@@ -89,25 +89,26 @@ template <Real T>
     const double h = static_cast<double>(profile.spacing);
     const double sine = std::sqrt(curvature2 / slope2) / 2;
     const double r = slope2 / std::sqrt(curvature2);
-    require(sine > 0.0 && sine < 1.0, "sin(theta) of the profile", sine,
-            "between 0 and 1, both excluded: neither straight nor zigzag");
-    require(r < 1.0, "r of the profile", r, "less than 1: this profile is too near to a single sine, or too short");
+    detail::require(sine > 0.0 && sine < 1.0, "sin(theta) of the profile", sine,
+                    "between 0 and 1, both excluded: neither straight nor zigzag");
+    detail::require(r < 1.0, "r of the profile", r,
+                    "less than 1: this profile is too near to a single sine, or too short");
     result.rms_slope = static_cast<T>(static_cast<double>(scale) * (std::sqrt(slope2) / h));
     result.rms_curvature = static_cast<T>(static_cast<double>(scale) / h * (std::sqrt(curvature2) / h));
     result.rho1 = static_cast<T>(1 - slope2 / 2);
     result.rho2 = static_cast<T>(1 - 2 * slope2 + curvature2 / 2);
     result.r = static_cast<T>(r);
     result.theta = static_cast<T>(std::asin(sine));
-    require(result.r < T(1), "r of the profile", result.r,
-            "less than 1: this profile is too near to a single sine, or too short");
-    require(result.theta < std::numbers::pi_v<T> / 2, "theta of the profile", result.theta,
-            "less than pi/2: no zigzag");
+    detail::require(result.r < T(1), "r of the profile", result.r,
+                    "less than 1: this profile is too near to a single sine, or too short");
+    detail::require(result.theta < std::numbers::pi_v<T> / 2, "theta of the profile", result.theta,
+                    "less than pi/2: no zigzag");
     result.counted_peak_ratio = static_cast<T>(sums.peaks) / static_cast<T>(result.triples);
     result.peaks_per_length = result.counted_peak_ratio / profile.spacing;
     return result;
 }
 
-namespace parts {
+namespace detail {
 
 /// Moments of \p profile about its mean: remove its form first, with detrend(). \throws domain_error for a profile out
 /// of range, without a triple of neighbours, or whose moments leave the range of numbers.
@@ -145,6 +146,6 @@ template <Real T>
     return moments;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

@@ -18,7 +18,7 @@
 
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>
-#include <fstiff/surface/spectrum_window.hpp>
+#include <fstiff/surface/spectrum.hpp>
 
 #include <numbers>
 
@@ -45,8 +45,6 @@ struct PowerSpectrum {
     }
 };
 
-namespace parts {
-
 /// A range of wavelengths [m], both ends included.
 template <Real T = double>
 struct WavelengthWindow {
@@ -61,6 +59,8 @@ struct SpectralFit {
     WavelengthWindow<T> window;  ///< used [m]
     std::size_t bins{};          ///< means of C that the line goes through
 };
+
+namespace detail {
 
 /// Heights from the first to the last existing point, gaps bridged.
 template <Real T>
@@ -113,20 +113,20 @@ std::vector<SpectralBin<F>> spectral_bins(const PowerSpectrum<T>& spectrum, std:
     return bins;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// Spectrum of \p profile as it is: remove its form first, with detrend().
 /// \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape = SpectrumWindow::hann) {
     profile.validate(16);
-    const T scale = parts::height_scale(profile);
-    std::vector<double> z = parts::bridged(profile, parts::mean_height(profile), scale);
+    const T scale = detail::height_scale(profile);
+    std::vector<double> z = detail::bridged(profile, detail::mean_height(profile), scale);
     const std::size_t points = z.size();
     std::vector<double> window(points);
     math::CompensatedSum<double> weight, squares, weighted;
     for (std::size_t i = 0; i < points; ++i) {
-        window[i] = parts::window_weight<double>(shape, i, points);
+        window[i] = detail::window_weight<double>(shape, i, points);
         weight.add(window[i]);
         squares.add(window[i] * window[i]);
         weighted.add(window[i] * z[i]);
@@ -147,14 +147,14 @@ template <Real T>
         spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
         const double relative = k == 0 ? 0.0 : std::norm(transform[k]) * factor;
         const T value = static_cast<T>(relative * static_cast<double>(scale) * static_cast<double>(scale));
-        require(value <= (std::numeric_limits<T>::max)(), "power spectrum", value,
-                "finite: these heights are too large");
+        detail::require(value <= (std::numeric_limits<T>::max)(), "power spectrum", value,
+                        "finite: these heights are too large");
         spectrum.value.push_back(value);
     }
     return spectrum;
 }
 
-namespace parts {
+namespace detail {
 
 /// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
 /// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
@@ -199,6 +199,6 @@ template <Real T>
     return fit;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

@@ -14,13 +14,112 @@
 /// Valid       at least 4 lags, 0 < p < 2
 /// Accuracy    1e-10 of data that are a line (tests/profile/structure_fit_test.cpp)
 
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/lag_window.hpp>
-#include <fstiff/profile/structure_errors.hpp>
 
 #include <numbers>
 
+// Covariance of the structure function of second differences, in closed form and by resampling.
+//
+//     Cov(ln S2_n, ln S2_m) = 4 pi / sqrt(M_n M_m) int W_n W_m C^2 dq / (V_n V_m),  q from -pi to pi
+//     W_n(q) = 4 (1 - cos q n)^2,  V_n = int W_n C dq,  M_n triples of n
+//     C(q) = sum over all whole k of |q + 2 pi k|^-(1+p)                             the spectrum, sampled
+//
+// for a long Gaussian profile whose S grows as n^p; a sum over 48 wave numbers an octave, positive despite rounding.
+// Resamples are blocks of neighbouring cells; a triple belongs to the cell of its centre.
+//
+// Units       ln S2 in any unit
+// Valid       lags rising, 0 < p < 2
+// Accuracy    5 % of the sum over all pairs of a profile of 20 lags and more (tests/profile/structure_errors_test.cpp)
+
 namespace fstiff::inline v0_1::detail {
+
+/// Covariance of ln S2 at the lags \p step, with \p triples each, for a Gaussian profile whose S grows as n^\p power.
+template <Real T>
+Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector<std::size_t>& triples, T power) {
+    constexpr int per_octave = 48;
+    const T pi = std::numbers::pi_v<T>, turn = 2 * pi;
+    const auto longest = static_cast<T>(step.back());
+    const auto nodes = static_cast<Eigen::Index>(per_octave * std::log2(10 * pi * longest)) + 1;
+    const auto size = static_cast<Eigen::Index>(step.size());
+    Matrix<T> shares(size, nodes);  // W_n C sqrt(dq)
+    Vector<T> means = Vector<T>::Zero(size);
+    for (Eigen::Index node = 0; node < nodes; ++node) {
+        const T q = pi * std::exp2(-(static_cast<T>(node) + T(0.5)) / per_octave);
+        const T width = q * std::log(T(2)) / per_octave;
+        T spectrum = std::pow(q, -1 - power) + 2 * std::pow(turn, -1 - power) * std::pow(T(3.5), -power) / power;
+        for (const int k : {1, 2, 3})
+            spectrum +=
+                std::pow(static_cast<T>(k) * turn - q, -1 - power) + std::pow(static_cast<T>(k) * turn + q, -1 - power);
+        for (Eigen::Index row = 0; row < size; ++row) {
+            const T wave = 1 - std::cos(q * static_cast<T>(step[static_cast<std::size_t>(row)]));
+            shares(row, node) = 4 * wave * wave * spectrum * std::sqrt(width);
+            means[row] += shares(row, node) * std::sqrt(width);
+        }
+    }
+    for (Eigen::Index row = 0; row < size; ++row) {
+        const auto n = static_cast<std::size_t>(row);
+        // both halves of the spectrum: V twice, the integral twice; at least one value for a lag
+        const T triples_of_it = (std::max)(static_cast<T>(triples[n]), T(1));
+        shares.row(row) *= std::sqrt(turn / triples_of_it) / means[row];
+    }
+    Matrix<T> covariance(size, size);
+    const Matrix<T> columns = shares.transpose();
+    for (Eigen::Index i = 0; i < size; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j) covariance(i, j) = covariance(j, i) = columns.col(i).dot(columns.col(j));
+    return covariance;
+}
+
+/// ln S2 of moving-block resamples of the profile: steps by rows, resamples by columns.
+template <Real T>
+Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<std::size_t>& step, int resamples,
+                                  std::uint64_t seed, const ProgressHook& progress) {
+    constexpr std::size_t cells_wanted = 256;
+    const std::vector<T>& z = profile.heights;
+    const std::size_t cell = std::max<std::size_t>(1, z.size() / cells_wanted);
+    const std::size_t cells = (z.size() + cell - 1) / cell;
+    // four times the longest lag, so that blocks are nearly independent of their neighbours
+    const std::size_t block =
+        std::clamp<std::size_t>(4 * step.back() / cell + 1, 1, std::max<std::size_t>(1, cells / 4));
+    math::BlockBootstrap<T> bootstrap(cells, block, static_cast<std::size_t>(resamples), seed);
+    const T scale = 2 * height_scale(profile);
+    Matrix<T> resampled(static_cast<Eigen::Index>(step.size()), resamples);
+    for (std::size_t k = 0; k < step.size(); ++k) {
+        if (progress) progress("bootstrap", k, step.size());
+        const std::size_t n = step[k];
+        const std::vector<T>& means = bootstrap.means([&](std::size_t c) {
+            T sum = 0, count = 0;
+            const std::size_t end = (std::min)((c + 1) * cell, z.size() - n);
+            for (std::size_t i = (std::max)(c * cell, n); i < end; ++i) {
+                const T difference = (z[i + n] - z[i]) / scale - (z[i] - z[i - n]) / scale;
+                if (std::isnan(difference)) continue;
+                sum += difference * difference;
+                ++count;
+            }
+            return std::pair{sum, count};
+        });
+        for (int r = 0; r < resamples; ++r)
+            resampled(static_cast<Eigen::Index>(k), r) = std::log(means[static_cast<std::size_t>(r)]);
+    }
+    return resampled;
+}
+
+/// Standard deviation of row * y for values y of this covariance.
+template <Real T>
+T expected_spread(const Vector<T>& row, const Matrix<T>& covariance) {
+    return std::sqrt((std::max)(T(0), row.dot(covariance.lazyProduct(row))));
+}
+
+/// Standard deviation of row * column over the columns of \p samples.
+template <Real T>
+T sample_spread(const Vector<T>& row, const Matrix<T>& samples) {
+    const Vector<T> values = samples.transpose().lazyProduct(row);
+    const T variance =
+        (values.array() - values.mean()).square().sum() / static_cast<T>(std::max<Eigen::Index>(1, values.size() - 1));
+    return std::sqrt(variance);
+}
 
 /// Missing share of S2 at the first lag when no wave is shorter than that.
 template <Real T>
@@ -39,8 +138,8 @@ T share_of_oblique_waves(T power) {
 
 /// Lower triangular root L of a = L L^T, which must be positive definite.
 template <Real T>
-parts::Matrix<T> cholesky(const parts::Matrix<T>& a) {
-    parts::Matrix<T> l = parts::Matrix<T>::Zero(a.rows(), a.cols());
+Matrix<T> cholesky(const Matrix<T>& a) {
+    Matrix<T> l = Matrix<T>::Zero(a.rows(), a.cols());
     for (Eigen::Index j = 0; j < a.rows(); ++j) {
         T left = a(j, j);
         for (Eigen::Index k = 0; k < j; ++k) left -= l(j, k) * l(j, k);
@@ -56,7 +155,7 @@ parts::Matrix<T> cholesky(const parts::Matrix<T>& a) {
 
 /// L^-1 a.
 template <Real T>
-parts::Matrix<T> forward_substituted(const parts::Matrix<T>& l, parts::Matrix<T> a) {
+Matrix<T> forward_substituted(const Matrix<T>& l, Matrix<T> a) {
     for (Eigen::Index column = 0; column < a.cols(); ++column)
         for (Eigen::Index i = 0; i < l.rows(); ++i) {
             T sum = a(i, column);
@@ -70,11 +169,11 @@ parts::Matrix<T> forward_substituted(const parts::Matrix<T>& l, parts::Matrix<T>
 /// their products with the values, and with the columns a and b, give the line and its changes.
 template <Real T = double>
 struct LogFit {
-    parts::IndexRange range;
+    IndexRange range;
     T reference{};       ///< ln n of the middle of the window
     T level{}, slope{};  ///< ln S2 there, without a and b, and p
-    parts::Vector<T> level_row, slope_row;
-    parts::Vector<T> fitted;        ///< the whole sum above at the lags of range, to be compared with ln S2
+    Vector<T> level_row, slope_row;
+    Vector<T> fitted;               ///< the whole sum above at the lags of range, to be compared with ln S2
     T short_waves{}, long_waves{};  ///< a, b
     T residual{};                   ///< weighted sum of squares
     bool finite_band{};             ///< a or b differs from 0 by two of its standard deviations
@@ -86,7 +185,7 @@ template <Real T>
 class LineFitter {
 public:
     /// \p covariance of log.value; \p band_ends: no wave is much shorter than the window.
-    LineFitter(const parts::LogStructure<T>& log, parts::Matrix<T> covariance, T power, T log_gamma, bool band_ends)
+    LineFitter(const LogStructure<T>& log, Matrix<T> covariance, T power, T log_gamma, bool band_ends)
         : log_(log),
           covariance_(std::move(covariance)),
           power_(power),
@@ -103,10 +202,10 @@ public:
         }
     }
 
-    const parts::Vector<T>& y() const { return y_; }
+    const Vector<T>& y() const { return y_; }
 
     /// Line in \p lags. The columns a and b are those of the window \p band.
-    LogFit<T> fit(const parts::IndexRange& lags, const parts::IndexRange& band) const {
+    LogFit<T> fit(const IndexRange& lags, const IndexRange& band) const {
         LogFit<T> line = fit_with(lags, band, false);
         const T width = log_.lag[lags.last] - log_.lag[lags.first];
         if (width > 2 * log_gamma_ && lags.count() >= 12)
@@ -115,8 +214,8 @@ public:
     }
 
     /// Covariance of row_a * ln S2 and row_b * ln S2 by sampling alone, and with the uncertainty of a and b of \p band.
-    T covariance_of(const parts::Vector<T>& row_a, const parts::Vector<T>& row_b, const parts::IndexRange& band) const {
-        const parts::Matrix<T> ends = band_columns(band);
+    T covariance_of(const Vector<T>& row_a, const Vector<T>& row_b, const IndexRange& band) const {
+        const Matrix<T> ends = band_columns(band);
         const T a = row_a.dot(ends.col(0)) * row_b.dot(ends.col(0)) * short_sd_ * short_sd_;
         const T b = row_a.dot(ends.col(1)) * row_b.dot(ends.col(1)) * long_sd * long_sd;
         return row_a.dot(covariance_.lazyProduct(row_b)) + a + b;
@@ -126,21 +225,21 @@ private:
     static constexpr T long_sd = T(0.5);
 
     /// a and b at all lags: each is 1 at its own end of the band.
-    parts::Matrix<T> band_columns(const parts::IndexRange& band) const {
-        parts::Matrix<T> columns(log_.lag.size(), 2);
+    Matrix<T> band_columns(const IndexRange& band) const {
+        Matrix<T> columns(log_.lag.size(), 2);
         columns.col(0) = ((-power_ * (log_.lag.array() - log_.lag[band.first])).min)(T(2)).exp();
         columns.col(1) = (((4 - power_) * (log_.lag.array() - log_.lag[band.last])).min)(T(2)).exp();
         return columns;
     }
 
-    LogFit<T> fit_with(const parts::IndexRange& range, const parts::IndexRange& band, bool log_periodic) const {
+    LogFit<T> fit_with(const IndexRange& range, const IndexRange& band, bool log_periodic) const {
         const Eigen::Index count = range.count(), terms = log_periodic ? 8 : 4;
         LogFit<T> line;
         line.range = range;
         line.log_periodic = log_periodic;
         line.reference = (log_.lag[range.first] + log_.lag[range.last]) / 2;
-        const parts::Vector<T> x = log_.lag.segment(range.first, count).array() - line.reference;
-        parts::Matrix<T> columns(count, terms);
+        const Vector<T> x = log_.lag.segment(range.first, count).array() - line.reference;
+        Matrix<T> columns(count, terms);
         columns.col(0).setOnes();
         columns.col(1) = x;
         columns.block(0, 2, count, 2) = band_columns(band).block(range.first, 0, count, 2);
@@ -151,37 +250,37 @@ private:
                 columns.col(2 + 2 * harmonic) = angle.cos();
                 columns.col(3 + 2 * harmonic) = angle.sin();
             }
-        const parts::Matrix<T> root = cholesky<T>(covariance_.block(range.first, range.first, count, count));
+        const Matrix<T> root = cholesky<T>(covariance_.block(range.first, range.first, count, count));
         // two more values, 0: the prior of a and b
-        parts::Matrix<T> weighted = parts::Matrix<T>::Zero(count + 2, terms);
+        Matrix<T> weighted = Matrix<T>::Zero(count + 2, terms);
         weighted.topRows(count) = forward_substituted<T>(root, columns);
         weighted(count, 2) = 1 / short_sd_;
         weighted(count + 1, 3) = 1 / long_sd;
-        const parts::Matrix<T> inverse_root = forward_substituted<T>(root, parts::Matrix<T>::Identity(count, count));
-        const parts::Matrix<T> solver = math::PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
-        const parts::Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
-        const parts::Vector<T> found = solver.lazyProduct(y);
+        const Matrix<T> inverse_root = forward_substituted<T>(root, Matrix<T>::Identity(count, count));
+        const Matrix<T> solver = math::PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
+        const Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
+        const Vector<T> found = solver.lazyProduct(y);
         const auto spread = [&](Eigen::Index term) {
-            const parts::Vector<T> row = solver.row(term).transpose();
+            const Vector<T> row = solver.row(term).transpose();
             return std::sqrt(row.dot(covariance_.block(range.first, range.first, count, count).lazyProduct(row)));
         };
         line.level = found[0], line.slope = found[1], line.short_waves = found[2] + expected_short_,
         line.long_waves = found[3];
         line.finite_band = std::abs(found[2]) > 2 * spread(2) || std::abs(found[3]) > 2 * spread(3);
-        const parts::Vector<T> missed = y - columns.lazyProduct(found);
-        const parts::Vector<T> left = inverse_root.lazyProduct(missed);
+        const Vector<T> missed = y - columns.lazyProduct(found);
+        const Vector<T> left = inverse_root.lazyProduct(missed);
         line.residual = left.squaredNorm();
         line.fitted = log_.value.segment(range.first, count) - missed;
-        line.level_row = line.slope_row = parts::Vector<T>::Zero(log_.lag.size());
+        line.level_row = line.slope_row = Vector<T>::Zero(log_.lag.size());
         line.level_row.segment(range.first, count) = solver.row(0).transpose();
         line.slope_row.segment(range.first, count) = solver.row(1).transpose();
         return line;
     }
 
-    const parts::LogStructure<T>& log_;
-    parts::Matrix<T> covariance_;
+    const LogStructure<T>& log_;
+    Matrix<T> covariance_;
     T power_, log_gamma_, short_sd_, expected_short_;
-    parts::Vector<T> y_;
+    Vector<T> y_;
 };
 
 }  // namespace fstiff::inline v0_1::detail

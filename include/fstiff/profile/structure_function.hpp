@@ -17,6 +17,7 @@
 
 #include <fstiff/profile/profile.hpp>
 
+#include <optional>
 #include <span>
 
 namespace fstiff::inline v0_1 {
@@ -32,10 +33,10 @@ struct StructureFunction {
     [[nodiscard]] std::size_t size() const { return lag.size(); }
 };
 
-namespace parts {
-
 /// Divisor of the sum of (2.8).
 enum class Divisor { pairs, paper };
+
+namespace detail {
 
 /// Lags 1, 2, 3, ... \p longest, thinned to \p per_octave steps an octave where they are denser.
 [[nodiscard]] inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave = 12) {
@@ -50,17 +51,16 @@ enum class Divisor { pairs, paper };
     return lags;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// S of \p profile at logarithmic_lags up to a quarter of its points. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile,
-                                                      parts::Divisor divisor = parts::Divisor::pairs) {
-    return structure_function(profile, std::span<const std::size_t>(parts::logarithmic_lags(profile.size() / 4)),
+[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor = Divisor::pairs) {
+    return structure_function(profile, std::span<const std::size_t>(detail::logarithmic_lags(profile.size() / 4)),
                               divisor);
 }
 
-namespace parts {
+namespace detail {
 
 /// Power of two near the largest height: squares of scaled heights stay in range, and scaling is exact.
 template <Real T>
@@ -126,20 +126,20 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
     return result;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// S of \p profile at \p lags (in samples, any order). \throws domain_error for a lag outside 1 ... N-1, a spacing that
 /// is not positive, an infinite height, or heights whose squares leave the range of numbers.
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
-                                                      parts::Divisor divisor = parts::Divisor::pairs) {
-    const T scale = parts::height_scale(profile);
+                                                      Divisor divisor = Divisor::pairs) {
+    const T scale = detail::height_scale(profile);
     const T* const z = profile.heights.data();
-    return parts::mean_squares(profile, lags, 1, scale, divisor,
-                               [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
+    return detail::mean_squares(profile, lags, 1, scale, divisor,
+                                [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
 }
 
-namespace parts {
+namespace detail {
 
 /// S2 of \p profile at \p lags (in samples, any order); a lag without a triple is left out. `pairs` counts triples.
 /// \throws domain_error as structure_function(), for a lag above (N-1)/2.
@@ -152,6 +152,60 @@ template <Real T>
     });
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1
+
+// Lengths of a profile that are not affected by the shape of a round tip.
+//
+//     kappa_min(n h) = min of (z_(i-n) - 2 z_i + z_(i+n)) / (n h)^2                 the sharpest peak at that scale
+//     cut-off        = 2 n h, the shortest stencil from which on kappa_min > -1/(2 R_tip)
+//
+// The trace of a tip of radius R has kappa_min >= -1/R at every scale; scales within a factor of two of it show the
+// shape of the tip.
+//
+// Reference   Sanner, Nohring, Thimons, Jacobs, Pastewka, Appl. Surf. Sci. Adv. 7 (2022) 100190,
+//             doi:10.1016/j.apsadv.2021.100190; here twelve scales an octave
+// Units       lengths [m], curvature [1/m]
+// Valid       R > 0; a triple of existing points at the given scale
+// Accuracy    rounding of three heights (tests/profile/tip_cutoff_test.cpp)
+
+namespace fstiff::inline v0_1::detail {
+
+/// Minimum (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
+/// \throws domain_error for a step of 0, a spacing that is not positive or an infinite height.
+template <Real T>
+[[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
+    require_positive("spacing", profile.spacing);
+    if (step == 0) detail::refuse("step of the curvature", "0 samples", "at least 1");
+    const std::vector<T>& z = profile.heights;
+    const T scale = detail::height_scale(profile);  // refuses infinite heights, and keeps the differences in range
+    std::optional<T> least;
+    for (std::size_t i = step; i < z.size() && z.size() - i > step; ++i) {
+        const T bend = (z[i + step] - z[i]) / scale - (z[i] - z[i - step]) / scale;
+        if (!std::isnan(bend) && (!least || bend < *least)) least = bend;
+    }
+    const T width = static_cast<T>(step) * profile.spacing;
+    if (least) *least = *least * (scale / width) / width;
+    return least;
+}
+
+/// Length below which \p profile may show the tip instead of the surface [m]; 0 when it does not at any scale, infinity
+/// when it does at every scale up to a quarter of its length.
+/// \throws domain_error unless the radius is positive, and as above.
+template <Real T>
+[[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius) {
+    require_positive("tip radius", tip_radius);
+    const std::vector<std::size_t> steps = detail::logarithmic_lags(std::max<std::size_t>(profile.size() / 8, 1));
+    // from the longest scale down to the first that is too sharp
+    std::size_t reliable = 0;
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+        const auto curvature = min_curvature(profile, *step);
+        if (curvature && !(*curvature * tip_radius > T(-0.5)))
+            return reliable == 0 ? std::numeric_limits<T>::infinity() : 2 * static_cast<T>(reliable) * profile.spacing;
+        reliable = *step;
+    }
+    return T(0);
+}
+
+}  // namespace fstiff::inline v0_1::detail

@@ -11,6 +11,11 @@
 /// Valid       1 < D < 2, G > 0
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace fstiff::inline v0_1 {
 
@@ -21,7 +26,7 @@ struct Fractal {
     T roughness{};  ///< G [m], > 0
 };
 
-namespace parts {
+namespace detail {
 
 /// \throws domain_error unless 1 < D < 2.
 template <Real T>
@@ -29,6 +34,160 @@ constexpr void require_fractal_dimension(T dimension) {
     require(dimension > T(1) && dimension < T(2), "fractal_dimension", dimension, "between 1 and 2, both excluded");
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1
+
+// Coefficient C of the structure function S(tau) = C tau^(4-2D), and the fractal roughness G from it.
+//
+//     C = c(D) G^(2D-2)                                                             eq. (2.4)
+//     exact           c = (2 pi)^(4-2D) g / ((4-2D) ln gamma)    mean of S over one log-period of the profile (2.1)
+//     paper           c = g / (2-D)                              (2.4) as printed
+//     majumdar_tien   c = g / ((4-2D) ln gamma)                  (2.4) / (2 ln gamma)
+//     g = Gamma(2D-3) sin((2D-3) pi/2) = pi / (2 Gamma(4-2D) sin(pi (D-1)))         regular at D = 1.5
+//
+// With `paper`, G of a true Weierstrass-Mandelbrot profile is some 3 to 5 times too large (docs/errata.md).
+// Derivation  docs/theory.md, section 2
+// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eqs. (2.3), (2.4); Majumdar, Tien, Wear 136 (1990)
+// Units       c dimensionless; C in m^(2D-2); G [m]; gamma dimensionless
+// Valid       1 < D < 2 (c diverges at both ends), gamma > 1
+// Accuracy    20 ulp for 1.001 <= D <= 1.999 (tests/surface/structure_constant_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+/// Convention of the coefficient between S and G.
+enum class StructureConvention { exact, paper, majumdar_tien };
+
+template <>
+inline constexpr auto names<StructureConvention> =
+    detail::name_list<StructureConvention>({{StructureConvention::exact, "exact"},
+                                            {StructureConvention::paper, "paper"},
+                                            {StructureConvention::majumdar_tien, "majumdar_tien"}});
+
+namespace detail {
+
+/// Coefficient c(D), dimensionless.
+/// \throws domain_error unless 1 < D < 2 and gamma > 1.
+template <Real T>
+[[nodiscard]] T structure_constant(T fractal_dimension, StructureConvention convention = StructureConvention::exact,
+                                   T gamma = T(1.5)) {
+    require_fractal_dimension(fractal_dimension);
+    require(gamma > T(1) && gamma <= (std::numeric_limits<T>::max)(), "gamma", gamma, "finite and greater than 1");
+    constexpr T pi = std::numbers::pi_v<T>;
+    const T above = fractal_dimension - 1, below = 2 - fractal_dimension;  // both exact
+    const T g = pi / (2 * std::tgamma(2 * below) * std::sin(pi * (above < below ? above : below)));
+    if (convention == StructureConvention::paper) return g / below;
+    const T printed = g / (2 * below * std::log(gamma));
+    return convention == StructureConvention::majumdar_tien ? printed : std::pow(2 * pi, 2 * below) * printed;
+}
+
+/// S(tau) = c G^(2D-2) tau^(4-2D) [m^2] of a surface \p fractal at the lag \p lag > 0.
+/// \throws domain_error naming the argument that is out of range.
+template <Real T>
+[[nodiscard]] T structure_function_at(T lag, const Fractal<T>& fractal,
+                                      StructureConvention convention = StructureConvention::exact, T gamma = T(1.5)) {
+    require_positive("lag", lag);
+    require_positive("fractal_roughness", fractal.roughness);
+    const T c = structure_constant(fractal.dimension, convention, gamma);
+    return c * std::pow(fractal.roughness / lag, 2 * (fractal.dimension - 1)) * lag * lag;
+}
+
+/// ln(G / lag), where S(\p lag) = \p value: the logarithm, because G itself exceeds every range of numbers as D -> 1.
+/// \throws domain_error naming the argument that is out of range.
+template <Real T>
+[[nodiscard]] T log_fractal_roughness(T fractal_dimension, T lag, T value,
+                                      StructureConvention convention = StructureConvention::exact, T gamma = T(1.5)) {
+    require_positive("lag", lag);
+    require_positive("structure_function", value);
+    const T c = structure_constant(fractal_dimension, convention, gamma);
+    return (std::log(value) - 2 * std::log(lag) - std::log(c)) / (2 * (fractal_dimension - 1));
+}
+
+/// G [m] of the surface whose structure function is \p value [m^2] at the lag \p lag [m].
+/// \throws domain_error naming the argument that is out of range, or when G is no positive number of type T.
+template <Real T>
+[[nodiscard]] T fractal_roughness(T fractal_dimension, T lag, T value,
+                                  StructureConvention convention = StructureConvention::exact, T gamma = T(1.5)) {
+    const T log_ratio = log_fractal_roughness(fractal_dimension, lag, value, convention, gamma);
+    const T roughness = std::exp(log_ratio) * lag;
+    require(roughness >= (std::numeric_limits<T>::min)() && roughness <= (std::numeric_limits<T>::max)(),
+            "fractal_dimension", fractal_dimension,
+            "further from 1: the fractal roughness G is beyond the range of numbers");
+    return roughness;
+}
+
+}  // namespace detail
+
+}  // namespace fstiff::inline v0_1
+
+// Longest and shortest wave of a surface with given D, G, rms height and density of islands.
+//
+//     sum of cosines   sigma^2 = G^(2D-2) lambda^(4-2D) / (2 (1 - gamma^-(4-2D)))          of (2.1), endless
+//     Gaussian map     S(tau)  = 2 sigma^2 (pi tau/lambda)^(2H) Gamma(1-H)/Gamma(1+H)      sections, endless
+//     Gaussian map     m2/m0   = 2 pi^2/lambda^2  H/(1-H)  (b^(2-2H) - 1)/(1 - b^(-2H))    b = lambda/shortest
+//
+// lambda: longest wave; H = 2 - D; the map has the spectrum of self_affine_map() with LongWaves::none. The shortest
+// wave follows from m2, which decides the number of islands. Derivation: docs/theory.md, section 2.
+// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.1), (2.3); DLMF 10.22.43
+// Units       lengths [m], m2/m0 [1/m^2]; m2 is that of a profile
+// Valid       as Fractal; gamma > 1; 0 < H < 1
+// Accuracy    1e-13 of the formulae in double (tests/surface/cut_offs_test.cpp, also for generated surfaces)
+
+namespace fstiff::inline v0_1::detail {
+
+/// Longest wave of the sum of cosines (2.1) with the rms height \p rms [m].
+/// \throws domain_error naming the parameter that is out of range.
+template <Real T>
+[[nodiscard]] T longest_cosine(const Fractal<T>& fractal, T rms, T gamma = T(1.5)) {
+    require_fractal_dimension(fractal.dimension);
+    require_positive("fractal_roughness", fractal.roughness);
+    require_positive("rms", rms);
+    require(gamma > T(1) && gamma <= (std::numeric_limits<T>::max)(), "gamma", gamma, "finite and greater than 1");
+    const T power = 4 - 2 * fractal.dimension;
+    const T ratio = rms / fractal.roughness;  // lambda/G = (2 ratio^2 (1 - gamma^-power))^(1/power)
+    return fractal.roughness * std::pow(2 * ratio * ratio * -std::expm1(-power * std::log(gamma)), 1 / power);
+}
+
+/// Longest wave of the Gaussian map of rms height \p rms [m] whose sections have S = C tau^(4-2D), with the exact C of
+/// (2.4).
+/// \throws domain_error naming the parameter that is out of range.
+template <Real T>
+[[nodiscard]] T longest_wave(const Fractal<T>& fractal, T rms) {
+    require_positive("rms", rms);
+    const T unit = fractal.roughness;  // S at the lag G is c G^2
+    const T hurst = 2 - fractal.dimension;
+    const T s = structure_function_at(unit, fractal) / (rms * rms);
+    const T gammas = std::tgamma(1 - hurst) / std::tgamma(1 + hurst);
+    return std::numbers::pi_v<T> * unit * std::pow(2 * gammas / s, 1 / (2 * hurst));
+}
+
+/// m2/m0 of a section of the Gaussian map with waves from \p shortest to \p longest.
+/// \throws domain_error naming the parameter that is out of range.
+template <Real T>
+[[nodiscard]] T slope_ratio(T hurst, T longest, T shortest) {
+    require(hurst > T(0) && hurst < T(1), "hurst", hurst, "between 0 and 1, both excluded");
+    require_positive("longest", longest);
+    require(shortest > T(0) && shortest < longest, "shortest", shortest, "positive and below the longest wavelength");
+    const T b = std::log(longest / shortest), pi = std::numbers::pi_v<T>;
+    return 2 * pi * pi / (longest * longest) * hurst / (1 - hurst) * std::expm1((2 - 2 * hurst) * b) /
+           -std::expm1(-2 * hurst * b);
+}
+
+/// Shortest wave at which slope_ratio() is \p ratio [1/m^2].
+/// \throws domain_error as above, and when the longest wave alone has a greater ratio, or the shortest wave is below
+/// 1e-9 of it.
+template <Real T>
+[[nodiscard]] T shortest_wave(T hurst, T longest, T ratio) {
+    require_positive("ratio", ratio);
+    T low = longest * T(1e-9), high = longest * (1 - T(1e-6));  // the ratio falls as the wave grows
+    require(slope_ratio(hurst, longest, low) >= ratio && slope_ratio(hurst, longest, high) <= ratio, "ratio", ratio,
+            "one that waves shorter than the longest can have");
+    for (int k = 0; k < 200 && high - low > 2 * std::numeric_limits<T>::epsilon() * high; ++k) {
+        const T middle = std::sqrt(low * high);
+        if (!(middle > low && middle < high)) break;
+        (slope_ratio(hurst, longest, middle) > ratio ? low : high) = middle;
+    }
+    return high;
+}
+
+}  // namespace fstiff::inline v0_1::detail

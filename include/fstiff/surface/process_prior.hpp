@@ -23,7 +23,7 @@
 #include <numbers>
 #include <string_view>
 
-namespace fstiff::inline v0_1::parts {
+namespace fstiff::inline v0_1 {
 
 /// Process that made a surface.
 enum class Process { unknown, ground, turned, milled, honed, lapped, polished, blasted, eroded };
@@ -32,6 +32,10 @@ enum class Process { unknown, ground, turned, milled, honed, lapped, polished, b
 struct PriorRange {
     double low, middle, high;
 };
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
 
 /// One row of the table.
 struct ProcessPrior {
@@ -103,26 +107,35 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
     return {middle / apart, middle, middle * apart};
 }
 
+}  // namespace fstiff::inline v0_1::detail
+
+namespace fstiff::inline v0_1 {
+
 /// Properties of a surface, and of the softer body, that may be open.
 enum class Unknown { height, gradient, alpha, hurst, hardness, skewness, kurtosis };
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
 inline constexpr std::size_t unknown_count = 7;
 
 /// Whether \p which describes the shape of the heights.
 [[nodiscard]] constexpr bool is_of_shape(Unknown which) { return which >= Unknown::skewness; }
 
-}  // namespace fstiff::inline v0_1::parts
+}  // namespace fstiff::inline v0_1::detail
 
 namespace fstiff::inline v0_1 {
 
 template <>
-inline constexpr auto names<parts::Process> = name_list<parts::Process>({{parts::Process::unknown, "unknown"},
-                                                                         {parts::Process::ground, "ground"},
-                                                                         {parts::Process::turned, "turned"},
-                                                                         {parts::Process::milled, "milled"},
-                                                                         {parts::Process::honed, "honed"},
-                                                                         {parts::Process::lapped, "lapped"},
-                                                                         {parts::Process::polished, "polished"},
-                                                                         {parts::Process::blasted, "blasted"},
-                                                                         {parts::Process::eroded, "eroded"}});
+inline constexpr auto names<Process> = detail::name_list<Process>({{Process::unknown, "unknown"},
+                                                                   {Process::ground, "ground"},
+                                                                   {Process::turned, "turned"},
+                                                                   {Process::milled, "milled"},
+                                                                   {Process::honed, "honed"},
+                                                                   {Process::lapped, "lapped"},
+                                                                   {Process::polished, "polished"},
+                                                                   {Process::blasted, "blasted"},
+                                                                   {Process::eroded, "eroded"}});
 
 }  // namespace fstiff::inline v0_1

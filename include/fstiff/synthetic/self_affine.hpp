@@ -17,24 +17,20 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/math/accumulate.hpp>
 #include <fstiff/math/fft.hpp>
-#include <fstiff/math/random.hpp>
+#include <fstiff/math/rounding.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
-
 /// Waves beyond the longest wavelength: as strong as the longest one, or none.
 enum class LongWaves { plateau, none };
 
-}  // namespace parts
-
 template <>
-inline constexpr auto names<parts::LongWaves> = name_list<parts::LongWaves>({{parts::LongWaves::plateau, "plateau"},
-                                                                             {parts::LongWaves::none, "none"}});
+inline constexpr auto names<LongWaves> = detail::name_list<LongWaves>({{LongWaves::plateau, "plateau"},
+                                                                       {LongWaves::none, "none"}});
 
 /// Parameters of a self-affine surface.
 template <Real T = double>
@@ -43,12 +39,12 @@ struct SelfAffineOptions {
     T rms{};                  ///< [m]
     T longest_wavelength{};   ///< roll-off of the spectrum [m]; 0: the longest side
     T shortest_wavelength{};  ///< no wave is shorter [m]; 0: two samples, of the larger spacing
-    parts::LongWaves long_waves = parts::LongWaves::plateau;
+    LongWaves long_waves = LongWaves::plateau;
     bool exact_rms = true;  ///< rms of the realisation, not of the mean over all seeds
     std::uint64_t seed = 1;
 };
 
-namespace parts {
+namespace detail {
 
 /// Two standard normal numbers of the wave with \p kx and \p ky periods.
 template <Real T>
@@ -60,11 +56,12 @@ std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_
 }
 
 template <Real W>
-using Waves = Eigen::Array<std::complex<W>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using WaveField = Eigen::Array<std::complex<W>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Real part of the sum of \p waves; rows from \p rows on are 0.
 template <Real W>
-Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_waves(Waves<W> waves, Eigen::Index rows) {
+Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_waves(WaveField<W> waves,
+                                                                                  Eigen::Index rows) {
     std::vector<std::complex<W>> in, out;
     math::ComplexFft<W> along_x(static_cast<std::size_t>(waves.cols()));
     for (Eigen::Index j = 0; j < rows; ++j) {
@@ -117,7 +114,7 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
         if (q * shortest > longest * slack || (q * slack < 1 && options.long_waves == LongWaves::none)) return 0;
         return std::pow((std::max)(q, 1.0), power);
     };
-    Waves<double> waves = Waves<double>::Zero(static_cast<Index>(rows), static_cast<Index>(columns));
+    WaveField<double> waves = WaveField<double>::Zero(static_cast<Index>(rows), static_cast<Index>(columns));
     double total = 0;
     for (std::int32_t ky = half_y; ky >= 0; --ky) {
         double row_total = 0;
@@ -143,14 +140,14 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
     return {(heights * (static_cast<double>(options.rms) / std::sqrt(square))).template cast<T>(), dx, dy};
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// z at x = 0, spacing, ...: one period of points * spacing [m].
 /// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
 template <Real T>
 [[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
-    require_positive("spacing", spacing);
-    const HeightMap<T> row = parts::self_affine(options, points, 1, spacing, spacing);
+    detail::require_positive("spacing", spacing);
+    const HeightMap<T> row = detail::self_affine(options, points, 1, spacing, spacing);
     return {{row.heights.data(), row.heights.data() + row.size()}, spacing};
 }
 
@@ -158,10 +155,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
                                            T dx, T dy) {
-    require_positive("dx", dx);
-    require_positive("dy", dy);
-    require(rows >= 4, "points of a side", rows, "between 4 and 2^28");
-    return parts::self_affine(options, columns, rows, dx, dy);
+    detail::require_positive("dx", dx);
+    detail::require_positive("dy", dy);
+    detail::require(rows >= 4, "points of a side", rows, "between 4 and 2^28");
+    return detail::self_affine(options, columns, rows, dx, dy);
 }
 
 }  // namespace fstiff::inline v0_1

@@ -17,15 +17,13 @@
 ///             (tests/synthetic/weierstrass_mandelbrot_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/math/random.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/fractal.hpp>
 
 #include <numbers>
 
 namespace fstiff::inline v0_1 {
-
-namespace detail {
 
 /// Phases of the waves.
 enum class Phases { random, zero };
@@ -39,6 +37,8 @@ struct WeierstrassMandelbrotOptions {
     Phases phases = Phases::random;
     std::uint64_t seed = 1;  ///< of the random phases
 };
+
+namespace detail {
 
 /// The fraction of a turn in \p turns, as an integer: 2^64 is one turn.
 inline std::uint64_t turn_fraction(long double turns) {
@@ -55,20 +55,20 @@ template <Real T = double>
 class WeierstrassMandelbrot {
 public:
     /// \throws domain_error naming the parameter that is out of range.
-    WeierstrassMandelbrot(const Fractal<T>& fractal, const detail::WeierstrassMandelbrotOptions<T>& options) {
-        parts::require_fractal_dimension(fractal.dimension);
-        require_positive("fractal_roughness", fractal.roughness);
-        require_positive("longest_wavelength", options.longest_wavelength);
-        require_positive("shortest_wavelength", options.shortest_wavelength);
-        require(options.longest_wavelength >= options.shortest_wavelength, "shortest_wavelength",
-                options.shortest_wavelength, "at most the longest wavelength");
-        require(options.gamma > T(1) && options.gamma <= (std::numeric_limits<T>::max)(), "gamma", options.gamma,
-                "finite and greater than 1");
+    WeierstrassMandelbrot(const Fractal<T>& fractal, const WeierstrassMandelbrotOptions<T>& options) {
+        detail::require_fractal_dimension(fractal.dimension);
+        detail::require_positive("fractal_roughness", fractal.roughness);
+        detail::require_positive("longest_wavelength", options.longest_wavelength);
+        detail::require_positive("shortest_wavelength", options.shortest_wavelength);
+        detail::require(options.longest_wavelength >= options.shortest_wavelength, "shortest_wavelength",
+                        options.shortest_wavelength, "at most the longest wavelength");
+        detail::require(options.gamma > T(1) && options.gamma <= (std::numeric_limits<T>::max)(), "gamma",
+                        options.gamma, "finite and greater than 1");
         const long double decades = std::log(static_cast<long double>(options.longest_wavelength)) -
                                     std::log(static_cast<long double>(options.shortest_wavelength));
         const long double last = decades / std::log(static_cast<long double>(options.gamma));
-        require(last < 10000, "gamma", options.gamma,
-                "so large that at most 10000 waves fit between the two wavelengths");
+        detail::require(last < 10000, "gamma", options.gamma,
+                        "so large that at most 10000 waves fit between the two wavelengths");
         // a shortest wavelength that was computed as longest * gamma^-n counts as reached
         const auto count = static_cast<std::size_t>(last + 1e-6L) + 1;
         std::uint64_t state = options.seed;
@@ -77,14 +77,13 @@ public:
             const long double wavelength = options.longest_wavelength * share;
             const T ratio = static_cast<T>(fractal.roughness / wavelength);
             const T amplitude = static_cast<T>(wavelength) * std::pow(ratio, fractal.dimension - 1);
-            terms_.push_back(
-                {amplitude, wavelength, options.phases == detail::Phases::zero ? 0 : math::splitmix64(state)});
+            terms_.push_back({amplitude, wavelength, options.phases == Phases::zero ? 0 : math::splitmix64(state)});
         }
     }
 
     /// z(x) [m]. The phase of a wave carries the rounding of x/lambda_j; sample() does not.
     [[nodiscard]] T operator()(T x) const {
-        require(std::abs(x) <= (std::numeric_limits<T>::max)(), "x", x, "finite");
+        detail::require(std::abs(x) <= (std::numeric_limits<T>::max)(), "x", x, "finite");
         T height = 0;
         for (const Term& term : terms_)
             height += term.amplitude * cosine(term.phase + detail::turn_fraction(x / term.wavelength));
@@ -93,7 +92,7 @@ public:
 
     /// z at x = 0, spacing, 2 spacing, ... [m]. \throws domain_error unless \p spacing > 0.
     [[nodiscard]] Profile<T> sample(std::size_t points, T spacing) const {
-        require_positive("spacing", spacing);
+        detail::require_positive("spacing", spacing);
         Profile<T> profile{std::vector<T>(points, T(0)), spacing};
         // shortest waves first: small amplitudes are added before the large ones
         for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {

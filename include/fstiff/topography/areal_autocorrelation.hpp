@@ -23,7 +23,7 @@
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
+namespace detail {
 
 /// Pairs of points of a lag.
 enum class LagPairs {
@@ -31,13 +31,13 @@ enum class LagPairs {
     periodic   ///< those across its edges too
 };
 
-}  // namespace parts
+}  // namespace detail
 
 template <>
-inline constexpr auto names<parts::LagPairs> = name_list<parts::LagPairs>({{parts::LagPairs::measured, "measured"},
-                                                                           {parts::LagPairs::periodic, "periodic"}});
+inline constexpr auto names<detail::LagPairs> = detail::name_list<detail::LagPairs>(
+    {{detail::LagPairs::measured, "measured"}, {detail::LagPairs::periodic, "periodic"}});
 
-namespace parts {
+namespace detail {
 
 /// Autocorrelation of a map at every lag up to a reach.
 template <Real T = double>
@@ -246,7 +246,7 @@ template <Real T>
                                                       std::type_identity_t<T> threshold = T(0.2)) {
     require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
     constexpr int directions = 720;
-    const parts::LagRays<T> rays(correlation, threshold);
+    const LagRays<T> rays(correlation, threshold);
     TextureParameters<T> result;
     bool all_end = true;
     for (int k = 0; k < directions; ++k) {
@@ -267,6 +267,6 @@ template <Real T>
     return result;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

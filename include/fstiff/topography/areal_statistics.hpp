@@ -22,8 +22,6 @@
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
-
 /// Moments of a map, and parameters that follow from them.
 template <Real T = double>
 struct ArealStatistics {
@@ -40,6 +38,8 @@ struct ArealStatistics {
     std::size_t summits{};
     std::size_t inner{};  ///< points whose eight neighbours exist
 };
+
+namespace detail {
 
 /// Mean squares of the first and second differences of neighbours.
 template <Real S>
@@ -154,7 +154,7 @@ template <Real T>
     return result;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// Roughness parameters of a map by ISO 25178-2.
 template <Real T = double>
@@ -173,10 +173,10 @@ struct ArealParameters {
 /// Roughness parameters of \p map. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map) {
-    return areal_parameters(map, parts::areal_statistics(map));
+    return areal_parameters(map, detail::areal_statistics(map));
 }
 
-namespace parts {
+namespace detail {
 
 /// Mean area of the cells over dx dy, minus 1.
 template <Real T>
@@ -205,15 +205,15 @@ template <Real T>
     return static_cast<T>(all / static_cast<double>(cells));
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// Roughness parameters of \p map with the statistics \p known. \throws domain_error for a map out of range.
 template <Real T>
-[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const parts::ArealStatistics<T>& known) {
+[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatistics<T>& known) {
     map.validate();
-    const parts::MapHeights<T> heights(map);
+    const detail::MapHeights<T> heights(map);
     const auto mean_of = [&](const auto& term) {
-        return parts::mean_over_points(map, [&](T z) { return term(heights.of(z) - heights.mean); });
+        return detail::mean_over_points(map, [&](T z) { return term(heights.of(z) - heights.mean); });
     };
     const double unit = static_cast<double>(heights.unit), variance = heights.variance;
     double high = -std::numeric_limits<double>::infinity(), low = -high;
@@ -231,7 +231,7 @@ template <Real T>
     result.max_pit_depth = static_cast<T>(-low * unit);
     result.max_height = static_cast<T>((high - low) * unit);
     result.rms_gradient = known.rms_gradient;
-    result.developed_area_ratio = parts::developed_area_ratio(map);
+    result.developed_area_ratio = detail::developed_area_ratio(map);
     return result;
 }
 

@@ -15,8 +15,10 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/rounding.hpp>
+#include <fstiff/math/tukey.hpp>
 #include <fstiff/topography/height_map.hpp>
 
+#include <Eigen/SparseCholesky>
 #include <array>
 #include <memory>
 
@@ -25,13 +27,11 @@ namespace fstiff::inline v0_1 {
 /// Degree of the surface that is removed.
 enum class MapForm { none = -1, mean = 0, plane = 1, quadratic = 2, cubic = 3 };
 template <>
-inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none"},
-                                                           {MapForm::mean, "mean"},
-                                                           {MapForm::plane, "plane"},
-                                                           {MapForm::quadratic, "quadratic"},
-                                                           {MapForm::cubic, "cubic"}});
-
-namespace parts {
+inline constexpr auto names<MapForm> = detail::name_list<MapForm>({{MapForm::none, "none"},
+                                                                   {MapForm::mean, "mean"},
+                                                                   {MapForm::plane, "plane"},
+                                                                   {MapForm::quadratic, "quadratic"},
+                                                                   {MapForm::cubic, "cubic"}});
 
 /// A map without its form, with the data of the removed form.
 template <Real T = double>
@@ -46,6 +46,8 @@ struct LevelledMap {
     /// Map for the structure functions.
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
 };
+
+namespace detail {
 
 /// Legendre's polynomials 0 to 3 at the points of a side, one a column.
 template <Real S>
@@ -109,7 +111,7 @@ template <Real T>
     // so that no sum exceeds the range of numbers
     const double unit =
         math::power_of_two_below(static_cast<double>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
-    const auto each_term = [&](const auto& use) { parts::each_term(degree, use); };
+    const auto each_term = [&](const auto& use) { detail::each_term(degree, use); };
     using Array = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Array z = map.heights.isNaN().select(T(0), map.heights).template cast<double>() / unit;
     // for a map of 1e5 points a side with all points in two neighbouring rows: 1e-10
@@ -159,6 +161,161 @@ template <Real T>
     return flat;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1
+
+// Repair of a map: spikes become missing points; the harmonic surface fills the holes of missing points.
+//
+//     d = z - median of the 8 neighbours;  q_n: z beyond both points that are n steps away in one of 8 directions
+//     a spike: |d - median d| > k 1.4826 MAD(d), q_2 or q_3 > |d|/2 in all 8, and of the medians over
+//     these q_3 > |d|/2, q_2 > k/6 (q_3 - q_2)
+//     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, zero slope across the edges
+//
+// Reference   Laplace's equation in five points; Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
+// Units       heights [m]; k in standard deviations
+// Valid       k > 0; maps of 3 points a side; at least one point exists
+// Accuracy    fill 1e-10 of the range of harmonic heights; k = 5 removes less than 1e-4 of Gaussian roughness
+//             (tests/topography/repair_test.cpp)
+
+namespace fstiff::inline v0_1::detail {
+
+/// Whether no point of \p map two or three steps away supports the point (\p j, \p i), which is \p difference above
+/// its neighbours: a rim, a wall or a ridge goes on in some direction, and a bump or a cusp has a foot.
+template <Real T>
+[[nodiscard]] bool is_alone(const HeightMap<T>& map, Eigen::Index j, Eigen::Index i, T difference, T limit) {
+    struct Step {
+        Eigen::Index down, right;
+    };
+    constexpr std::array<std::array<Step, 2>, 8> directions{{{{{0, 2}, {0, 3}}},
+                                                             {{{1, 2}, {2, 3}}},
+                                                             {{{2, 2}, {3, 3}}},
+                                                             {{{2, 1}, {3, 2}}},
+                                                             {{{2, 0}, {3, 0}}},
+                                                             {{{2, -1}, {3, -2}}},
+                                                             {{{2, -2}, {3, -3}}},
+                                                             {{{1, -2}, {2, -3}}}}};
+    const auto at = [&](Eigen::Index y, Eigen::Index x) {
+        const bool inside = y >= 0 && x >= 0 && y < map.rows() && x < map.columns();
+        return inside ? map.heights(y, x) : std::numeric_limits<T>::quiet_NaN();
+    };
+    const auto beyond = [&](Step s) {
+        return math::beyond_both(map.heights(j, i), at(j + s.down, i + s.right), at(j - s.down, i - s.right),
+                                 std::copysign(T(1), difference));
+    };
+    std::vector<T> inner, outer;
+    for (const auto& [two, three] : directions) {
+        const T a = beyond(two), b = beyond(three);
+        if (std::fmax(a, b) < std::abs(difference) / 2) return false;  // fmax() leaves a NaN out
+        if (!std::isnan(a)) inner.push_back(a);
+        if (!std::isnan(b)) outer.push_back(b);
+    }
+    return inner.empty() || outer.empty() ||
+           math::has_no_foot(math::median(inner), math::median(outer), difference, limit);
+}
+
+/// Number of spikes of \p map beyond \p limit; with \p remove they become missing. \throws domain_error as above.
+template <Real T>
+math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true) {
+    require_positive("spikes", limit);
+    const Eigen::Index rows = map.rows(), columns = map.columns();
+    require(rows >= 3 && columns >= 3, "points a side of a map with spikes", (std::min)(rows, columns), "at least 3");
+    std::vector<T> differences(static_cast<std::size_t>(map.size()), std::numeric_limits<T>::quiet_NaN()), neighbours;
+    for (Eigen::Index j = 0; j < rows; ++j)
+        for (Eigen::Index i = 0; i < columns; ++i) {
+            if (std::isnan(map.heights(j, i))) continue;
+            if (j > 0 && i > 0 && j + 1 < rows && i + 1 < columns) {
+                const auto z = [&](Eigen::Index down, Eigen::Index right) { return map.heights(j + down, i + right); };
+                const std::array<T, 8> all{z(-1, -1), z(-1, 0), z(-1, 1), z(0, -1),
+                                           z(0, 1),   z(1, -1), z(1, 0),  z(1, 1)};
+                if (std::none_of(all.begin(), all.end(), [](T height) { return std::isnan(height); })) {
+                    differences[static_cast<std::size_t>(j * columns + i)] = z(0, 0) - math::median_of_eight(all);
+                    continue;
+                }
+            }
+            neighbours.clear();
+            for (Eigen::Index l = std::max<Eigen::Index>(0, j - 1); l < (std::min)(rows, j + 2); ++l)
+                for (Eigen::Index k = std::max<Eigen::Index>(0, i - 1); k < (std::min)(columns, i + 2); ++k)
+                    if ((l != j || k != i) && !std::isnan(map.heights(l, k))) neighbours.push_back(map.heights(l, k));
+            if (neighbours.size() < 3) continue;
+            differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - math::median(neighbours);
+        }
+    return math::spikes_among(map.heights.data(), differences, limit, remove, [&](std::size_t at, T difference) {
+        const auto place = static_cast<Eigen::Index>(at);
+        return is_alone(map, place / columns, place % columns, difference, limit);
+    });
+}
+
+/// Calls \p visit(place, 1/step^2 over 1/dx^2) for the neighbours of point \p at along its sides.
+template <Real T, class Visit>
+void visit_sides(const HeightMap<T>& map, Eigen::Index at, const Visit& visit) {
+    const double across = static_cast<double>(map.dx) / map.dy * (static_cast<double>(map.dx) / map.dy);
+    const Eigen::Index columns = map.columns(), j = at / columns, i = at % columns;
+    if (i > 0) visit(at - 1, 1.0);
+    if (i + 1 < columns) visit(at + 1, 1.0);
+    if (j > 0) visit(at - columns, across);
+    if (j + 1 < map.rows()) visit(at + columns, across);
+}
+
+/// Missing points of a map, hole by hole.
+template <Real T>
+struct Holes {
+    std::vector<int> number;           ///< of each point in `points`; -1: it exists
+    std::vector<Eigen::Index> points;  ///< missing
+    std::size_t longest = 0;           ///< points of the largest hole
+
+    explicit Holes(const HeightMap<T>& map) : number(static_cast<std::size_t>(map.size()), -1) {
+        std::vector<Eigen::Index> stack;
+        const auto find = [&](Eigen::Index at, double) {
+            if (!std::isnan(map.heights.data()[at]) || number[static_cast<std::size_t>(at)] >= 0) return;
+            number[static_cast<std::size_t>(at)] = 0;
+            stack.push_back(at);
+        };
+        for (Eigen::Index start = 0; start < map.size(); ++start) {
+            const std::size_t before = points.size();
+            for (find(start, 0); !stack.empty();) {
+                const Eigen::Index at = stack.back();
+                stack.pop_back();
+                number[static_cast<std::size_t>(at)] = static_cast<int>(points.size());
+                points.push_back(at);
+                visit_sides(map, at, find);
+            }
+            longest = (std::max)(longest, points.size() - before);
+        }
+    }
+};
+
+/// Fills the missing points of \p map. \throws domain_error where every point is missing.
+template <Real T>
+math::Repair fill_missing(HeightMap<T>& map) {
+    using Index = Eigen::Index;
+    require(map.present() > 0, "points that exist", 0, "at least 1 to fill the others");
+    const Holes<T> holes(map);
+    const math::Repair repair{.missing = holes.points.size(), .longest = holes.longest};
+    const auto size = static_cast<Index>(holes.points.size());
+    if (size < 1) return repair;
+    const MapHeights<T> scaled(map);
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::Matrix<double, Eigen::Dynamic, 1> right = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(size);
+    for (Index n = 0; n < size; ++n) {
+        double own = 0;
+        visit_sides(map, holes.points[static_cast<std::size_t>(n)], [&](Index other, double weight) {
+            own += weight;
+            if (const int m = holes.number[static_cast<std::size_t>(other)]; m >= 0)
+                entries.emplace_back(static_cast<int>(n), m, -weight);
+            else
+                right[n] += weight * (scaled.of(map.heights.data()[other]) - scaled.mean);
+        });
+        entries.emplace_back(static_cast<int>(n), static_cast<int>(n), own);
+    }
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const Eigen::Matrix<double, Eigen::Dynamic, 1> heights = solver.solve(right);
+    for (Index n = 0; n < size; ++n)
+        map.heights.data()[holes.points[static_cast<std::size_t>(n)]] =
+            static_cast<T>((heights[n] + scaled.mean) * scaled.unit + scaled.datum);
+    return repair;
+}
+
+}  // namespace fstiff::inline v0_1::detail

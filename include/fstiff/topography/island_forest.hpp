@@ -8,14 +8,12 @@
 /// Accuracy    counts and areas exact, heights as compensated sums (tests/topography/islands_test.cpp)
 
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <vector>
 
 namespace fstiff::inline v0_1 {
-
-namespace parts {
 
 /// Neighbours that belong to the island of a point: the four that share a side, or also those that share a corner.
 enum class Connectivity { four, eight };
@@ -23,37 +21,31 @@ enum class Connectivity { four, eight };
 /// Whether an island that reaches the edge of the map counts.
 enum class BorderIslands { kept, dropped };
 
-}  // namespace parts
-
 template <>
-inline constexpr auto names<parts::BorderIslands> =
-    name_list<parts::BorderIslands>({{parts::BorderIslands::kept, "keep"}, {parts::BorderIslands::dropped, "drop"}});
-
-namespace parts {
+inline constexpr auto names<BorderIslands> = detail::name_list<BorderIslands>({{BorderIslands::kept, "keep"},
+                                                                               {BorderIslands::dropped, "drop"}});
 
 /// Height of an island above the level: its highest point, or twice its mean; both are equal for a paraboloid.
 enum class IslandHeight { peak, twice_mean };
 
-}  // namespace parts
-
 template <>
-inline constexpr auto names<parts::IslandHeight> = name_list<parts::IslandHeight>(
-    {{parts::IslandHeight::peak, "peak"}, {parts::IslandHeight::twice_mean, "twice-mean"}});
+inline constexpr auto names<IslandHeight> = detail::name_list<IslandHeight>({{IslandHeight::peak, "peak"},
+                                                                             {IslandHeight::twice_mean, "twice-mean"}});
 
 /// Options: islands that count, and cutting levels.
 template <Real T = double>
 struct IslandOptions {
-    parts::Connectivity connectivity = parts::Connectivity::eight;
-    parts::BorderIslands border = parts::BorderIslands::kept;
+    Connectivity connectivity = Connectivity::eight;
+    BorderIslands border = BorderIslands::kept;
     std::size_t min_points = 1;  ///< smaller islands do not count
-    parts::IslandHeight height = parts::IslandHeight::peak;
+    IslandHeight height = IslandHeight::peak;
     std::vector<T> levels{};  ///< cutting levels [m], in any order; none: by bearing area
     std::size_t quantiles =
         200;                  ///< levels at bearing areas (k - 1/2)/quantiles; 0, or more than points: at every height
     ProgressHook progress{};  ///< of the sweep
 };
 
-namespace parts {
+namespace detail {
 
 /// Totals of all islands that count.
 template <Real S>
@@ -226,6 +218,6 @@ private:
     std::vector<IslandTotal<double>> tile_totals_;
 };
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

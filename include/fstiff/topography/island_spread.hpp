@@ -17,8 +17,6 @@
 
 namespace fstiff::inline v0_1 {
 
-namespace parts {
-
 /// Options of the spread of the representative island.
 struct IslandSpread {
     std::size_t tiles = 4;        ///< a side; 1 leaves the spread out
@@ -26,8 +24,6 @@ struct IslandSpread {
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples
 };
-
-}  // namespace parts
 
 /// R and D_p at the level of the greatest island density.
 template <Real T = double>
@@ -46,7 +42,7 @@ struct RepresentativeIslands {
     IslandCurve<T> curve;
 };
 
-namespace parts {
+namespace detail {
 
 /// Islands, points and summed height above the level, of one tile at one level.
 template <Real S>
@@ -105,29 +101,29 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
             std::clamp((dr - d1 * r1 / n) * small_sample / std::sqrt(variance_d) / std::sqrt(variance_r), -1.0, 1.0));
 }
 
-}  // namespace parts
+}  // namespace detail
 
 /// Curve, and the density and radius at its greatest density.
 /// \throws domain_error as above, when no island counts at any level, or when fewer than two tiles hold points.
 template <Real T>
 [[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,
                                                               const IslandOptions<T>& options = {},
-                                                              const parts::IslandSpread& spread = {}) {
+                                                              const IslandSpread& spread = {}) {
     constexpr std::size_t max_lines = std::size_t(1) << 22;
-    require(spread.tiles >= 1 && spread.tiles <= 32, "tiles a side", spread.tiles, "between 1 and 32");
-    require(spread.tiles == 1 || (spread.resamples >= 2 && spread.resamples <= 100000), "resamples", spread.resamples,
-            "between 2 and 100000");
+    detail::require(spread.tiles >= 1 && spread.tiles <= 32, "tiles a side", spread.tiles, "between 1 and 32");
+    detail::require(spread.tiles == 1 || (spread.resamples >= 2 && spread.resamples <= 100000), "resamples",
+                    spread.resamples, "between 2 and 100000");
     const std::size_t all_tiles = spread.tiles * spread.tiles;
 
-    std::vector<parts::TileTotal<double>> lines;  // all tiles of the highest level, then of the next
+    std::vector<detail::TileTotal<double>> lines;  // all tiles of the highest level, then of the next
     RepresentativeIslands<T> result;
     result.curve =
-        detail::sweep_islands(map, options, spread.tiles, [&](T level, const parts::IslandForest<T>& forest) {
+        detail::sweep_islands(map, options, spread.tiles, [&](T level, const detail::IslandForest<T>& forest) {
             if (all_tiles == 1) return;
             if (lines.size() + all_tiles > max_lines)
                 throw domain_error(
                     "levels times tiles of the spread: must be at most 2^22; take 1 tile or fewer levels");
-            for (const parts::IslandTotal<double>& tile : forest.tile_totals())
+            for (const detail::IslandTotal<double>& tile : forest.tile_totals())
                 lines.push_back({static_cast<double>(tile.islands), static_cast<double>(tile.points),
                                  tile.height_above(forest.reference(level))});
         });
@@ -138,21 +134,21 @@ template <Real T>
     result.islands = curve.islands[result.index];
     result.density = curve.density[result.index];
     result.radius = curve.radius[result.index];
-    require(result.density > T(0) && result.radius > T(0), "greatest density of islands", result.density,
-            "greater than 0, with islands of some height: this border and this least size leave none");
+    detail::require(result.density > T(0) && result.radius > T(0), "greatest density of islands", result.density,
+                    "greater than 0, with islands of some height: this border and this least size leave none");
     if (all_tiles == 1) return result;
 
-    const parts::TileGrid tile(map.rows(), map.columns(), spread.tiles);
+    const detail::TileGrid tile(map.rows(), map.columns(), spread.tiles);
     std::vector<double> area(all_tiles, 0.0);  // in points
     for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
         if (!std::isnan(map.heights.data()[p])) area[tile(p)] += 1;
     std::vector<std::size_t> held;  // tiles that hold points
     for (std::size_t t = 0; t < all_tiles; ++t)
         if (area[t] > 0.0) held.push_back(t);
-    require(held.size() >= 2, "tiles that hold points", held.size(), "at least 2 for a spread");
+    detail::require(held.size() >= 2, "tiles that hold points", held.size(), "at least 2 for a spread");
     result.tiles = held.size();
     result.seed = spread.seed;
-    parts::resample_tiles(result, map, lines, held, area, spread);
+    detail::resample_tiles(result, map, lines, held, area, spread);
     return result;
 }
 

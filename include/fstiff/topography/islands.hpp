@@ -32,7 +32,7 @@ class HeightBins {
 public:
     static constexpr std::size_t count = std::size_t(1) << 16;
 
-    explicit HeightBins(const parts::HeightRange<T>& range) : low_(range.low) {
+    explicit HeightBins(const HeightRange<T>& range) : low_(range.low) {
         const T scale = static_cast<T>(count) / (range.high - range.low);
         if (std::isfinite(scale)) scale_ = scale;  // else one bin holds all
     }
@@ -46,7 +46,7 @@ private:
 
 /// Heights of \p map, of the range \p range, that have the rising \p ranks; 0 is the highest.
 template <Real T>
-std::vector<T> heights_of_ranks(const HeightMap<T>& map, const parts::HeightRange<T>& range,
+std::vector<T> heights_of_ranks(const HeightMap<T>& map, const HeightRange<T>& range,
                                 const std::vector<std::size_t>& ranks) {
     struct Slot {
         std::size_t before;  // points of higher bins
@@ -106,7 +106,7 @@ struct LevelBands {
 
 /// Number of the falling \p levels, at most most_levels, that are not below each point of \p map.
 template <Real T>
-std::vector<std::uint8_t> level_bands(const HeightMap<T>& map, const parts::HeightRange<T>& range,
+std::vector<std::uint8_t> level_bands(const HeightMap<T>& map, const HeightRange<T>& range,
                                       const std::vector<T>& levels) {
     const HeightBins<T> bin_of(range);
     // levels above all heights of a bin and of the higher ones
@@ -201,14 +201,14 @@ inline std::vector<std::size_t> middles_of_parts(std::size_t size, std::size_t p
 
 /// Range of the heights of \p map. \throws domain_error for a map or an option out of range.
 template <Real T>
-parts::HeightRange<T> checked_range(const HeightMap<T>& map, const IslandOptions<T>& options) {
+HeightRange<T> checked_range(const HeightMap<T>& map, const IslandOptions<T>& options) {
     map.validate();
     if (map.size() > (std::numeric_limits<std::int32_t>::max)())
         throw domain_error("map of " + std::to_string(map.size()) + " points: must be at most 2^31 - 1");
     require(options.min_points >= 1, "least points of an island", options.min_points, "at least 1");
     for (const T level : options.levels)
         require(std::abs(level) <= (std::numeric_limits<T>::max)(), "cutting level", level, "finite");
-    const parts::HeightRange<T> range = parts::height_range(map);
+    const HeightRange<T> range = detail::height_range(map);
     // sums of as many heights, and of their doubles, stay in range
     const T largest = (std::max)(std::abs(range.high), std::abs(range.low));
     require(largest <= std::sqrt((std::numeric_limits<T>::max)()), "largest height", largest,
@@ -218,8 +218,7 @@ parts::HeightRange<T> checked_range(const HeightMap<T>& map, const IslandOptions
 
 /// Adds the islands \p total at \p level to \p curve.
 template <Real T, Real S>
-void add_level(IslandCurve<T>& curve, T level, T bearing_area, const parts::IslandTotal<S>& total, S reference,
-               T cell) {
+void add_level(IslandCurve<T>& curve, T level, T bearing_area, const IslandTotal<S>& total, S reference, T cell) {
     T area = 0, height = 0, radius = 0;
     if (total.islands > 0) {
         const auto islands = static_cast<S>(total.islands);
@@ -242,7 +241,7 @@ void add_level(IslandCurve<T>& curve, T level, T bearing_area, const parts::Isla
 template <Real T, class Record>
 IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
                              const Record& record) {
-    const parts::HeightRange<T> range = checked_range(map, options);
+    const HeightRange<T> range = checked_range(map, options);
     const auto present = static_cast<std::size_t>(range.present);
     std::vector<T> levels = options.levels;
     std::vector<IslandPoint<T>> points;  // from the highest, where they are sorted
@@ -256,11 +255,11 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
 
     // the rounding of a mean height depends on the order of its sum: the order is that of the heights
-    const bool in_bands = levels.size() <= LevelBands::most_levels && options.height == parts::IslandHeight::peak;
+    const bool in_bands = levels.size() <= LevelBands::most_levels && options.height == IslandHeight::peak;
     if (!in_bands && points.empty()) points = sorted_points(map);
     if (in_bands) points = {};
     const std::vector<std::uint8_t> bands = in_bands ? level_bands(map, range, levels) : std::vector<std::uint8_t>();
-    parts::IslandForest<T> forest(map, options, tiles, in_bands ? T(0) : points[present / 2].height, in_bands);
+    IslandForest<T> forest(map, options, tiles, in_bands ? T(0) : points[present / 2].height, in_bands);
     std::size_t above = 0;
     const auto raise_to = [&](std::size_t index) {  // the points above that level, and not above the one before
         if (in_bands) {
@@ -298,7 +297,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
 /// \throws domain_error for a map or an option out of range.
 template <Real T>
 [[nodiscard]] IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options = {}) {
-    return detail::sweep_islands(map, options, 1, [](T, const parts::IslandForest<T>&) {});
+    return detail::sweep_islands(map, options, 1, [](T, const detail::IslandForest<T>&) {});
 }
 
 }  // namespace fstiff::inline v0_1

@@ -6,7 +6,7 @@
 ///     repeating   1, cos 2 pi k x/L, sin 2 pi k x/L          by a transform of real data
 ///     mirrored    cos pi k x/L at cell centres               by the same transform of re-ordered data (Makhoul)
 ///
-/// LinesTransform transforms several lines at once, in the lanes of the vector unit (math/fft_of_lines.hpp).
+/// LinesTransform transforms several lines at once, in the lanes of the vector unit (math/fft.hpp).
 ///
 /// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform of type II)
 /// Units       those of the data
@@ -15,7 +15,6 @@
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/fft.hpp>
-#include <fstiff/math/fft_of_lines.hpp>
 
 #include <numbers>
 
@@ -27,9 +26,10 @@ enum class Edges {
     periodic   ///< repeated: for generated maps that repeat themselves
 };
 template <>
-inline constexpr auto names<Edges> = name_list<Edges>({{Edges::mirrored, "mirrored"}, {Edges::periodic, "periodic"}});
+inline constexpr auto names<Edges> = detail::name_list<Edges>({{Edges::mirrored, "mirrored"},
+                                                               {Edges::periodic, "periodic"}});
 
-namespace parts {
+namespace detail {
 
 /// Numbers on a grid: rows along y, columns along x.
 template <Real T>
@@ -61,7 +61,7 @@ public:
     }
 
     /// Wave number of coefficient \p k, in units of 2 pi/L.
-    [[nodiscard]] T wave_number(std::size_t k) const { return parts::wave_number<T>(k, edges_); }
+    [[nodiscard]] T wave_number(std::size_t k) const { return detail::wave_number<T>(k, edges_); }
 
     /// wave_weight() of coefficient \p k.
     [[nodiscard]] T weight(std::size_t k) const { return wave_weight<T>(k, points_, edges_); }
@@ -233,6 +233,6 @@ private:
     std::vector<std::complex<T>> turn_;
 };
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

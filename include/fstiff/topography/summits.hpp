@@ -16,15 +16,13 @@
 /// Accuracy    rounding for a paraboloid; five points lose (8/45) (pi/samples of its wave)^4 of a curvature
 ///             (tests/topography/summits_test.cpp)
 
-#include <fstiff/math/random.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <vector>
 
 namespace fstiff::inline v0_1 {
-
-namespace parts {
 
 /// A point of a map that is higher than its eight neighbours, as the top of a paraboloid.
 template <Real T = double>
@@ -39,20 +37,18 @@ struct Summit {
     [[nodiscard]] T radius() const { return 2 / (max_curvature + min_curvature); }
 };
 
-}  // namespace parts
-
 /// All summits of a map.
 template <Real T = double>
 struct Summits {
-    std::vector<parts::Summit<T>> summits;  ///< the highest first
-    T area{};                               ///< of the points that can be summits [m^2]
-    T width{}, height{};                    ///< of the map [m]
-    T rms_height{};                         ///< of the map [m]
-    T dx{}, dy{};                           ///< steps of the map [m]: its edges are half a step beyond the outer points
-    std::size_t ridges = 0;                 ///< points above their neighbours whose paraboloid has no top
+    std::vector<Summit<T>> summits;  ///< the highest first
+    T area{};                        ///< of the points that can be summits [m^2]
+    T width{}, height{};             ///< of the map [m]
+    T rms_height{};                  ///< of the map [m]
+    T dx{}, dy{};                    ///< steps of the map [m]: its edges are half a step beyond the outer points
+    std::size_t ridges = 0;          ///< points above their neighbours whose paraboloid has no top
 };
 
-namespace parts {
+namespace detail {
 
 /// Height, gradient and second derivatives at one point, for steps of 1 along x and y.
 template <Real T>
@@ -101,14 +97,14 @@ template <Real T>
 template <Real T>
 inline constexpr T min_curvature_ratio = T(1e-3);
 
-}  // namespace parts
+}  // namespace detail
 
 /// \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] Summits<T> summits_of(const HeightMap<T>& map) {
     map.validate();
     const auto& z = map.heights;
-    const parts::MapHeights<T> heights(map);
+    const detail::MapHeights<T> heights(map);
     Summits<T> found;
     found.width = static_cast<T>(z.cols()) * map.dx;
     found.height = static_cast<T>(z.rows()) * map.dy;
@@ -116,11 +112,11 @@ template <Real T>
     std::size_t inner = 0;
     found.dx = map.dx;
     found.dy = map.dy;
-    parts::visit_inner_points(map, {0, z.rows(), 0, z.cols()}, [&](Eigen::Index j, Eigen::Index i, bool summit) {
+    detail::visit_inner_points(map, {0, z.rows(), 0, z.cols()}, [&](Eigen::Index j, Eigen::Index i, bool summit) {
         ++inner;
         if (!summit) return;
-        parts::Summit<T> top = parts::top_of(parts::shape_by_differences<T>(z, j, i), map.dx, map.dy, T(1));
-        if (!(top.min_curvature > parts::min_curvature_ratio<T> * top.max_curvature)) {
+        Summit<T> top = detail::top_of(detail::shape_by_differences<T>(z, j, i), map.dx, map.dy, T(1));
+        if (!(top.min_curvature > detail::min_curvature_ratio<T> * top.max_curvature)) {
             ++found.ridges;
             return;
         }
@@ -131,11 +127,11 @@ template <Real T>
     });
     found.area = static_cast<T>(inner) * map.dx * map.dy;
     std::sort(found.summits.begin(), found.summits.end(),
-              [](const parts::Summit<T>& a, const parts::Summit<T>& b) { return a.height > b.height; });
+              [](const Summit<T>& a, const Summit<T>& b) { return a.height > b.height; });
     return found;
 }
 
-namespace parts {
+namespace detail {
 
 /// How often each of \p count tiles is among as many that are drawn with replacement. \p state is that of splitmix64
 /// and advances.
@@ -158,6 +154,6 @@ template <Real T>
     return drawn;
 }
 
-}  // namespace parts
+}  // namespace detail
 
 }  // namespace fstiff::inline v0_1

@@ -7,7 +7,7 @@
 #include "scene/scales.hpp"
 #include "surface/documents.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <memory>
 

@@ -14,7 +14,7 @@
 #include "surface/spectrum.hpp"
 #include "surface/truth_of_map.hpp"
 
-#include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/asperity/material.hpp>
 
 #include <memory>
 
@@ -83,12 +83,12 @@ TruthRequest numbers_of(const TruthTexts& texts) {
     request.pressures = texts.at.empty() ? scene.points : pressures_of(texts.at);
     if (!texts.cut.empty()) {
         request.hardness = io::parse_quantity(texts.cut, io::Dimension::pressure, "--hardness");
-        require_positive("--hardness", request.hardness);
+        detail::require_positive("--hardness", request.hardness);
     }
     if (texts.effective_modulus.empty())  // else the bodies are not those of the scene
         request.known_hardness = scene.hardness ? *scene.hardness
                                  : scene.yield_strength
-                                     ? parts::hardness_over_yield_strength<double> * *scene.yield_strength
+                                     ? detail::hardness_over_yield_strength<double> * *scene.yield_strength
                                      : 0;
     return request;
 }

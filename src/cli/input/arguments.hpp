@@ -61,8 +61,8 @@ public:
 private:
     template <class Member>
     static std::vector<std::string_view> words_of() {
-        if constexpr (parts::NamedEnum<Member>) {
-            constexpr auto words = parts::choices<Member>();
+        if constexpr (detail::NamedEnum<Member>) {
+            constexpr auto words = detail::choices<Member>();
             return {words.begin(), words.end()};
         } else if constexpr (requires(Member member) { member.has_value(); }) {
             return words_of<typename Member::value_type>();

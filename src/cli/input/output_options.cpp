@@ -9,7 +9,7 @@ void add_format_option(Arguments& arguments, OutputOptions& options, Format init
     const request::Field field{.help = "table, csv or json; default " + std::string(name_of(initial)) +
                                        (options.for_people ? ", and table on a terminal" : ""),
                                .type = "FORMAT"};
-    constexpr auto words = parts::choices<Format>();
+    constexpr auto words = detail::choices<Format>();
     arguments.add("--format", field,
                   {"",
                    {words.begin(), words.end()},

@@ -48,7 +48,7 @@ public:
         const auto full = static_cast<std::size_t>(share * width);
         std::cerr << "\r" << what_ << " [" << std::string(full, '#') << std::string(width - full, '.') << "] "
                   << static_cast<int>(100 * share) << " %, "
-                  << (with_rate_ ? parts::rounded_text(rate, 3) + "/s, " : "")
+                  << (with_rate_ ? detail::rounded_text(rate, 3) + "/s, " : "")
                   << duration(static_cast<double>(all - std::min(done, all)) / rate) << " left\x1b[K" << std::flush;
     }
 

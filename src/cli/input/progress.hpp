@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/core/parallel.hpp>
 
 namespace fstiff::cli {
 

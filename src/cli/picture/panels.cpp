@@ -4,10 +4,10 @@
 
 #include "scene/result_rows.hpp"
 
-#include <fstiff/contact/linear_law.hpp>
+#include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
-#include <fstiff/ultrasound/propagation.hpp>
+#include <fstiff/wave/spring_interface.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +143,7 @@ Panel stiffness_panel(const Problem& problem, const std::vector<DrawnCurve>& cur
     for (const double p : {least, most}) {
         if (!(p > 0) || (!reference.x.empty() && least == most)) continue;
         reference.x.push_back(p * units.pressure.factor);
-        reference.y.push_back(parts::linear_stiffness(p, problem.face.parameters.rms_height.value) *
+        reference.y.push_back(detail::linear_stiffness(p, problem.face.parameters.rms_height.value) *
                               units.stiffness.factor);
     }
     panel.lines.push_back(std::move(reference));

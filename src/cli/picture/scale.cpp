@@ -49,7 +49,7 @@ std::vector<Tick> Scale::decades() const {
             if (m > 1 && !numbered && span > 4.5) continue;
             const double value = m * std::pow(10.0, k);
             result.push_back({value, !numbered ? ""
-                                     : plain   ? parts::fixed_text(value, std::max(0, -k))
+                                     : plain   ? detail::fixed_text(value, std::max(0, -k))
                                      : m == 1  ? power_of_ten(k)
                                                : std::to_string(m) + "·" + power_of_ten(k)});
         }
@@ -65,7 +65,7 @@ std::vector<Tick> Scale::steps() const {
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(width) + 1e-9)));
     std::vector<Tick> result;
     for (double k = std::ceil(low_ / width - 1e-9); k * width <= high_ + 1e-9 * width; ++k)
-        result.push_back({k * width, parts::fixed_text(k == 0 ? 0.0 : k * width, decimals)});
+        result.push_back({k * width, detail::fixed_text(k == 0 ? 0.0 : k * width, decimals)});
     return result;
 }
 

@@ -64,7 +64,7 @@ std::string escaped(std::string_view text) {
 
 /// Pixels to a tenth, as short as can be.
 std::string px(double value) {
-    std::string text = parts::fixed_text(value, 1);
+    std::string text = detail::fixed_text(value, 1);
     if (text.ends_with(".0")) text.resize(text.size() - 2);
     return text == "-0" ? "0" : text;
 }

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Cut-offs of a measurement: given, chosen from the tables of the standards, or none, each with its reason.
+///
+///     lambda_s    smallest nesting index >= 5 steps and >= resolution; that of the tip where it is longer;
+///                 none where the surface is shorter than 10 of it, or where it is not below a given lambda_c
+///     lambda_c    none unless given, because K depends on all waves up to the size of the contact; for Ra, Rq and the
+///                 other parameters of ISO 21920 that of with_drawing_cut_off()
+///     neighbours  lambda_s/sqrt(2) and sqrt(2) lambda_s; only 2 lambda_s where the first is below 2 steps;
+///                 4 steps for a surface without lambda_s
+/// Reference   ISO 21920-3:2021, ISO 25178-3:2012 (measure/cut_offs.hpp); a surface without lambda_c is the S-F
+///             surface of ISO 25178-2:2012. The limits 10, 2, 5 and the neighbours are this project's.
+/// Units       lengths [m]
+/// Valid       a given lambda_s has at least 2 steps, a given lambda_c at least 5; neither exceeds the length of the
+///             surface, and lambda_s is below lambda_c
+/// Accuracy    that of nesting_index() and roughness_cut_off() (tests/measure/cut_offs_test.cpp)
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/measure/options.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+// Cut-offs of the standards, and the shortest waves that a measurement of a given step can contain.
+//
+//     lambda_c [mm]   lambda_s [um]   greatest step [um]   tip radius [um]   Ra of the roughness [um]
+//       0.08            2.5             0.5                  2                 to 0.02
+//       0.25            2.5             0.5                  2                 to 0.1
+//       0.8             2.5             0.5                  2 (5 above 0.5)   to 2
+//       2.5             8               1.5                  5                 to 10
+//       8               25              5                    10                to 80
+//     series of nesting indices: 1, 2, 2.5, 5, 8 times powers of ten;   lambda_s >= 5 steps
+//
+// Reference   ISO 3274:1996, ISO 4288:1996 and ISO 21920-3:2021 (table), ISO 25178-3:2012 (series, steps)
+// Units       lengths [m]
+// Valid       lengths greater than 0; smaller and greater ones continue the series
+// Accuracy    indices are the nearest numbers to the decimal ones (tests/measure/nesting_indices_test.cpp)
+
+namespace fstiff::inline v0_1::detail {
+
+/// One row of the table above [m].
+struct CutOffRow {
+    double lambda_c, lambda_s, max_step, tip_radius, max_ra;
+};
+inline constexpr std::array<CutOffRow, 5> cut_off_table{{{0.08e-3, 2.5e-6, 0.5e-6, 2e-6, 0.02e-6},
+                                                         {0.25e-3, 2.5e-6, 0.5e-6, 2e-6, 0.1e-6},
+                                                         {0.8e-3, 2.5e-6, 0.5e-6, 2e-6, 2e-6},
+                                                         {2.5e-3, 8e-6, 1.5e-6, 5e-6, 10e-6},
+                                                         {8e-3, 25e-6, 5e-6, 10e-6, 80e-6}}};
+
+/// Minimum number of steps in lambda_s.
+inline constexpr int steps_of_lambda_s = 5;
+/// Minimum number of lambda_c in a profile: the sampling lengths of an evaluation length.
+inline constexpr int lambda_c_of_length = 5;
+/// Minimum of lambda_c over lambda_s: rounded down from the smallest of the table, 0.08 mm over 2.5 um.
+inline constexpr double min_ratio_of_cut_offs = 30;
+
+/// Smallest index of the series that is at least \p length; a length above an index by less than 1e-6 of it counts as
+/// equal, because steps have rounding errors. \throws domain_error unless 1e-15 <= length <= 1e6.
+template <Real T>
+[[nodiscard]] T nesting_index(T length) {
+    require(length >= T(1e-15) && length <= T(1e6), "length", length, "between 1e-15 and 1e6");
+    constexpr std::array<double, 6> series{1, 2, 2.5, 5, 8, 10};
+    const int decade = static_cast<int>(std::floor(std::log10(length) + T(1e-9)));
+    const T power = std::pow(T(10), static_cast<T>(std::abs(decade)));
+    for (const double one : series) {
+        const T index = decade < 0 ? static_cast<T>(one) / power : static_cast<T>(one) * power;
+        if (length <= index * (1 + T(1e-6))) return index;
+    }
+    return decade < 0 ? T(10) / power : T(10) * power;
+}
+
+/// lambda_s of a stylus of \p tip_radius; below 2 um the ratio is 1.25, above 10 um 2.5, as in the table at these ends.
+/// \throws domain_error unless the radius is greater than 0.
+template <Real T>
+[[nodiscard]] T lambda_s_of_tip(T tip_radius) {
+    require_positive("tip radius", tip_radius);
+    for (std::size_t row = 2; row < cut_off_table.size(); ++row)
+        if (tip_radius <= static_cast<T>(cut_off_table[row].tip_radius) * (1 + T(1e-6)))
+            return row > 2 ? static_cast<T>(cut_off_table[row].lambda_s) : nesting_index(T(1.25) * tip_radius);
+    return nesting_index(T(2.5) * tip_radius);
+}
+
+/// Shortest waves that a measurement of \p step contains: the smallest index of five steps and of the \p resolution,
+/// and that of the tip; 0 for unknown ones. \throws domain_error for lengths out of range.
+template <Real T>
+[[nodiscard]] T shortest_lambda_s(T step, T resolution = 0, T tip_radius = 0) {
+    require_positive("step", step);
+    const T index = nesting_index((std::max)(static_cast<T>(steps_of_lambda_s) * step, resolution));
+    return tip_radius > T(0) ? (std::max)(index, lambda_s_of_tip(tip_radius)) : index;
+}
+
+}  // namespace fstiff::inline v0_1::detail
+
+// lambda_c of a profile from the table of the standards (measure/cut_offs), by the roughness itself.
+//
+//     row: the first whose Ra, measured with its own lambda_c, is in its range
+//     among those that the profile can contain: 5 lambda_c <= length, 5 steps <= lambda_c, 30 lambda_s <= lambda_c
+//
+// Ra grows with lambda_c, so that the Ra of the first such row is above the ranges of the rows before it: the choice
+// is consistent in the sense of the standard. Without such a row the longest lambda_c of the profile is used.
+//
+// Reference   ISO 4288:1996, 7.2 and Table 1, which ISO 21920-3:2021 keeps as its last resort.
+// Units       [m]
+// Valid       a profile without its form
+// Accuracy    that of gaussian_roughness() (tests/measure/roughness_cut_off_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+/// Reason for the value of lambda_c.
+enum class CutOffReason {
+    roughness,   ///< Ra belongs to it
+    length,      ///< Ra belongs to a longer one, which the length does not hold
+    step,        ///< Ra belongs to a shorter one, which the step or lambda_s does not allow
+    too_short,   ///< none: five of the shortest do not fit the length
+    too_coarse,  ///< none: those that fit the length are too short for the step or lambda_s
+    given,       ///< requested, or no filter requested; no outcome of roughness_cut_off()
+    form_alone   ///< none: the form alone bounds the long waves; no outcome of roughness_cut_off()
+};
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+/// Cut-off of the standards for one profile, with its reason.
+template <Real T = double>
+struct RoughnessCutOff {
+    std::optional<T> lambda_c{};  ///< [m]
+    T mean_deviation{};           ///< Ra after its filter [m]; 0: none
+    CutOffReason reason{};
+};
+
+/// Ra of \p roughness, whose mean line is 0: mean of the absolute heights [m]. 0 where every point is missing.
+template <Real T>
+[[nodiscard]] T mean_deviation(const Profile<T>& roughness) {
+    double sum = 0, points = 0;
+    for (const T z : roughness.heights)
+        if (!std::isnan(z)) sum += std::abs(z), points += 1;
+    return points > 0 ? static_cast<T>(sum / points) : T(0);
+}
+
+/// lambda_c of \p profile after filtering with \p lambda_s (0: none). \throws domain_error for a profile out of range.
+template <Real T>
+[[nodiscard]] RoughnessCutOff<T> roughness_cut_off(const Profile<T>& profile, std::type_identity_t<T> lambda_s = 0) {
+    RoughnessCutOff<T> choice;
+    const T length = static_cast<T>(profile.size()) * profile.spacing * (1 + T(1e-6));
+    const T shortest =
+        (std::max)(5 * profile.spacing, static_cast<T>(min_ratio_of_cut_offs) * lambda_s) * (1 - T(1e-6));
+    bool fits = false, skipped = false;
+    for (const CutOffRow& row : cut_off_table) {
+        const T lambda_c = static_cast<T>(row.lambda_c);
+        if (lambda_c_of_length * lambda_c > length) break;
+        fits = true;
+        if (lambda_c < shortest) {
+            skipped = true;
+            continue;
+        }
+        choice.lambda_c = lambda_c;
+        choice.mean_deviation = mean_deviation(gaussian_roughness(profile, lambda_c));
+        choice.reason = CutOffReason::roughness;
+        if (choice.mean_deviation <= static_cast<T>(row.max_ra)) {
+            if (skipped && choice.mean_deviation <= static_cast<T>((&row - 1)->max_ra))
+                choice.reason = CutOffReason::step;
+            return choice;
+        }
+        skipped = false;
+        if (&row != &cut_off_table.back()) choice.reason = CutOffReason::length;
+    }
+    if (!choice.lambda_c) choice.reason = fits ? CutOffReason::too_coarse : CutOffReason::too_short;
+    return choice;
+}
+
+/// Minimum number of steps in a given lambda_s and in a given lambda_c.
+inline constexpr int min_steps_of_lambda_s = 2, min_steps_of_lambda_c = 5;
+/// Minimum number of tabulated lambda_s in the length of the surface.
+inline constexpr int lambda_s_of_length = 10;
+
+}  // namespace fstiff::inline v0_1::detail
+
+namespace fstiff::inline v0_1 {
+
+/// Reason for the value of lambda_s.
+enum class LambdaSReason {
+    given,              ///< requested, or no cut-off requested
+    by_table,           ///< the index of the tables
+    too_short,          ///< none: the surface is shorter than ten of the index
+    not_below_lambda_c  ///< none: the index is not below the lambda_c that was given
+};
+
+/// Origin of the index from the tables.
+enum class IndexSource { step, resolution, tip };
+
+/// Outcome of the robust filter of lambda_c.
+struct RobustOutcome {
+    std::size_t left_out{}, points{};  ///< points without weight, and all
+    int iterations{};
+    bool converged{};
+};
+
+/// Cut-offs of a measurement and their reasons. The filters act after the removal of the form, that of lambda_s first.
+template <Real T = double>
+struct CutOffs {
+    std::optional<T> lambda_s{}, lambda_c{};  ///< [m]
+    CutOffFilter filter = CutOffFilter::gaussian;
+    LambdaSReason why_s = LambdaSReason::given;
+    T index{};  ///< of the tables, used or not [m]; 0: not requested
+    IndexSource index_source = IndexSource::step;
+    CutOffReason why_c = CutOffReason::given;
+    T mean_deviation{};                ///< Ra after the lambda_c of the tables [m]; 0: none
+    T step{}, length{}, tip_radius{};  ///< coarser step, shorter side, and the tip that was given [m]
+    std::optional<RobustOutcome> robust{};
+
+    [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
+};
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+/// Defect of a given cut-off.
+enum class CutOffRefusal { below_steps, above_length, not_below_lambda_c };
+
+/// A given cut-off that is not valid for a surface.
+template <Real T = double>
+struct RefusedCutOff {
+    CutOffRefusal why{};
+    bool long_waves{};   ///< lambda_c, else lambda_s
+    T given{}, limit{};  ///< the cut-off, and the bound that it misses [m]
+};
+
+/// First given cut-off of \p options that is not valid for a surface of \p step (the coarser one) and \p length (the
+/// shorter side); empty where all are valid.
+template <Real T>
+[[nodiscard]] std::optional<RefusedCutOff<T>> refused_cut_off(const MeasureOptions<T>& options,
+                                                              std::type_identity_t<T> step,
+                                                              std::type_identity_t<T> length) {
+    constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
+    const auto refused = [&](const CutOff<T>& one, bool long_waves, int steps) -> std::optional<RefusedCutOff<T>> {
+        if (!one.length()) return {};
+        const T given = *one.length(), shortest = static_cast<T>(steps) * step;
+        if (!(given >= shortest * (1 - slack)))
+            return RefusedCutOff<T>{CutOffRefusal::below_steps, long_waves, given, shortest};
+        if (given > length * (1 + slack))
+            return RefusedCutOff<T>{CutOffRefusal::above_length, long_waves, given, length};
+        return {};
+    };
+    if (const auto found = refused(options.lambda_s, false, min_steps_of_lambda_s)) return found;
+    if (const auto found = refused(options.lambda_c, true, min_steps_of_lambda_c)) return found;
+    const std::optional<T> longest = options.form_cut_off ? options.form_cut_off : options.lambda_c.length();
+    if (options.lambda_s.length() && longest && *options.lambda_s.length() >= *longest)
+        return RefusedCutOff<T>{CutOffRefusal::not_below_lambda_c, false, *options.lambda_s.length(), *longest};
+    return {};
+}
+
+/// \throws domain_error for a given cut-off that is not valid for the surface.
+template <Real T>
+void require_cut_offs(const MeasureOptions<T>& options, T step, T length) {
+    const auto found = refused_cut_off(options, step, length);
+    if (!found) return;
+    const std::string limit = rounded_text(found->limit, 5) + " m";
+    const int steps = found->long_waves ? min_steps_of_lambda_c : min_steps_of_lambda_s;
+    refuse(found->long_waves ? "lambda_c" : "lambda_s", found->given,
+           found->why == CutOffRefusal::below_steps    ? "at least " + std::to_string(steps) + " steps, " + limit
+           : found->why == CutOffRefusal::above_length ? "at most the length of the surface, " + limit
+                                                       : "less than lambda_c, " + limit);
+}
+
+/// Sets lambda_s of \p found from the tables; lambda_c of \p found is set where it was given.
+template <Real T>
+void choose_lambda_s(CutOffs<T>& found, T resolution) {
+    found.index = shortest_lambda_s(found.step, resolution, found.tip_radius);
+    if (found.tip_radius > T(0) && found.index > shortest_lambda_s(found.step, resolution))
+        found.index_source = IndexSource::tip;
+    else if (resolution > T(0) && found.index > shortest_lambda_s(found.step) * (1 + T(1e-12)))
+        found.index_source = IndexSource::resolution;
+    if (lambda_s_of_length * found.index > found.length * (1 + T(1e-6)))
+        found.why_s = LambdaSReason::too_short;
+    else if (found.lambda_c && found.index >= *found.lambda_c)
+        found.why_s = LambdaSReason::not_below_lambda_c;
+    else {
+        found.why_s = LambdaSReason::by_table;
+        found.lambda_s = found.index;
+    }
+}
+
+/// Given cut-offs, and lambda_s from the tables where it was not given.
+template <Real T>
+[[nodiscard]] CutOffs<T> given_cut_offs(const MeasureOptions<T>& options, T step, T length) {
+    require_cut_offs(options, step, length);
+    const auto given = [&](const CutOff<T>& one) {
+        return one.length() ? std::optional<T>((std::min)(*one.length(), length)) : std::nullopt;
+    };
+    CutOffs<T> found;
+    found.lambda_s = given(options.lambda_s);
+    found.lambda_c = options.form_cut_off ? options.form_cut_off : given(options.lambda_c);
+    if (options.lambda_c.automatic() && !options.form_cut_off) found.why_c = CutOffReason::form_alone;
+    found.filter = options.filter;
+    found.step = step, found.length = length, found.tip_radius = options.tip_radius;
+    if (options.lambda_s.automatic()) choose_lambda_s(found, options.resolution);
+    return found;
+}
+
+/// Cut-offs for \p profile. \throws domain_error for a given one that is not valid for the profile.
+template <Real T>
+[[nodiscard]] CutOffs<T> choose_cut_offs(const Profile<T>& profile, const MeasureOptions<T>& options = {}) {
+    return given_cut_offs(options, profile.spacing, profile.length());
+}
+
+/// Cut-offs for \p map. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] CutOffs<T> choose_cut_offs(const HeightMap<T>& map, const MeasureOptions<T>& options = {}) {
+    if (options.form_cut_off)
+        refuse("form_cut_off", *options.form_cut_off, "left out for a map: it belongs to the form of a profile");
+    return given_cut_offs(options, (std::max)(map.dx, map.dy),
+                          (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy));
+}
+
+/// lambda_s [m] of the neighbours of a surface of \p step [m] (the coarser one) measured with \p lambda_s; the
+/// neighbours differ by a factor of two.
+template <Real T>
+[[nodiscard]] std::vector<T> neighbouring_lambda_s(const std::optional<T>& lambda_s, std::type_identity_t<T> step) {
+    if (!lambda_s) return {4 * step};
+    const T root = std::numbers::sqrt2_v<T>;
+    if (*lambda_s / root < min_steps_of_lambda_s * step) return {2 * *lambda_s};
+    return {*lambda_s / root, *lambda_s * root};
+}
+
+}  // namespace fstiff::inline v0_1::detail

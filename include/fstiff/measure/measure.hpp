@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Measurement of a surface: from heights to every parameter that a contact needs, each with its standard error.
+///
+///     const auto surface = fstiff::measure(fstiff::Profile<double>{heights, 0.5e-6});
+///     surface.rms_height.value, surface.rms_height.error       [m]
+///     surface.cut_offs.lambda_s, surface.concerns, surface.neighbours
+///
+/// Steps: clean() (nothing by default), prepare() (form, lambda_s, lambda_c where given), surface_parameters(),
+/// height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface measured with a shorter and
+/// a longer lambda_s, without errors; their change of K widens the band (answer/band).
+/// Reference   measure/cut_offs.hpp, measure/prepare.hpp, measure/parameters.hpp
+/// Units       SI
+/// Valid       as prepare(), surface_parameters(); options.tip_radius only for profiles, PeakSource::summits for maps
+/// Accuracy    that of the steps (tests/scene/one_measurement_test.cpp)
+
+#include <fstiff/measure/concerns.hpp>
+#include <fstiff/measure/height_shape.hpp>
+#include <fstiff/measure/prepare.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace fstiff::inline v0_1 {
+
+/// A measured surface: its parameters with standard errors, and their origin.
+template <Real T = double>
+struct Surface : SurfaceParameters<T> {
+    Measurement<T> rms_gradient{};                 ///< [1]; error 0: too few points for one
+    std::optional<HeightStatistics<T>> heights{};  ///< none: too few points
+    T shape_share{};  ///< 0 to 1: factor of skewness and of kurtosis - 3 in a hybrid contact (counted_shape)
+    CutOffs<T> cut_offs{};
+    std::vector<MeasuredConcern> concerns{};
+    CleaningReport cleaning{};
+    bool is_profile = false;  ///< measured by profiles, not by maps
+    T size{};                 ///< of the points that exist: length of the profile [m], area of the map [m^2]
+    /// Ratio of the largest to the smallest wave number of the surface: from its length, or lambda_c, to two steps, or
+    /// lambda_s.
+    T widest_band = std::numeric_limits<T>::infinity();
+    std::shared_ptr<const PreparedProfile<T>> profile{};  ///< the measured profile; null for a map
+    std::shared_ptr<const PreparedMap<T>> map{};          ///< null for a profile, and for a neighbour without keep_maps
+    std::vector<Surface> neighbours{};                    ///< with a shorter and a longer lambda_s, without errors
+    std::vector<Surface> parts{};                         ///< that were pooled (measure/pooled_surface); empty for one
+};
+
+/// Measures \p profile as a section of an isotropic surface.
+/// \throws domain_error for a profile, a cut-off or an option out of range.
+template <Real T>
+[[nodiscard]] Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options = {});
+/// Measures \p map. \throws as above.
+template <Real T>
+[[nodiscard]] Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options = {});
+/// Same as above; \p map is consumed and its memory released during the measurement.
+template <Real T>
+[[nodiscard]] Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
+
+namespace detail {
+
+/// Whether \p surface is a profile that repeats itself, which does not determine K of its face.
+template <Real T>
+[[nodiscard]] bool is_profile_with_lay(const Surface<T>& surface) {
+    return surface.is_profile && std::count(surface.concerns.begin(), surface.concerns.end(), MeasuredConcern::lay) > 0;
+}
+
+/// The parameters of \p used, those of \p surface or what replaced them, on which no result can rest: not known to a
+/// factor of two, the R and D_p of islands whose density has no maximum, or the sigma of a form or a step.
+template <Real T>
+[[nodiscard]] std::vector<Parameter> unknown_parameters(const Surface<T>& surface, const SurfaceParameters<T>& used) {
+    const auto has = [&](MeasuredConcern one) {
+        return std::find(surface.concerns.begin(), surface.concerns.end(), one) != surface.concerns.end();
+    };
+    std::vector<Parameter> all = unknown_parameters(used);
+    if (has(MeasuredConcern::long_waves)) std::erase(all, Parameter::r);
+    const auto add_measured = [&](Parameter which) {
+        const auto *one = used.find(which), *measured = surface.find(which);
+        if (one && measured && one->value == measured->value) all.push_back(which);
+    };
+    if (has(MeasuredConcern::no_densest_level))
+        add_measured(Parameter::peak_radius), add_measured(Parameter::peak_density);
+    if (has(MeasuredConcern::form) || has(MeasuredConcern::step)) add_measured(Parameter::rms_height);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+template <Real T>
+[[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options,
+                                                           const CutOffs<T>& cut_offs) {
+    SurfaceParameterOptions<T> how;
+    how.fit.tip_radius = options.tip_radius;
+    how.fit.resolution = options.resolution;
+    how.fit.window = options.window;
+    how.fit.lambda_s = cut_offs.lambda_s.value_or(T(0));
+    how.fit.seed = how.seed = options.seed;
+    how.resamples = options.resamples;
+    how.progress = how.fit.progress = how.islands.progress = options.progress;
+    how.peaks = options.peaks;
+    how.texture = options.texture;
+    how.dimension = options.dimension;
+    return how;
+}
+
+/// Same as above, with the loss of sigma by the removal of a form of \p terms in addition to the mean.
+template <Real T, class Prepared>
+[[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options, const Prepared& prepared,
+                                                           int terms) {
+    SurfaceParameterOptions<T> how = parameter_options(options, prepared.cut_offs);
+    how.form_terms = terms;
+    const T before = prepared.rms_as_read, after = rms_height(prepared.of_structure());
+    if (terms > 0 && !options.form_cut_off && before > after)
+        how.form_share = std::sqrt((before / after - 1) * (before / after + 1));
+    return how;
+}
+
+/// Surface::widest_band for a surface whose longer side has \p length, whose coarser step is \p step.
+template <Real T>
+[[nodiscard]] T widest_band(T length, T step, const CutOffs<T>& cut_offs) {
+    const T longest = (std::min)(length, cut_offs.lambda_c.value_or(length));
+    const T widest = longest / (std::max)(2 * step, cut_offs.lambda_s.value_or(T(0)));
+    return widest > T(1) ? widest : std::numeric_limits<T>::infinity();
+}
+
+/// Surface from \p found, with the statistics of \p heights and the concerns of both.
+template <Real T, class Heights>
+[[nodiscard]] Surface<T> surface_of(SurfaceParameters<T> found, const Heights& heights, const CutOffs<T>& cut_offs,
+                                    T rms_gradient) {
+    Surface<T> surface{std::move(found)};
+    surface.cut_offs = cut_offs;
+    if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are excluded by the user
+    surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
+    surface.rms_gradient.value = rms_gradient;
+    try {
+        surface.heights = height_statistics(heights);
+        surface.rms_gradient = surface.heights->rms_gradient;
+        ShapeOfHeights<T> shape;
+        shape.add(heights);
+        surface.shape_share = shape.share();
+    } catch (const domain_error&) {  // too few points for a distribution; R and D_p may exist
+    }
+    return surface;
+}
+
+/// Neighbours of a surface of \p step with \p cut_offs; \p measure_one(options) measures one. Neighbours that cannot be
+/// measured are left out: the cut-off is too long for the surface, or leaves too few peaks.
+template <Real T, class MeasureOne>
+[[nodiscard]] std::vector<Surface<T>> measured_neighbours(const CutOffs<T>& cut_offs, MeasureOptions<T> options, T step,
+                                                          const MeasureOne& measure_one) {
+    options.neighbours = false;
+    options.resamples = 2;    // their errors are not used
+    options.texture = false;  // their lay is that of the surface
+    options.dimension = options.dimension && options.neighbour_dimensions;
+    options.progress = {};
+    if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // fixed for all neighbours
+    std::vector<Surface<T>> all;
+    for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step)) {
+        options.lambda_s = lambda_s;
+        try {
+            all.push_back(measure_one(options));
+            if (!options.keep_maps) all.back().map.reset();
+        } catch (const domain_error&) {
+        }
+    }
+    return all;
+}
+
+/// \p profile after the cleaning.
+template <Real T>
+[[nodiscard]] Surface<T> measure_profile(const Profile<T>& profile, const MeasureOptions<T>& options) {
+    const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, options));
+    const Profile<T>& flat = prepared->profile;
+    SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
+                                                       parameter_options(options, *prepared, int(options.form) - 1));
+    if (options.texture && options.form > Form::mean)
+        found.plain_form = detail::plain_form(flat, static_cast<int>(options.form) - 1);
+    Surface<T> surface = surface_of(std::move(found), flat, prepared->cut_offs, prepared->rms_gradient);
+    surface.profile = prepared;
+    surface.is_profile = true;
+    surface.size = static_cast<T>(flat.present()) * flat.spacing;
+    surface.widest_band = widest_band(static_cast<T>(flat.size()) * flat.spacing, flat.spacing, surface.cut_offs);
+    if (options.neighbours)
+        surface.neighbours =
+            measured_neighbours(surface.cut_offs, options, flat.spacing,
+                                [&](const MeasureOptions<T>& other) { return measure_profile(profile, other); });
+    return surface;
+}
+
+/// A map without its form after the cleaning. The neighbours come first, because the results for the map itself then
+/// occupy no memory.
+template <Real T>
+[[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options) {
+    std::vector<Surface<T>> neighbours;
+    const HeightMap<T>& steps = *without_form.unfiltered;
+    if (options.neighbours)
+        neighbours =
+            measured_neighbours(choose_cut_offs(steps, options), options, (std::max)(steps.dx, steps.dy),
+                                [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
+    const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
+    const int degree = int(options.map_form), terms = degree * (degree + 3) / 2;
+    SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
+                                                       parameter_options(options, *prepared, terms));
+    if (prepared->cut_offs.why_s != LambdaSReason::by_table) prepared->unfiltered.reset();  // D is found; K is of it
+    const HeightMap<T>& flat = prepared->map;
+    if (options.texture && degree > 0) found.plain_form = detail::plain_form(flat, degree);
+    Surface<T> surface =
+        surface_of(std::move(found), flat, prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient));
+    surface.map = prepared;
+    surface.size = static_cast<T>(flat.present()) * flat.dx * flat.dy;
+    surface.widest_band =
+        widest_band((std::max)(static_cast<T>(flat.columns()) * flat.dx, static_cast<T>(flat.rows()) * flat.dy),
+                    (std::max)(flat.dx, flat.dy), surface.cut_offs);
+    surface.neighbours = std::move(neighbours);
+    return surface;
+}
+
+template <Real T>
+void require_options_of_map(const HeightMap<T>& map, const MeasureOptions<T>& options) {
+    if (options.tip_radius > T(0))
+        refuse("tip_radius", options.tip_radius, "left out for a map, whose lags cannot be freed of the tip");
+    (void)choose_cut_offs(map, options);  // throws for wrong ones before any computation
+}
+
+/// Whether \p cleaning leaves a surface unchanged.
+template <Real T>
+[[nodiscard]] bool is_empty(const Cleaning<T>& cleaning) {
+    return !cleaning.crop && cleaning.mask.size() == 0 && cleaning.spikes == T(0) && !cleaning.fill;
+}
+
+}  // namespace detail
+
+template <Real T>
+Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options) {
+    if (options.peaks == PeakSource::summits)
+        throw domain_error("peaks = summits: must be islands for a profile, whose R and D_p come from its curvature");
+    if (detail::is_empty(options.cleaning)) return detail::measure_profile(profile, options);
+    Profile<T> cleaned = profile;
+    const CleaningReport report = detail::clean(cleaned, options.cleaning);
+    Surface<T> surface = detail::measure_profile(cleaned, options);
+    surface.cleaning = report;
+    return surface;
+}
+
+template <Real T>
+Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options) {
+    const CleaningReport report = detail::clean(map, options.cleaning);
+    detail::require_options_of_map(map, options);
+    const PreparedMap<T> flat = detail::without_form(std::move(map), options);
+    Surface<T> surface = detail::measure_map(flat, options);
+    surface.cleaning = report;
+    return surface;
+}
+
+template <Real T>
+Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
+    if (!detail::is_empty(options.cleaning)) return measure(HeightMap<T>(map), options);
+    detail::require_options_of_map(map, options);
+    return detail::measure_map(detail::without_form(map, options), options);
+}
+
+}  // namespace fstiff::inline v0_1

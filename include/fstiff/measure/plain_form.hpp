@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Shares of one parabola and of one step in the mean square of heights whose mean plane was removed.
+///
+///     z = sum c_kl u^k v^l + h [u cos a + v sin a > s]     u, v in [-1, 1] over the surface; a profile has no v
+///     parabola    decrease of the mean square by the terms k + l = 2, over it
+///     step        same by h at the best s, of a map also at the best of 36 a, where it is more than that of all
+///                 terms up to the degree 5 (profile: 6): smooth waves follow these terms better than any step
+///
+/// Fitted to the means of at most 64 x 64 parts (profile: 256) of equal size, weighted by their points.
+/// Units       heights [m], places [m] from the first point
+/// Valid       surfaces without their mean plane (line) or a form of higher degree, missing points allowed
+/// Accuracy    shares 0.02, place of a step along x or y one part (tests/measure/plain_form_test.cpp)
+
+#include <fstiff/profile/roughness_parameters.hpp>
+#include <fstiff/profile/structure_function.hpp>
+#include <fstiff/topography/areal_autocorrelation.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+// Detection of a lay, as turned, milled or ground faces have: the heights repeat themselves or are stretched.
+//
+//     profile    maximum of sum z(x) z(x + t)/sum z^2 beyond its first zero, at lags t up to a quarter of the profile
+//     map        Str = min r(phi)/max r(phi), or an upper bound (topography/areal_autocorrelation.hpp)
+//
+// A single profile does not contain the length of the ridges, and K depends on it: by boundary elements a turned face
+// is 10 to 18 times stiffer than an isotropic one with the statistics of its profile.
+// Derivation  docs/theory.md, section 2
+// Reference   ISO 25178-2:2021 (Str); the limits 0.5 and 0.3 are this project's
+// Units       lags [m], the others dimensionless
+// Valid       profiles of at least 16 points; remove the form first
+// Accuracy    0.1 % of 9,600 self-affine profiles (H = 0.2 to 1) repeat themselves to 0.5; all sines and parabolic
+//             grooves with isotropic roughness of 0.5 of their rms height do (tests/measure/lay_test.cpp)
+
+namespace fstiff::inline v0_1 {
+
+/// Agreement of a profile with itself, shifted by one period.
+template <Real T = double>
+struct Repetition {
+    T correlation{};  ///< 1 for a periodic profile; 0 where the autocorrelation has no zero within a quarter of it
+    T period{};       ///< [m]
+
+    /// Whether the agreement is a lay and not chance.
+    [[nodiscard]] bool is_lay() const { return correlation > T(0.5); }
+};
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+/// Repetition of \p profile. \throws domain_error for a profile out of range.
+template <Real T>
+[[nodiscard]] Repetition<T> repetition(const Profile<T>& profile) {
+    const Autocorrelation<T> all = autocorrelation(profile);
+    const std::size_t reach = profile.size() / 4;
+    const auto share = [&](std::size_t n) {
+        return all.pairs[n] == 0 ? T(0)
+                                 : all.value[n] * static_cast<T>(all.pairs[n]) / static_cast<T>(all.pairs.front());
+    };
+    std::size_t n = 0;
+    while (n < reach && share(n) > T(0)) ++n;
+    Repetition<T> found;
+    for (; n < reach; ++n)
+        if (const T here = share(n); here > found.correlation) found = {here, all.lag[n]};
+    return found;
+}
+
+/// Str of \p map, on 256 points along the longer side, and at least 4 along the shorter one, where it has more and no
+/// point is missing. Returns an upper bound where the longest lag of the map limits Str, and 1 where no direction falls
+/// to 0.2. \throws domain_error for a map out of range.
+template <Real T>
+[[nodiscard]] T texture_aspect_ratio(const HeightMap<T>& map) {
+    const auto [shorter, longer] = std::minmax({map.columns(), map.rows()});
+    const Eigen::Index points = (std::max)(Eigen::Index(256), 4 * longer / (std::max)(shorter, Eigen::Index(1)));
+    const bool whole = !map.heights.isNaN().any();
+    const TextureParameters<T> texture =
+        detail::texture_parameters(detail::areal_autocorrelation(whole ? detail::coarsened(map, points) : map));
+    if (texture.aspect_ratio) return *texture.aspect_ratio;
+    return texture.shortest ? *texture.shortest / texture.longest : T(1);
+}
+
+/// Whether a map of this Str has a lay.
+template <Real T>
+[[nodiscard]] constexpr bool is_lay(T texture_aspect_ratio) {
+    return texture_aspect_ratio < T(0.3);
+}
+
+}  // namespace fstiff::inline v0_1::detail
+
+namespace fstiff::inline v0_1 {
+
+/// A parabola and a step in the heights.
+template <Real T = double>
+struct PlainForm {
+    T parabola{}, step{};       ///< shares of the mean square height
+    T place{};                  ///< of a step along x or y [m]
+    bool along_x{}, along_y{};  ///< the step is passed along x, along y; neither: at an angle
+
+    [[nodiscard]] bool is_parabola() const { return parabola > T(0.5) && parabola >= step; }
+    [[nodiscard]] bool is_step() const { return step > T(0.5) && step > parabola; }
+};
+
+}  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+/// Parts of a surface: their terms, orthonormal with the root of their points as weight, and weighted heights.
+template <Real T>
+struct FormParts {
+    Eigen::Array<T, Eigen::Dynamic, 1> u, v, weight, height;
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> terms;
+    std::vector<int> degree;  ///< of each term
+
+    /// Orthonormal terms up to \p most; those that the points do not determine are left out.
+    void add_terms(int most, bool map) {
+        terms.resize(u.size(), 0);
+        for (int total = 0; total <= most; ++total)
+            for (int l = 0; l <= (map ? total : 0); ++l) {
+                Eigen::Matrix<T, Eigen::Dynamic, 1> f = (weight * u.pow(total - l) * v.pow(l)).matrix();
+                const T before = f.norm();
+                for (int pass = 0; pass < 2; ++pass) f -= terms * (terms.transpose() * f);
+                if (!(f.norm() > T(1e-4) * before)) continue;
+                terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
+                terms.col(terms.cols() - 1) = f.normalized();
+                degree.push_back(total);
+            }
+    }
+    /// Square sum of the heights that the terms of degree \p from to \p to explain.
+    [[nodiscard]] T explained(int from, int to) const {
+        T sum = 0;
+        for (std::size_t k = 0; k < degree.size(); ++k)
+            if (degree[k] >= from && degree[k] <= to)
+                sum += std::pow(terms.col(static_cast<Eigen::Index>(k)).dot(height.matrix()), T(2));
+        return sum;
+    }
+    /// Square sum that a step at the angle \p angle explains beyond the terms up to \p removed, and the part before it.
+    [[nodiscard]] std::pair<T, Eigen::Index> step(T angle, int removed) const {
+        const auto base = std::count_if(degree.begin(), degree.end(), [&](int one) { return one <= removed; });
+        const auto low = terms.leftCols(base);
+        const Eigen::Array<T, Eigen::Dynamic, 1> along = u * std::cos(angle) + v * std::sin(angle),
+                                                 rest = (height.matrix() - low * (low.transpose() * height.matrix()));
+        std::vector<Eigen::Index> order(static_cast<std::size_t>(u.size()));
+        std::iota(order.begin(), order.end(), Eigen::Index(0));
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return along[a] < along[b]; });
+        Eigen::Matrix<T, Eigen::Dynamic, 1> shared = Eigen::Matrix<T, Eigen::Dynamic, 1>::Zero(base);
+        T heights = 0, points = 0;
+        const T all = weight.square().sum();
+        std::pair<T, Eigen::Index> best{T(0), 0};
+        for (const Eigen::Index at : order) {
+            shared += weight[at] * low.row(at).transpose();
+            heights += weight[at] * rest[at], points += weight[at] * weight[at];
+            if (points < all / 20 || points > all - all / 20) continue;
+            if (const T gain = heights * heights / (points - shared.squaredNorm()); gain > best.first)
+                best = {gain, at};
+        }
+        return best;
+    }
+};
+
+/// Form of \p rows by \p columns points at the steps \p dx, \p dy, whose \p height(j, i) is in any unit, NaN where
+/// missing, and without a form of the degree \p removed; one row for a profile.
+template <Real T, class Height>
+[[nodiscard]] PlainForm<T> plain_form(Eigen::Index rows, Eigen::Index columns, T dx, T dy, int removed,
+                                      const Height& height) {
+    const bool map = rows > 1;
+    const Eigen::Index most = map ? 64 : 256, down = (std::min)(rows, most), across = (std::min)(columns, most);
+    Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic> sum = decltype(sum)::Zero(down, across), count = sum;
+    T squares = 0;
+    for (Eigen::Index j = 0; j < rows; ++j)
+        for (Eigen::Index i = 0; i < columns; ++i)
+            if (const T z = height(j, i); !std::isnan(z)) {
+                sum(j * down / rows, i * across / columns) += z, squares += z * z;
+                count(j * down / rows, i * across / columns) += T(1);
+            }
+    squares -= sum.sum() * (sum.sum() / count.sum());
+    const Eigen::Index parts = (count > T(0)).count();
+    FormParts<T> of;
+    for (auto* one : {&of.u, &of.v, &of.weight, &of.height}) one->resize(parts);
+    Eigen::Index n = 0;
+    for (Eigen::Index j = 0; j < down; ++j)
+        for (Eigen::Index i = 0; i < across; ++i) {
+            if (!(count(j, i) > T(0))) continue;
+            of.u[n] = static_cast<T>(2 * i + 1) / static_cast<T>(across) - 1;
+            of.v[n] = static_cast<T>(2 * j + 1) / static_cast<T>(down) - 1;
+            of.weight[n] = std::sqrt(count(j, i));
+            of.height[n] = sum(j, i) / of.weight[n];
+            ++n;
+        }
+    const int smooth = map ? 5 : 6;
+    of.add_terms(smooth, map);
+    PlainForm<T> found;
+    if (!(squares > T(0))) return found;
+    found.parabola = removed < 2 ? of.explained(2, 2) / squares : T(0);
+    constexpr int angles = 36;
+    for (int k = 0; k < (map ? angles : 1); ++k) {
+        const auto [gain, at] = of.step(static_cast<T>(k) * std::numbers::pi_v<T> / angles, removed);
+        if (!(gain / squares > found.step) || !(gain > of.explained(removed + 1, smooth))) continue;
+        found.step = gain / squares, found.along_x = k == 0, found.along_y = 2 * k == angles;
+        found.place = found.along_y ? (of.v[at] + 1) / 2 * static_cast<T>(rows) * dy
+                                    : (of.u[at] + 1) / 2 * static_cast<T>(columns) * dx;
+    }
+    return found;
+}
+
+/// Form of \p profile, without one of the degree \p removed.
+template <Real T>
+[[nodiscard]] PlainForm<T> plain_form(const Profile<T>& profile, int removed) {
+    const T unit = static_cast<T>(detail::height_scale(profile));
+    return plain_form<T>(
+        1, static_cast<Eigen::Index>(profile.size()), profile.spacing, T(0), removed,
+        [&](Eigen::Index, Eigen::Index i) { return profile.heights[static_cast<std::size_t>(i)] / unit; });
+}
+/// Same as above for \p map.
+template <Real T>
+[[nodiscard]] PlainForm<T> plain_form(const HeightMap<T>& map, int removed) {
+    const T unit = static_cast<T>(detail::height_scale(map));
+    return plain_form<T>(map.rows(), map.columns(), map.dx, map.dy, removed,
+                         [&](Eigen::Index j, Eigen::Index i) { return map.heights(j, i) / unit; });
+}
+
+}  // namespace fstiff::inline v0_1::detail

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Several measurements of one surface, such as parallel traces, pooled as one surface.
+///
+///     m0, m2, m4, S, triples    means, weighted by the share w of the length or area;    R_p    maximum
+///     D and r, theta            means over the measurements that have them
+///     error^2       max(sum w^2 error^2, k^2 sum w^2/(1 - sum w^2) sum w (x - mean)^2)  (logarithms: sigma, R, D_p)
+///     k                         t_(n-1)(0.95)/1.645 (Student): 3.84 for two measurements, 1.30 for five
+///
+/// Where the tables choose different cut-offs, the longest is used for all measurements, and none where one has none.
+/// Derivation  docs/theory.md, section 2
+/// Reference   Student, Biometrika 6 (1908) 1 (math/statistics.hpp); surface/moments.hpp
+/// Units       SI
+/// Valid       at least one measurement, all of one kind and with the same cut-offs; sizes > 0
+/// Accuracy    1e-13 of the formulae (tests/measure/pooled_surface_test.cpp, tests/scene/one_measurement_test.cpp)
+
+#include <fstiff/math/statistics.hpp>
+#include <fstiff/measure/measure.hpp>
+#include <fstiff/measure/uncertain_sum.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace fstiff::inline v0_1 {
+
+namespace detail {
+
+/// Property in which two measurements of one surface differ, so that they cannot be pooled.
+enum class Unlikeness { none, kind, lambda_s, lambda_c, step };
+
+}  // namespace detail
+
+template <>
+inline constexpr auto names<detail::Unlikeness> =
+    detail::name_list<detail::Unlikeness>({{detail::Unlikeness::none, "nothing"},
+                                           {detail::Unlikeness::kind, "kind"},
+                                           {detail::Unlikeness::lambda_s, "lambda_s"},
+                                           {detail::Unlikeness::lambda_c, "lambda_c"},
+                                           {detail::Unlikeness::step, "step"}});
+
+namespace detail {
+
+/// First of kind, lambda_s, lambda_c and, without lambda_s, the steps in which \p one differs from \p first.
+template <Real T>
+[[nodiscard]] Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one);
+
+/// Distance of neighbouring heights of a measured surface, the shorter one for a map [m].
+template <Real T>
+[[nodiscard]] T step_of(const Surface<T>& surface) {
+    return surface.profile ? surface.profile->profile.spacing : (std::min)(surface.map->map.dx, surface.map->map.dy);
+}
+
+/// Common cut-off \p of for all \p surfaces where \p asked leaves it to the tables and these differ: the longest, or
+/// none where one has none. Else \p asked.
+template <Real T, class Measured>
+[[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Measured>& surfaces,
+                                       std::optional<T> CutOffs<T>::*of);
+
+}  // namespace detail
+
+/// Pools \p parts as one surface, which keeps them. \throws domain_error for no part, parts that differ in kind or
+/// cut-offs, or parameters out of range.
+template <Real T>
+[[nodiscard]] Surface<T> pooled(std::vector<Surface<T>> parts);
+
+/// Measures and pools several profiles of one surface. \throws domain_error as measure() of one profile and pooled().
+template <Real T>
+[[nodiscard]] Surface<T> measure(const std::vector<Profile<T>>& profiles, const MeasureOptions<T>& options = {});
+/// Same as above for maps.
+template <Real T>
+[[nodiscard]] Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T>& options = {});
+
+namespace detail {
+
+/// One number of a measurement, weighted by its length [m] or area [m^2].
+template <Real T = double>
+struct SizedMeasurement {
+    Measurement<T> measured{};
+    T size{};
+};
+
+/// Error of the mean of \p all: from the errors of the measurements or from their scatter.
+/// \throws domain_error for no measurement.
+template <Real T>
+[[nodiscard]] T pooled_error(const std::vector<SizedMeasurement<T>>& all) {
+    require(!all.empty(), "number of measurements", all.size(), "at least 1");
+    T size = 0, mean = 0, within = 0, squares = 0, scatter = 0;
+    for (const auto& one : all) size += one.size;
+    for (const auto& one : all) mean += one.size / size * one.measured.value;
+    for (const auto& one : all) {
+        const T w = one.size / size, away = one.measured.value - mean;
+        within += w * w * one.measured.error * one.measured.error;
+        squares += w * w;
+        scatter += w * away * away;
+    }
+    if (all.size() == 1) return std::sqrt(within);
+    const T k = math::student_quantile(math::normal_95<T>, static_cast<int>(all.size()) - 1) / math::normal_95<T>.value;
+    return std::sqrt((std::max)(within, k * k * squares / (1 - squares) * scatter));
+}
+
+}  // namespace detail
+
+/// Statistics of the heights of several measurements of one surface, each about its own mean, of \p sizes.
+/// \throws domain_error for none, or for different numbers of them.
+template <Real T>
+[[nodiscard]] HeightStatistics<T> pooled(const std::vector<HeightStatistics<T>>& all, const std::vector<T>& sizes) {
+    detail::require(!all.empty() && all.size() == sizes.size(), "number of measurements", all.size(),
+                    "at least 1, as the sizes");
+    T size = 0;
+    for (const T one : sizes) size += one;
+    HeightStatistics<T> out;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const T w = sizes[i] / size;
+        out.moments =
+            out.moments + SpectralMoments<T>{w * all[i].moments.m0, w * all[i].moments.m2, w * all[i].moments.m4};
+    }
+    T third = 0, fourth = 0;
+    std::vector<detail::SizedMeasurement<T>> skewness, kurtosis, gradient;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const T w = sizes[i] / size, ratio = all[i].moments.m0 / out.moments.m0;
+        third += w * ratio * std::sqrt(ratio) * all[i].skewness.value;
+        fourth += w * ratio * ratio * all[i].kurtosis.value;
+        skewness.push_back({all[i].skewness, sizes[i]});
+        kurtosis.push_back({all[i].kurtosis, sizes[i]});
+        gradient.push_back({all[i].rms_gradient, sizes[i]});
+    }
+    T squares = 0;
+    for (const auto& one : gradient) squares += one.size / size * one.measured.value * one.measured.value;
+    out.skewness = {third, detail::pooled_error(skewness)};
+    out.kurtosis = {fourth, detail::pooled_error(kurtosis)};
+    out.rms_gradient = {std::sqrt(squares), detail::pooled_error(gradient)};
+    return out;
+}
+
+namespace detail {
+
+/// Whether two lengths differ by more than rounding.
+template <Real T>
+[[nodiscard]] bool lengths_differ(T a, T b) {
+    return std::abs(a - b) > T(1e-6) * std::abs(a);
+}
+template <Real T>
+[[nodiscard]] bool lengths_differ(const std::optional<T>& a, const std::optional<T>& b) {
+    return a.has_value() != b.has_value() || (a && lengths_differ(*a, *b));
+}
+
+/// Values of \p surface, with the moments of its heights where these are known.
+template <Real T>
+[[nodiscard]] RoughFace<T> rough_face(const Surface<T>& surface) {
+    return rough_face<T>(surface, surface.heights
+                                      ? surface.heights->moments
+                                      : moments_of_peaks(surface.rms_height.value, surface.peak_radius.value,
+                                                         surface.peak_density.value));
+}
+
+/// Mean over those of \p parts that \p knows selects.
+template <Real T, class Knows>
+[[nodiscard]] std::optional<RoughFace<T>> mean_face(const std::vector<Surface<T>>& parts, const Knows& knows) {
+    T size = 0;
+    for (const auto& one : parts)
+        if (knows(one)) size += one.size;
+    std::optional<RoughFace<T>> mean;
+    for (const auto& one : parts) {
+        if (!knows(one)) continue;
+        const RoughFace<T> share = scaled(rough_face(one), std::sqrt(one.size / size));
+        mean = mean ? sum_of_faces(*mean, share) : share;
+    }
+    return mean;
+}
+
+/// Mean over all \p parts; R and D_p, D and G, and r and theta, over the parts that have them.
+template <Real T>
+[[nodiscard]] RoughFace<T> mean_of_known(const std::vector<Surface<T>>& parts) {
+    RoughFace<T> mean = *mean_face(parts, [](const auto&) { return true; });
+    mean.fractal_dimension.reset(), mean.fractal_roughness.reset(), mean.r.reset(), mean.theta.reset();
+    if (const auto of = mean_face(parts, [](const auto& one) { return one.fractal_dimension.has_value(); }))
+        mean.fractal_dimension = of->fractal_dimension, mean.fractal_roughness = of->fractal_roughness;
+    if (const auto of = mean_face(parts, [](const auto& one) { return one.r.has_value(); }))
+        mean.r = of->r, mean.theta = of->theta;
+    if (const auto of = mean_face(parts, [](const auto& one) { return rough_face(one).has_peaks(); }))
+        mean.roughness.peak_radius = of->roughness.peak_radius,
+        mean.roughness.peak_density = of->roughness.peak_density;
+    mean.roughness.max_peak_height = 0;
+    for (const auto& one : parts)
+        mean.roughness.max_peak_height = (std::max)(mean.roughness.max_peak_height, one.max_peak_height.value);
+    return mean;
+}
+
+/// Sets the error of the parameter \p row of \p whole to that of its mean over \p parts; logarithms for parameters that
+/// vary by a factor.
+template <Real T>
+void pool_error(Surface<T>& whole, const std::vector<Surface<T>>& parts, const ParameterRow& row) {
+    const bool log = row.variation == Variation::log;
+    std::vector<SizedMeasurement<T>> known;
+    for (const auto& part : parts) {
+        const Measurement<T>* one = part.find(row.parameter);
+        if (!one) continue;
+        const T relative = one->error / one->value;
+        known.push_back(
+            {log ? Measurement<T>{std::log(one->value), std::sqrt(std::log1p(relative * relative))} : *one, part.size});
+    }
+    if (known.empty() || !whole.find(row.parameter)) return;
+    const T error = pooled_error(known);
+    Measurement<T>& mean = *whole.find(row.parameter);
+    if (log) mean.value = std::exp(std::log(mean.value));
+    mean.error = log ? mean.value * std::sqrt(std::expm1(error * error)) : error;
+}
+
+/// Errors of \p whole, whose values are means over \p parts.
+template <Real T>
+void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) pool_error(whole, parts, parameter_table[i]);
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            T mean = 0;
+            for (const auto& one : parts) mean += one.size / whole.size * one.correlation[i][j];
+            whole.correlation[i][j] = whole.correlation[j][i] = mean;
+        }
+    std::vector<SizedMeasurement<T>> highest, log_roughness;
+    T sizes = 0, window = 0;
+    for (const auto& one : parts) {
+        highest.push_back({one.max_peak_height, one.size});
+        if (one.fractal_dimension)
+            sizes += one.size, window = std::hypot(window, one.size * one.dimension_window_error);
+        if (const auto& g = one.fractal_roughness)
+            log_roughness.push_back({{std::log(g->value), g->error / g->value}, one.size});
+    }
+    whole.max_peak_height.error = pooled_error(highest);
+    if (sizes > T(0)) whole.dimension_window_error = window / sizes;
+    if (whole.fractal_roughness) {
+        whole.log_fractal_roughness_error = pooled_error(log_roughness);
+        whole.fractal_roughness->error = whole.fractal_roughness->value * whole.log_fractal_roughness_error;
+    }
+}
+
+/// Concerns of all \p parts, and parameter_unknown for \p whole; form, step and implausible_gradient of one are enough.
+template <Real T>
+[[nodiscard]] std::vector<MeasuredConcern> pooled_concerns(const Surface<T>& whole,
+                                                           const std::vector<Surface<T>>& parts) {
+    using enum MeasuredConcern;
+    const auto has = [](const Surface<T>& one, MeasuredConcern concern) {
+        return std::find(one.concerns.begin(), one.concerns.end(), concern) != one.concerns.end();
+    };
+    std::vector<MeasuredConcern> all;
+    for (const MeasuredConcern one : parts.front().concerns) {
+        if (one == few_peaks || one == radius_uncertain || one == density_uncertain || one == parameter_unknown ||
+            one == form || one == step || one == implausible_gradient)
+            continue;
+        if (std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); }))
+            all.push_back(one);
+    }
+    for (const MeasuredConcern one : {form, step, implausible_gradient})
+        if (std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); }))
+            all.push_back(one);
+    add_peak_concerns(all, whole.peaks_counted, whole.peak_radius, whole.peak_density);
+    if (!unknown_parameters(whole).empty()) all.push_back(parameter_unknown);
+    return all;
+}
+
+/// Share of the shape of all heights of \p parts; the mean of the shares where some heights are not kept.
+template <Real T>
+[[nodiscard]] T pooled_share(const std::vector<Surface<T>>& parts) {
+    ShapeOfHeights<T> all;
+    T sum = 0, size = 0;
+    for (const auto& part : parts) {
+        if (part.profile) all.add(part.profile->profile);
+        if (part.map) all.add(part.map->map);
+        sum += part.size * part.shape_share, size += part.size;
+    }
+    const bool kept =
+        std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.profile || part.map; });
+    return kept ? all.share() : size > T(0) ? sum / size : T(0);
+}
+
+/// Surfaces of \p heights, each measured with the common cut-offs.
+template <Real T, class Heights>
+[[nodiscard]] Surface<T> measure_several(const std::vector<Heights>& heights, MeasureOptions<T> options) {
+    const auto each = [&] {
+        std::vector<Surface<T>> parts;
+        for (const Heights& one : heights) parts.push_back(measure(one, options));
+        return parts;
+    };
+    std::vector<Surface<T>> parts = each();
+    const CutOff<T> lambda_s = shared_cut_off(options.lambda_s, parts, &CutOffs<T>::lambda_s);
+    const CutOff<T> lambda_c =
+        options.form_cut_off ? options.lambda_c : shared_cut_off(options.lambda_c, parts, &CutOffs<T>::lambda_c);
+    const bool again =
+        lambda_s.automatic() != options.lambda_s.automatic() || lambda_c.automatic() != options.lambda_c.automatic();
+    options.lambda_s = lambda_s, options.lambda_c = lambda_c;
+    if (again) parts = each();
+    return pooled(std::move(parts));
+}
+
+template <Real T>
+Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one) {
+    if (!first.profile != !one.profile) return Unlikeness::kind;
+    if (lengths_differ(one.cut_offs.lambda_s, first.cut_offs.lambda_s)) return Unlikeness::lambda_s;
+    if (lengths_differ(one.cut_offs.lambda_c, first.cut_offs.lambda_c)) return Unlikeness::lambda_c;
+    if (one.cut_offs.lambda_s || !(first.profile || (first.map && one.map))) return Unlikeness::none;
+    const auto longer_step = [](const Surface<T>& of) {
+        return of.map ? (std::max)(of.map->map.dx, of.map->map.dy) : step_of(of);
+    };
+    return lengths_differ(step_of(one), step_of(first)) || lengths_differ(longer_step(one), longer_step(first))
+               ? Unlikeness::step
+               : Unlikeness::none;
+}
+
+template <Real T, class Measured>
+CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Measured>& surfaces,
+                         std::optional<T> CutOffs<T>::*of) {
+    if (!asked.automatic() || surfaces.empty()) return asked;
+    const auto [low, high] = std::minmax_element(surfaces.begin(), surfaces.end(), [&](const auto& a, const auto& b) {
+        return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);
+    });
+    const std::optional<T> least = low->cut_offs.*of, most = high->cut_offs.*of;
+    if (!most || (least && !lengths_differ(*least, *most))) return asked;
+    return CutOff<T>::of(least ? most : least);
+}
+
+}  // namespace detail
+
+template <Real T>
+Surface<T> pooled(std::vector<Surface<T>> parts) {
+    detail::require(!parts.empty(), "number of measurements", parts.size(), "at least 1");
+    if (parts.size() == 1) return std::move(parts.front());
+    const Surface<T>& first = parts.front();
+    for (const auto& part : parts)
+        if (const detail::Unlikeness in = detail::unlikeness(first, part); in != detail::Unlikeness::none)
+            throw domain_error("measurements of unlike " + std::string(name_of(in)) + ": must be alike to be pooled");
+    Surface<T> whole{detail::stated(detail::mean_of_known(parts))};
+    whole.cut_offs = first.cut_offs;
+    whole.is_profile = first.is_profile;
+    whole.widest_band = 0;
+    std::vector<HeightStatistics<T>> heights;
+    std::vector<T> sizes;
+    for (const auto& part : parts) {
+        whole.long_end = detail::mean_of_ends(whole.long_end, part.long_end, whole.size / (whole.size + part.size));
+        whole.size += part.size, whole.peaks_counted += part.peaks_counted, whole.blocks += part.blocks;
+        whole.widest_band = (std::max)(whole.widest_band, part.widest_band);
+        if (part.heights) heights.push_back(*part.heights);
+        sizes.push_back(part.size);
+    }
+    detail::pool_errors(whole, parts);
+    if (!whole.fractal_roughness) whole.why_no_dimension = first.why_no_dimension;
+    if (!whole.r) whole.why_no_peaks = first.why_no_peaks;
+    if (!whole.find(Parameter::peak_density)) whole.why_no_density = first.why_no_density;
+    if (heights.size() == parts.size()) {
+        whole.heights = pooled(heights, sizes);
+        whole.rms_gradient = whole.heights->rms_gradient;
+        whole.shape_share = detail::pooled_share(parts);
+    }
+    for (const Surface<T>& neighbour : first.neighbours) {
+        std::vector<Surface<T>> alike;  // one of every part
+        for (const auto& part : parts)
+            for (const Surface<T>& one : part.neighbours)
+                if (detail::unlikeness(neighbour, one) == detail::Unlikeness::none) alike.push_back(one);
+        if (alike.size() == parts.size()) whole.neighbours.push_back(pooled(std::move(alike)));
+    }
+    whole.concerns = detail::pooled_concerns(whole, parts);
+    whole.parts = std::move(parts);
+    return whole;
+}
+
+template <Real T>
+Surface<T> measure(const std::vector<Profile<T>>& profiles, const MeasureOptions<T>& options) {
+    return detail::measure_several<T>(profiles, options);
+}
+
+template <Real T>
+Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T>& options) {
+    return detail::measure_several<T>(maps, options);
+}
+
+}  // namespace fstiff::inline v0_1
