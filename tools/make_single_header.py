@@ -16,7 +16,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = ROOT / "include"
 SOURCE = ROOT / "src"
-PACKED = ("x3p.cpp", "zip_archive.cpp", "plux.cpp", "inflate.cpp", "whole_file.cpp")  # need other libraries, or POSIX
+PACKED = ("zip_archive.cpp", "inflate.cpp", "whole_file.cpp")  # need other libraries, or POSIX
 DIRECTIVE = re.compile(r"\s*#\s*(include|if|ifdef|ifndef|endif|pragma)\b\s*(.*)")
 NAME = re.compile(r"<([^<>]+)>|\"(io/[^\"]+)\"")
 
@@ -58,14 +58,14 @@ class Amalgamation:
                 other = NAME.match(directive[2])
                 if not other:
                     raise ValueError(f"{name}: '{line}': an include must stand in angle brackets")
-                if depth:
-                    raise ValueError(f"{name}: '{line}': stands under a condition, and would be left out elsewhere")
                 included = other[1] or other[2]
+                if depth and not included.endswith("pugixml.hpp"):
+                    raise ValueError(f"{name}: '{line}': stands under a condition, and would be left out elsewhere")
                 if included.startswith("fstiff/") or other[2]:
                     flush()
                     self.add(included)
                     continue
-                if included in self.seen:
+                if included in self.seen and not depth:
                     continue
                 self.seen.add(included)
             if line.strip() != "/// \\file":

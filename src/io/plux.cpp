@@ -16,12 +16,13 @@
 /// Accuracy    the float32 of the file times 1e-6, rounded once (tests/io/plux_test.cpp)
 
 #include "io/readers.hpp"
-#ifdef FSTIFF_HAS_X3P
+
 #include "io/file_bytes.hpp"
 #include "io/zip_archive.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
+#ifdef FSTIFF_HAS_X3P
 #include <pugixml.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -65,7 +66,7 @@ private:
     double number_at(const char* element) const {
         const std::string text = text_at(element), place = std::string("GENERAL/") + element;
         if (text.empty()) refuse_file(name_, {"index.xml has no ", place, "; must have one"});
-        return parts::located({.file = name_}, [&] { return parse_number(printable(text, 64), place); });
+        return fstiff::detail::located({.file = name_}, [&] { return parse_number(printable(text, 64), place); });
     }
     std::uint64_t count_at(const char* element) const {
         const double value = number_at(element);

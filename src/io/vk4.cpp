@@ -26,9 +26,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/unpack.hpp"
-#ifdef FSTIFF_HAS_X3P
 #include "io/zip_archive.hpp"
-#endif
 
 namespace fstiff::inline v0_1::io::detail {
 

@@ -17,13 +17,14 @@
 /// Accuracy    number times increment, plus offset where there is one, each rounded once (tests/io/x3p_test.cpp)
 
 #include "io/readers.hpp"
-#ifdef FSTIFF_HAS_X3P
+
 #include "io/binary_numbers.hpp"
 #include "io/option_names.hpp"
 #include "io/zip_archive.hpp"
 
-#include <fstiff/io/quantity.hpp>
+#include <fstiff/io/units.hpp>
 
+#ifdef FSTIFF_HAS_X3P
 #include <pugixml.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -158,8 +159,8 @@ private:
     double number_at(const pugi::xml_node& axis, const std::string& path, double otherwise) const {
         const std::string text = text_at(local_child(axis, path.substr(path.find('/') + 1)));
         if (text.empty()) return otherwise;
-        return parts::located({.file = name_}, [&] {
-            if (text.size() > 64) parts::refuse(path, shown_cell(text), "a number");
+        return fstiff::detail::located({.file = name_}, [&] {
+            if (text.size() > 64) fstiff::detail::refuse(path, shown_cell(text), "a number");
             return parse_number(printable(text, 80), path);
         });
     }
@@ -187,11 +188,11 @@ private:
         dy_ = number_at(y, "CY/Increment", 0);
         z_increment_ = number_at(z, "CZ/Increment", 1);
         z_offset_ = number_at(z, "CZ/Offset", 0);
-        parts::located({.file = name_}, [&] {
-            require_positive("CX/Increment", dx_);
-            if (!profile_) require_positive("CY/Increment", dy_);
-            require(dy_ >= 0, "CY/Increment", dy_, "at least 0");
-            require_positive("CZ/Increment", z_increment_);
+        fstiff::detail::located({.file = name_}, [&] {
+            fstiff::detail::require_positive("CX/Increment", dx_);
+            if (!profile_) fstiff::detail::require_positive("CY/Increment", dy_);
+            fstiff::detail::require(dy_ >= 0, "CY/Increment", dy_, "at least 0");
+            fstiff::detail::require_positive("CZ/Increment", z_increment_);
         });
         header_.increment = z_increment_;
         header_.applied = !header_.doubtful() || options_.x3p_increment == X3pIncrement::apply;
