@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks of sources and documents that no compiler makes. Each prints its complaints, and then ends with 1.
 
-    tools/lint.py layers             who includes whom, umbrella headers, tables of docs/architecture.md, names of files
-    tools/lint.py layers --update    writes the umbrella headers and the tables
+    tools/lint.py layers             who includes whom, umbrella headers, rows of docs/architecture.md, names of files
+    tools/lint.py layers --update    writes the umbrella headers
     tools/lint.py glossary           the names and rows of docs/glossary.md
     tools/lint.py words [FILE ...]   no prose has a word of the last table of docs/glossary.md; comments have 120 columns
     tools/lint.py api                docs/api.md lists the public names; --update writes it
@@ -24,15 +24,15 @@ import sys
 
 # layers: a folder includes itself and the levels before its own; folders on one level never include each other.
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
-          "ultrasound", "measured", "fit", "answer", "double", "io")
+          "tabulated", "wave", "measure", "identify", "answer", "double", "io")
 PRIVATE = ("io", "document", "request", "instances", "surface", "scene", "sweep c web", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
-OPT_IN = re.compile("answer/(?!law_|causes|checks|joint|any_)")  # not in fstiff.hpp
+OPT_IN = re.compile("answer/(?!causes|checks|joint)")  # not in fstiff.hpp
 OF_THREADS = "barrier condition_variable future latch semaphore shared_mutex stop_token thread".split()
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, of the comment that opens a header, and of folders.
 FILE_LINES, FUNCTION_LINES, HEAD_LINES = 400, 60, 15
-TOTALS = {"include": 31734, "src without io": 18091, "tools": 3563}
+TOTALS = {"include": 31280, "src without io": 17918, "tools": 3562}
 
 
 def read(path):
@@ -55,23 +55,23 @@ def above(levels):
 
 
 def public_include(root, line, allowed):
-    """The folder of include/fstiff that a line of a public header includes, and what is wrong with the line."""
+    """What is wrong with a line of a public header that includes another."""
     if not (name := re.search(r"<([^<>]+)>", line)):
-        return None, f"'{line}': must name the header in angle brackets, from fstiff/ on"
+        return f"'{line}': must name the header in angle brackets, from fstiff/ on"
     name = name[1]
     if inner := re.match(r"fstiff/([^/]+)/", name):
         if inner[1] not in allowed:
-            return None, f"<{name}>: {allowed[-1]} may include only {', '.join(allowed)}"
-        return inner[1], None if (root / "include" / name).exists() else f"<{name}> does not exist"
+            return f"<{name}>: {allowed[-1]} may include only {', '.join(allowed)}"
+        return None if (root / "include" / name).exists() else f"<{name}> does not exist"
     if not re.fullmatch(r"[a-z_]+|(unsupported/)?Eigen/[A-Za-z]+", name):
-        return None, f"<{name}>: public headers use only the standard library and Eigen"
-    return None, f"<{name}>: needs a threads library, which the target does not link" if name in OF_THREADS else None
+        return f"<{name}>: public headers use only the standard library and Eigen"
+    return f"<{name}>: needs a threads library, which the target does not link" if name in OF_THREADS else None
 
 
 def public_headers(root, problems):
-    """The headers by folder, and the folders that each folder includes."""
+    """The headers by folder."""
     allowed = above(PUBLIC)
-    headers, used = {folder: [] for folder in allowed}, {folder: set() for folder in allowed}
+    headers = {folder: [] for folder in allowed}
     include = root / "include/fstiff"
     for path in sorted(path for path in include.rglob("*") if path.is_file()):
         name = path.relative_to(include).as_posix()
@@ -84,21 +84,19 @@ def public_headers(root, problems):
         headers[folder].append(name)
         text = read(path)
         for line in INCLUDE.findall(text):
-            other, problem = public_include(root, line, allowed[folder])
-            used[folder].add(other)
-            problems += [f"{name}: {problem}"] if problem else []
+            if problem := public_include(root, line, allowed[folder]):
+                problems.append(f"{name}: {problem}")
         code = re.sub("//.*", "", text)
         if line := re.search(r"^.*[^\n\t -~].*", code, re.M):
             problems.append(f"{name}: '{line[0]}': must be ASCII, which no compiler reads in a code page")
         if (found := re.search("(gnu|clang|msvc)::", code)) and name != "core/config.hpp":
             problems.append(f"{name}: {found[0]}: attributes of one compiler must stand in core/config.hpp")
-    return headers, used
+    return headers
 
 
 def private_sources(root, problems):
-    """The folders of src that each folder of src includes."""
+    """The folders of src include only what they may."""
     allowed = above(PRIVATE)
-    used = {folder: set() for folder in allowed}
     for name, path in sources(root, "src").items():
         folder = name[len("src/"):].rpartition("/")[0]
         if folder not in allowed:
@@ -111,15 +109,8 @@ def private_sources(root, problems):
                 problems += [f"{name}: {quoted[2]} is neither in src nor in src/cli"] if quoted[1] == '"' else []
                 continue
             other = f"{places[0]}/{quoted[2]}"[len("src/"):].rpartition("/")[0]
-            if other in allowed[folder]:
-                used[folder].add(other)
-            else:
+            if other not in allowed[folder]:
                 problems.append(f"{name}: {quoted[2]}: src/{folder} may include only {', '.join(allowed[folder])}")
-    return used
-
-
-def listed(used, folder):
-    return ", ".join(other for other in used if other in used[folder] and other != folder)
 
 
 def umbrellas(headers):
@@ -137,31 +128,18 @@ def umbrellas(headers):
 
 def layers(root, update=False):
     problems = []
-    headers, used = public_headers(root, problems)
-    table = "| layer | headers | includes from |\n|---|---|---|\n"
-    for folder, names in headers.items():
-        cells = ", ".join(f"[{pathlib.Path(name).stem}](../include/fstiff/{name})" for name in names)
-        table += f"| {folder} | {cells} | {listed(used, folder)} |\n" if names else ""
-    used = private_sources(root, problems)
-    tables = {"layers": table, "folders of src": "| folder of src | includes from |\n|---|---|\n" + "".join(
-        f"| {folder} | {listed(used, folder)} |\n" for folder in used)}
-    document = root / "docs/architecture.md"
-    text = read(document)
-    wanted = {root / "include/fstiff" / name: text for name, text in umbrellas(headers).items()} | {document: text}
-    for name, table in tables.items():
-        wanted[document], count = re.subn(rf"(?s)(<!-- {name} -->\n).*?(?=<!-- /{name} -->)",
-                                          lambda found: found[1] + table, wanted[document])
-        if count != 1:
-            problems.append(f"docs/architecture.md: must hold the lines <!-- {name} --> and <!-- /{name} -->")
-    for path, new in wanted.items():
+    headers = public_headers(root, problems)
+    private_sources(root, problems)
+    for name, new in umbrellas(headers).items():
+        path = root / "include/fstiff" / name
         if update:
             path.write_text(new, encoding="utf-8", newline="\n")
         elif read(path) != new:
-            what = "a table of what includes what is old" if path == document else "does not list the public headers"
-            problems.append(f"{path.relative_to(root).as_posix()}: {what}: run tools/lint.py layers --update")
-    for name in (name[:-len(".hpp")] for names in headers.values() for name in names):
-        if not re.search(rf"^\| {name} \| [^|\n]*[a-zA-Z][^|\n]* \|", text, re.M):
-            problems.append(f"docs/architecture.md: has no row '| {name} | what it is for |'")
+            problems.append(f"include/fstiff/{name}: does not list the public headers: run tools/lint.py layers --update")
+    folders = [*above(PUBLIC), *above(PRIVATE)]
+    rows = re.findall(r"^\| ([a-z/]+) \| [^|\n]*[a-zA-Z][^|\n]* \| [^|\n]+ \|$", read(root / "docs/architecture.md"), re.M)
+    if [row for row in rows if row in folders] != folders:
+        problems.append(f"docs/architecture.md: must have rows '| folder | what it is for | begin with |' of {', '.join(folders)}, in this order")
     return problems + missing_files(root)
 
 
@@ -325,11 +303,11 @@ def sizes(root):
                        if size > (limit := limits[name] if limits is TOTALS else limits)]
 
 
-API_NAMES = 175  # of namespaces fstiff and fstiff::io, at most
+API_NAMES = 240  # of namespaces fstiff and fstiff::io, at most
 
 
 def declarations(text):
-    """Namespace, name and comment of each declaration of a header."""
+    """Namespace, name, comment and code of each declaration of a header."""
     code = NO_CODE.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
     spaces, start, depth = [], 0, 0
     for mark in re.finditer("[{};]", code):
@@ -347,32 +325,45 @@ def declarations(text):
             name = (re.search(r"\b(?:struct|class|concept|using)\s+(\w+)\s*(?:=|:|$|final)", head)
                     or re.search(r"([\w:]+)\s*(?:[(=\[]|\s*$)", head))
             if name and not re.search(r"\boperator\b|^\s*template <>", code[start:mark.end()].split("(")[0]) and not re.search("::|^static_assert$", name[1]):
-                yield "::".join(spaces), name[1], " ".join(comment)
+                yield "::".join(spaces), name[1], " ".join(comment), code[start:mark.end()]
         start = mark.end()
 
 
+def unmet(root, codes):
+    """The public names that no page or example has, nor the declaration of a name that one has."""
+    pages = (path for pattern in ("README.md", "docs/*.md", "examples/**/*.cpp") for path in root.glob(pattern) if path.name != "api.md")
+    words = set(re.findall(r"\w+", "\n".join(map(read, pages))))
+    rest, reached = set(codes) - words, set(codes) & words
+    while reached:
+        reached = set(re.findall(r"\w+", "\n".join(codes[name] for name in reached))) & rest
+        rest -= reached
+    return sorted(rest)
+
+
 def api(root, update=False):
-    """docs/api.md lists what is in namespaces fstiff and fstiff::io, with the first sentence about each."""
-    found, problems = {}, []
+    """docs/api.md lists what is in namespaces fstiff and fstiff::io by folder, with the first sentence about each."""
+    found, codes, problems = {}, {}, []
     version = dict(re.findall(r"FSTIFF_VERSION_(\w+) (\d+)", read(root / "include/fstiff/core/version.hpp")))
     home = f"fstiff::inline v{version['MAJOR']}_{version['MINOR']}"
-    for path in sorted((root / "include/fstiff").rglob("*.hpp")):
-        header = path.relative_to(root / "include").as_posix()
-        for space, name, comment in () if path.parent.name == "double" else declarations(read(path)):
+    for path in sorted((root / "include/fstiff").glob("[!d]*/*.hpp")):
+        header = path.relative_to(root / "include/fstiff").as_posix()
+        for space, name, comment, code in declarations(read(path)):
             if space and not space.startswith(home):
                 problems.append(f"{header}: {name} is in {space}, not in {home}")
             elif space in (home, f"{home}::io"):
                 key = (header, "io::" * space.endswith("::io") + name)
                 key = next((known for known in found if known[1] == key[1]), key)
                 found[key] = found.get(key) or re.sub(r"\\p ", "", re.split(r"(?<=[.])(?: |$)", comment, maxsplit=1)[0]).replace("|", "\\|")
+                codes[name] = codes.get(name, "") + code
     problems += [f"{header}: {name} is public and has no comment" for (header, name), meaning in found.items() if not meaning]
+    problems += [f"{name} is public, and neither a page nor an example leads to it: put it into detail, or describe it" for name in unmet(root, codes)]
     if len(found) > API_NAMES:
-        problems.append(f"namespaces fstiff and fstiff::io have {len(found)} names, more than {API_NAMES}: "
-                        "put what is a step into math, parts or detail")
-    headers = {}
+        problems.append(f"namespaces fstiff and fstiff::io have {len(found)} names, more than {API_NAMES}: put what is a step into math or detail")
+    folders = {}
     for (header, name), meaning in found.items():
-        headers.setdefault(header, []).append(f"| `{name}` | {meaning} |\n")
-    table = "".join(f"\n### {header}\n\n| name | what it is |\n|---|---|\n" + "".join(rows) for header, rows in headers.items())
+        folder, _, file = header.removesuffix(".hpp").partition("/")
+        folders.setdefault(folder, []).append(f"| `{name}` | {meaning} | {file} |\n")
+    table = "".join(f"\n### {folder}\n\n| name | what it is | header |\n|---|---|---|\n" + "".join(rows) for folder, rows in folders.items())
     document = root / "docs/api.md"
     old = read(document)
     new = re.sub(r"(?s)(<!-- api -->\n).*?(?=<!-- /api -->)", lambda mark: mark[1] + table, old)
@@ -380,7 +371,7 @@ def api(root, update=False):
         document.write_text(new, encoding="utf-8", newline="\n")
     elif new != old:
         problems.append("docs/api.md: does not list the public names: run tools/lint.py api --update")
-    print(f"{len(found)} public names in {len(headers)} headers, at most {API_NAMES}")
+    print(f"{len(found)} public names in {len(folders)} folders, at most {API_NAMES}")
     return problems
 
 

@@ -20,54 +20,23 @@ import links  # noqa: E402
 lint.API_NAMES = 4
 lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
 
-TABLES = "<!-- layers -->\n<!-- /layers -->\n<!-- folders of src -->\n<!-- /folders of src -->\n"
-ROWS = ("| core/config | attributes |\n| core/error | errors |\n| math/root | roots; and brackets |\n"
-        "| io/text | text |\n| answer/laws | opt-in |\n")
+ROWS = "".join(f"| {folder} | what it is for | x |\n" for folder in (*lint.above(lint.PUBLIC), *lint.above(lint.PRIVATE)))
 TREE = {
     "tools/lint.py": "# which fstiff.hpp names\n",
     "tools/of_python/a.pyc": 20 * "\n",
     "tests/check/lint_refuse.py": "# docs/none.md\n",
     "include/fstiff/core/config.hpp": "[[gnu::cold]] void refuse();\n",
     "include/fstiff/core/error.hpp": "#include <string>\n#include <fstiff/core/config.hpp>\n",
-    "include/fstiff/answer/laws.hpp": "",
+    "include/fstiff/answer/answer_inline.hpp": "",
     "include/fstiff/math/root.hpp": "#include <Eigen/Core>\n#include <fstiff/core/error.hpp>\n",
     "include/fstiff/io/text.hpp": "#include <fstiff/math/root.hpp>\n",
     "src/io/text.hpp": "#include <fstiff/io/text.hpp>\n#include <zlib.h>\n",
     "src/sweep/a.cpp": "#include \"io/text.hpp\"\n",
     "src/cli/input/a.hpp": "#include \"document/a.hpp\"\n",
     "src/cli/document/a.hpp": "\n",
-    "docs/architecture.md": "before\n" + TABLES + "after; with a semicolon\n" + ROWS,
+    "docs/architecture.md": "before\n| folder | what it is for | begin with |\n|---|---|---|\n" + ROWS + "after; with a semicolon\n",
 }
 WRITTEN = {  # by --update, in its order
-    "docs/architecture.md": """before
-<!-- layers -->
-| layer | headers | includes from |
-|---|---|---|
-| core | [config](../include/fstiff/core/config.hpp), [error](../include/fstiff/core/error.hpp) |  |
-| math | [root](../include/fstiff/math/root.hpp) | core |
-| answer | [laws](../include/fstiff/answer/laws.hpp) |  |
-| io | [text](../include/fstiff/io/text.hpp) | math |
-<!-- /layers -->
-<!-- folders of src -->
-| folder of src | includes from |
-|---|---|
-| io |  |
-| document |  |
-| request |  |
-| instances |  |
-| surface |  |
-| scene |  |
-| sweep | io |
-| c |  |
-| web |  |
-| cli/document |  |
-| cli/input | cli/document |
-| cli/picture |  |
-| cli/commands |  |
-| cli |  |
-<!-- /folders of src -->
-after; with a semicolon
-""" + ROWS,
     "include/fstiff/fstiff.hpp": "#include <fstiff/core/config.hpp>\n#include <fstiff/core/error.hpp>\n"
                                  "#include <fstiff/math/root.hpp>\n",
     "include/fstiff/io.hpp": "#include <fstiff/io/text.hpp>\n",
@@ -104,13 +73,9 @@ LAYERS = [
     ("must be <layer>/<name>.hpp", "include/fstiff/math/thing.h", "\n"),
     ("fstiff.hpp: does not list", "include/fstiff/core/more.hpp", "\n"),
     ("io.hpp: does not list", "include/fstiff/io/more.hpp", "\n"),
-    ("a table of what includes what is old", "include/fstiff/math/root.hpp", "#include <vector>\n"),
-    ("a table of what includes what is old", "src/sweep/a.cpp", "\n"),
-    ("has no row '| core/more | what it is for |'", "include/fstiff/core/more.hpp", "\n"),
-    ("has no row '| math/root | what it is for |'", "docs/architecture.md",
-     TABLES + "| core/error | errors |\n| math/root |  |\n| core/error | math/root | x |\n"),
-    ("must hold the lines <!-- layers -->", "docs/architecture.md", "no table\n"),
-    ("must hold the lines <!-- folders of src -->", "docs/architecture.md", "<!-- layers -->\n<!-- /layers -->\n"),
+    ("must have rows '| folder |", "docs/architecture.md", ROWS.replace("| math | what it is for | x |\n", "")),
+    ("must have rows '| folder |", "docs/architecture.md", ROWS.replace("| math | what it is for | x |", "| math |  | x |")),
+    ("must have rows '| folder |", "docs/architecture.md", "| sweep | first | x |\n" + ROWS),
     ("src/io may include only io", "src/io/text.hpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/io may include only io", "src/io/text.hpp", "#  include <sweep/a.hpp>\n", "src/sweep/a.hpp", ""),
     ("src/c may include only io, document, request, instances, surface, scene, c", "src/c/a.cpp",
@@ -306,15 +271,16 @@ template <class T> inline constexpr T least{1};
 }  // namespace fstiff::inline v1_2
 """
 VERSION = ("include/fstiff/core/version.hpp", "#define FSTIFF_VERSION_MAJOR 1\n#define FSTIFF_VERSION_MINOR 2\n")
-LISTED = ("<!-- api -->\n\n### fstiff/law.hpp\n\n| name | what it is |\n|---|---|\n| `Law` | A law. |\n"
-          "| `load` | Its load. |\n| `IsLaw` | Whether it is one. |\n| `least` | Least. |\n<!-- /api -->\n")
-APIS = [("", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp", API),
-        ("Law is in fstiff, not in fstiff::inline v1_2", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp",
-         API.replace("::inline v1_2", "")),
-        ("does not list", *VERSION, "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. |\n", ""), "include/fstiff/law.hpp", API),
-        ("load is public and has no comment", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp", API.replace("/// Its load.\n", "")),
-        ("have 5 names, more than 4", *VERSION, "docs/api.md", LISTED, "include/fstiff/law.hpp",
-         API.replace("}  // namespace fstiff:", "/// One.\nint one();\n}  // namespace fstiff:"))]
+LISTED = ("<!-- api -->\n\n### law\n\n| name | what it is | header |\n|---|---|---|\n| `Law` | A law. | law |\n"
+          "| `load` | Its load. | law |\n| `IsLaw` | Whether it is one. | law |\n| `least` | Least. | law |\n<!-- /api -->\n")
+LAW = ("docs/api.md", LISTED, "include/fstiff/law/law.hpp")
+PAGE = ("README.md", "`Law`, `load`, `IsLaw<T>`, `least`, `one`\n")
+APIS = [("", *VERSION, *PAGE, *LAW, API),
+        ("Law is in fstiff, not in fstiff::inline v1_2", *VERSION, *PAGE, *LAW, API.replace("::inline v1_2", "")),
+        ("does not list", *VERSION, *PAGE, "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. | law |\n", ""), LAW[2], API),
+        ("load is public and has no comment", *VERSION, *PAGE, *LAW, API.replace("/// Its load.\n", "")),
+        ("load is public, and neither a page", *VERSION, "README.md", "Law IsLaw least\n", *LAW, API),
+        ("have 5 names, more than 4", *VERSION, *PAGE, *LAW, API.replace("}  // namespace fstiff:", "/// One.\nint one();\n}  // namespace fstiff:"))]
 
 
 def as_command(expected_code, expected, *arguments):
@@ -343,7 +309,7 @@ def main():
         as_command(0, "1 words, 2 names", "--root", root, "glossary")
         write(root, {"docs/glossary.md": GLOSSARY})
         as_command(1, "holds no table", "--root", root, "glossary")
-        as_command(1, "architecture.md", "--root", root, "layers")
+        as_command(1, "fstiff.hpp", "--root", root, "layers")
         snippets = ("--root", root, "snippets", root / "README.md", "--work", root / "work")
         write(root, {"README.md": "```text\nwords\n```\n```console check\n$ true\n```\n"})
         as_command(0, "1 of 2 blocks", *snippets)
