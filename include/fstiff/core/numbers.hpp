@@ -17,13 +17,8 @@ template <class T>
 concept Real = std::same_as < std::remove_cv_t<T>,
 float > || std::same_as<std::remove_cv_t<T>, double>;
 
-}  // namespace fstiff::inline v0_1
-
-// A computed number with its error and its cost.
-
-namespace fstiff::inline v0_1 {
-
-/// \p error is an absolute bound on |value - true value|, in the units of \p value; inputs count as exact.
+/// A computed number with its error and its cost. \p error is an absolute bound on |value - true value|, in the units
+/// of \p value; inputs count as exact.
 template <Real T = double>
 struct Estimate {
     T value{};

@@ -108,7 +108,7 @@ public:
     static constexpr std::size_t begun = kinks, linear = kinks + 1, open = kinks + 2, kinds = kinks + 3;
     static constexpr int row_falls = kinked ? falls / 4 : falls, open_falls = kinked ? falls / 2 : falls;
 
-    /// The first guesses were fitted so that one pass mostly does.
+    /// The first guesses were fitted so that one pass mostly does: a second one repeats the first.
     TensorRule(const F& f, const PeakProblem<T>& problem, T log_accuracy)
         : f_(f),
           p_(problem),
@@ -116,7 +116,8 @@ public:
           turn_on_(p_.eta < T(1.5) ? p_.r / p_.c : T(0)),
           map_(kinked || (std::max)(p_.k, turn_on_) > 2 ? detail::gentle_map<T> : detail::plain_map<T>) {
         layer_ = std::sqrt(p_.k * p_.k + (1 + turn_on_ * turn_on_) / 2);
-        const T first = p_.r * p_.eta - p_.reach * p_.c, last = detail::max_curvature(p_);
+        const T first = p_.r * p_.eta - p_.reach * p_.c, last = detail::max_curvature(p_),
+                below = (std::max)(T(0), -p_.eta);
         if constexpr (square) {
             begin_ = std::sqrt((std::max)(first, T(0)));
             end_ = std::sqrt(last);
@@ -129,14 +130,16 @@ public:
             if (first > 0) begin_ = (std::max)(begin_, map_.at(first));
             end_ = map_.end(last);
             rows_ = (end_ - begin_) * (log_accuracy + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
-                    (kinked                ? T(1.12)
+                    (kinked                ? T(1.04) * (1 + below * (T(0.04) + T(0.093) * turn_on_))
                      : axis == Axis::rough ? T(1)
                                            : T(1.25));
         }
-        asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * log_accuracy + 8);
-        asked_[0] += log_accuracy / 4 * (std::min)((std::max)(T(0), -p_.eta / p_.c), T(5));
-        asked_[begun] = log_accuracy + 8;
-        asked_[linear] = asked_[open] = square ? T(1.5) * log_accuracy + 8 : log_accuracy + 6;
+        asked_.fill(axis == Axis::even ? T(0.8) * log_accuracy + 8 : T(1.2) * log_accuracy + T(7.3));
+        asked_[0] += T(0.22) * log_accuracy * (std::min)(below / p_.c, T(5));
+        asked_[begun] = log_accuracy / 2 + 8;
+        asked_[linear] = asked_[open] = kinked   ? T(1.3) * log_accuracy + T(1.5)
+                                        : square ? T(1.5) * log_accuracy + 8
+                                                 : log_accuracy + 6;
     }
 
     /// The sum over the present rows and nodes, its error, and how many there were.

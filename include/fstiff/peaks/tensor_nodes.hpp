@@ -101,7 +101,8 @@ struct LegendreNodes {
     static LegendreNodes at_least(int n) {
         if (n <= 16) return n <= 8 ? of<8>() : of<16>();
         if (n <= 32) return n <= 24 ? of<24>() : of<32>();
-        return n <= 48 ? of<48>() : of<64>();
+        if (n <= 48) return n <= 40 ? of<40>() : of<48>();
+        return n <= 56 ? of<56>() : of<64>();
     }
 };
 
