@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/double/contacts.hpp>  // extern: compiled in instances.cpp
+#include <fstiff/double/integrals.hpp>  // extern: compiled in instances.cpp
 #include <fstiff/double/surfaces.hpp>
 
 #undef FSTIFF_DOUBLE

@@ -162,8 +162,7 @@ void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
         std::vector<Observation<double>> data = inputs.data;
         for (Observation<double>& observation : data) {
             AnswerReason reason;
-            if (g)
-                reason.p_star = dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
+            if (g) reason.p_star = dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
             observation = scaled(observation, std::exp(-wider * law_error(problem, fit.law->which, reason).*end),
                                  inputs.options.wave);
         }

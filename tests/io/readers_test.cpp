@@ -150,6 +150,7 @@ TEST_CASE("Every form has a row in the order of its names, a sample, and a row o
             table += " | " + std::string(cell);
         table += " |\n";
     }
+    table.replace(table.find("\\x93NUMPY"), 9, "`\\x93NUMPY`");  // Doxygen takes a backslash for a command of its own
     INFO("docs/formats.md must hold:\n" << table);
     CHECK(test::contains(test::read(FSTIFF_TEST_DATA "/../../docs/formats.md"), table));
 }

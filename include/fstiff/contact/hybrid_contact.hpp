@@ -54,8 +54,9 @@ public:
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
     }
     /// Contact of a Gaussian surface, without a bearing curve.
-    HybridContact(Peaks peaks, PerssonContact<T> crowded) requires std::default_initializable<Join>
-        : HybridContact(std::move(peaks), BearingContact<T>(std::move(crowded))) {}
+    template <std::default_initializable J = Join>
+    HybridContact(Peaks peaks, PerssonContact<T> crowded)
+        : HybridContact(std::move(peaks), BearingContact<T>(std::move(crowded)), J{}) {}
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.
     [[nodiscard]] T stiffness(T pressure) const {

@@ -13,23 +13,13 @@
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/identify/identify.hpp>
-#include <fstiff/peaks/contact_integrals.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 
-// The kernel of the contact integrals in double, compiled once, in the library fstiff::double.
-
-#ifndef FSTIFF_DOUBLE
-#define FSTIFF_DOUBLE extern template
-#endif
-
 namespace fstiff::inline v0_1 {
-
-FSTIFF_DOUBLE double detail::visit_nodes(const detail::PeakProblem<double>&, double, detail::PeakAccumulator<double>&);
-FSTIFF_DOUBLE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
-                                                const IntegralOptions<double>&);
 
 FSTIFF_DOUBLE class RoughContact<double, HertzLaw<double>>;
 FSTIFF_DOUBLE class RoughContact<double, FractalLaw<double>>;
