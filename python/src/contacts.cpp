@@ -6,7 +6,7 @@
 
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>
-#include <fstiff/double/contacts.hpp>
+#include <fstiff/double/integrals.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 
