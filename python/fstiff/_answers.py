@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
 from ._results import Columns, draw, frame, numbers, shown_rows, text_table
-from ._surfaces import Measurement, metres, warn_of_height
+from ._surfaces import Measurement, measured_of, metres, warn_of_height
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from ._results import Numbers
 
     Solid: TypeAlias = Union[str, Mapping[str, float]]
-    Face: TypeAlias = Union[Mapping[str, Any], Measurement]
+    from ._surfaces import Measurable
+
+    Face: TypeAlias = Union[Mapping[str, Any], Measurable]
 
 #: The numbers of a face, and those of them that are lengths.
 FACE = (
@@ -137,7 +139,7 @@ def answer(
     pressures: npt.ArrayLike,
     upper: Solid = "steel",
     lower: Solid | None = None,
-    surface: Measurement | Sequence[Measurement] | None = None,
+    surface: Measurable | None = None,
     height: Any = None,
     mean_height: Any = None,
     gradient: Any = None,
@@ -167,7 +169,7 @@ def answer(
     upper, lower        a material by its name, or a dict of youngs_modulus [Pa], poisson_ratio, yield_strength, hardness [Pa],
                         density, velocity, shear_velocity, thermal_conductivity, electrical_conductivity, and name for the rest;
                         lower is as upper unless it is given
-    surface             what measure() returned, or a list of that, one for each joint
+    surface             what measure() returned, or takes without options, or a list of that, one for each joint
     height, mean_height      rms height (Rq, Sq), or Ra or Sa in its place [m], or a text such as "0.8 um"
     gradient            rms gradient (Sdq); in its place profile_gradient (Rdq across the lay) or profile_spacing (RSm) [m]
     alpha, hurst, skewness, kurtosis, peak_radius, peak_density, fractal_dimension   as in a scene
@@ -186,10 +188,12 @@ def answer(
 
     own = {name: value for name, value in locals().items() if name in FACE and value is not None}
     several = isinstance(surface, (list, tuple))
-    measured: list[Any] = list(surface) if isinstance(surface, (list, tuple)) else [] if surface is None else [surface]
-    of_other: dict[str, Any] = {} if other is None or isinstance(other, Measurement) else dict(other)
+    given_surfaces: Any = surface if several else [] if surface is None else [surface]
+    measured = [measured_of(one) for one in given_surfaces]
+    rough: Any = measured_of(other)
+    of_other: dict[str, Any] = {} if rough is None or isinstance(rough, Measurement) else dict(rough)
     other_process = of_other.pop("process", None)
-    other_measured = [other] if isinstance(other, Measurement) else []
+    other_measured = [rough] if isinstance(rough, Measurement) else []
     unknown = set(of_other) - set(FACE)
     if unknown:
         raise ValueError(f"other.{sorted(unknown)[0]}: must be one of process, {', '.join(FACE)}")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from . import _core
 from ._results import Columns, Shown, draw, frame, numbers, shown, shown_rows, text_table, with_unit
-from ._surfaces import Measurement, measure, metres, warn_of_height
+from ._surfaces import Measurement, measure, measured_of, metres, warn_of_height
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._results import Numbers
-    from ._surfaces import Length, Source
+    from ._surfaces import Length, Measurable, Source
 
     Outside = Literal["refuse", "clamp", "exact", "extrapolate"]
 
@@ -84,7 +84,7 @@ class Contact(Shown):
     """A contact with one law, of plain numbers in SI units or of a measured surface. A length may be a text such as "0.8 um".
 
     law                 one of law_names()
-    surface             what measure() returned, in place of the numbers of the surface; laws that need a map take its heights
+    surface             what measure() returned, or takes without options, in place of the numbers of the surface; laws that need a map take its heights
     effective_modulus   of both bodies [Pa]; effective_modulus() computes it
     rms_height          sigma [m]
     peak_radius         R, mean radius of the peaks [m]
@@ -109,7 +109,7 @@ class Contact(Shown):
         law: str,
         *,
         effective_modulus: float,
-        surface: Measurement | None = None,
+        surface: Measurable | None = None,
         rms_height: Length | None = None,
         peak_radius: Length | None = None,
         peak_density: float | None = None,
@@ -135,6 +135,7 @@ class Contact(Shown):
         if surface is None and missing:
             raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface")
         given = {name: _number(value, name) for name, value in values.items()}
+        surface = measured_of(surface)
         if surface is not None and not isinstance(surface, Measurement):
             raise ValueError(f"surface: must be what measure() returned, not of type {type(surface).__name__}")
         measured = None if surface is None else surface._measured

@@ -12,7 +12,7 @@ from ._errors import named
 from ._pictures import draw_fits
 from ._results import frame, lines_of, numbers, shown, text_table, with_unit
 from ._scenes import Scene, scene_of
-from ._surfaces import Document, Measurement, options_of
+from ._surfaces import Document, options_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from typing_extensions import TypeAlias
 
-    from ._scenes import Given
+    from ._scenes import Face, Given
 
     Curve: TypeAlias = Union[str, os.PathLike[str], Mapping[str, npt.ArrayLike]]
     Amount: TypeAlias = Union[float, str]
@@ -84,7 +84,7 @@ def identify(
     *,
     law: str | None = None,
     wave: Literal["longitudinal", "shear"] = "longitudinal",
-    surface: str | os.PathLike[str] | Measurement | None = None,
+    surface: Face = None,
 ) -> Identification:
     """Parameters of a scene from a measured stiffness or reflection against pressure, as `fstiff identify` fits them.
 

@@ -14,7 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from . import _core
+from . import _core, _run
 from ._page import Page, figure, keep, sentence, style, write
 from ._pictures import draw_bearing, draw_curves, draw_heights, draw_islands, draw_scales, draw_structure
 from ._results import Table, heading, shown, with_unit
@@ -222,9 +222,8 @@ def numbers_section(page: Page, curves: Curves) -> None:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("scene", nargs="?", help="scene file (TOML); without it the built-in scene")
+    _run.add_arguments(parser)
     parser.add_argument("-o", "--output", metavar="FILE.html", required=True, help="the page")
-    parser.add_argument("--surface", metavar="FILE", help="profile, map, or JSON of fstiff measure, in place of the scene's [surface]")
 
 
 def execute(arguments: argparse.Namespace) -> int:

@@ -15,7 +15,7 @@ from ._contacts import Contact
 from ._errors import named
 from ._pictures import draw_curves
 from ._results import Columns, Table, draw, frame, heading, lines_of, shown, text_table, with_unit
-from ._surfaces import Measurement, options_of
+from ._surfaces import measured_of, options_of, with_surface
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -23,7 +23,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from typing_extensions import TypeAlias
 
+    from ._surfaces import Measurable
+
     Given: TypeAlias = Union[str, os.PathLike[str], Mapping[str, Any], None]
+    Face: TypeAlias = Union[str, os.PathLike[str], Measurable, None]
 
 
 class Answer(Columns):
@@ -189,21 +192,22 @@ class Scene:
 
     scene     a file, or the text of one: a str with a line end is a text; or a dict with the keys of one, as its TOML has them,
               in which None is a key that is left out; None is the built-in scene
-    surface   a file of a surface, or what measure() returned, in place of [surface] and contact.peaks
+    surface   in place of [surface] and contact.peaks: a file of a surface, what measure() returned, an object with units of its own
+              that measure() takes, or a list of such objects or of files, which are pooled
 
     What is wrong with it raises ValueError, with its line and key.
     """
 
-    def __init__(self, scene: Given = None, *, surface: str | os.PathLike[str] | Measurement | None = None) -> None:
+    def __init__(self, scene: Given = None, *, surface: Face = None) -> None:
         text, file = text_or_file(scene)
+        surface = measured_of(surface)
         self._made_of = (text if isinstance(scene, Mapping) else scene, surface)
-        measured = surface._measured if isinstance(surface, Measurement) else None
-        of_surface = "" if surface is None or isinstance(surface, Measurement) else named(surface, "surface")
         if file:
-            self._core = _core.Scene.of_file(file, of_surface, measured)
+            self._core = with_surface(lambda *face: _core.Scene.of_file(file, *face), surface)
             return
+        name = "built-in scene" if scene is None else "scene"
         with lines_of_text(scene):
-            self._core = _core.Scene.of_text(text, "built-in scene" if scene is None else "scene", of_surface, measured)
+            self._core = with_surface(lambda *face: _core.Scene.of_text(text, name, *face), surface)
 
     @property
     def name(self) -> str:
@@ -245,12 +249,12 @@ def _contact_of(scene: Any, surface: Any, law: str | None, peaks: int) -> Contac
     return Scene(scene, surface=surface).contact(law, peaks)
 
 
-def run(scene: Scene | Given = None, *, surface: str | os.PathLike[str] | Measurement | None = None) -> Curves:
+def run(scene: Scene | Given = None, *, surface: Face = None) -> Curves:
     """The curves of a scene, a file, a text or a dict, as `fstiff run` computes them; see Scene and Curves."""
     return scene_of(scene, surface).run()
 
 
-def scene_of(scene: Scene | Given, surface: str | os.PathLike[str] | Measurement | None) -> Scene:
+def scene_of(scene: Scene | Given, surface: Face) -> Scene:
     """The scene that a function was given, or what Scene() takes."""
     if not isinstance(scene, Scene):
         return Scene(scene, surface=surface)
@@ -281,7 +285,7 @@ def export(
     law: str | None = None,
     peaks: int = 1,
     at: float | str | None = None,
-    surface: str | os.PathLike[str] | Measurement | None = None,
+    surface: Face = None,
 ) -> Export:
     """The law of a scene as the contact law of a finite-element program, as `fstiff export` writes it.
 

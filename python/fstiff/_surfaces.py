@@ -10,11 +10,12 @@ import json
 import os
 import pickle
 import warnings
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Union
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, TypeVar, Union
 
 from . import _core
 from ._errors import FileError, named
+from ._objects import grid_of, is_object, is_topography
 from ._pictures import draw_heights, draw_islands, draw_scales, draw_structure
 from ._results import Shown, Table, draw, frame, lines_of, numbers, shown, shown_rows, text_table, with_unit
 
@@ -24,11 +25,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from typing_extensions import TypeAlias, Unpack
 
+    from ._objects import Labelled, Topography
     from ._results import Numbers
 
-    Source: TypeAlias = Union["Surface", npt.ArrayLike, str, os.PathLike[str], Sequence[Union[str, os.PathLike[str]]], Any]
+    Object: TypeAlias = Union["Surface", Topography, Labelled]
+    Source: TypeAlias = Union[Object, npt.ArrayLike, str, os.PathLike[str], Sequence[Any]]
+    Measurable: TypeAlias = Union["Measurement", Object, Sequence[Any]]
     Length: TypeAlias = Union[float, str]
     Part: TypeAlias = tuple[Numbers, float, float, str, str]
+
+Made = TypeVar("Made")
 
 
 class SurfaceOptions(TypedDict, total=False):
@@ -46,7 +52,8 @@ class SurfaceOptions(TypedDict, total=False):
                          lambda_c all, and the table's for Ra and Rq of a profile; "none" keeps all
     filter               of lambda_c: "gaussian" or "robust"
     tip_radius, resolution   of the instrument
-    format, units, column, x_column, missing, thousands, resample, x3p_increment, channel, width, height   of a file alone: see
+    units                of an object without them, or of a file: "um,nm" (lengths, heights) or "um"
+    format, column, x_column, missing, thousands, resample, x3p_increment, channel, width, height   of a file alone: see
                          docs/formats.md
     """
 
@@ -79,9 +86,6 @@ class SurfaceOptions(TypedDict, total=False):
 
 #: Options that have no meaning for an array.
 OF_FILES = {key for key, of_files in _core.surface_options().items() if of_files}
-
-#: Units of lengths, to m; SurfaceTopography writes them so.
-METRES = {"km": 1e3, "m": 1.0, "mm": 1e-3, "µm": 1e-6, "μm": 1e-6, "um": 1e-6, "nm": 1e-9, "Å": 1e-10, "pm": 1e-12}
 
 
 def metres(value: Any, name: str) -> float:
@@ -174,23 +178,12 @@ class Surface(Shown):
         return f"<fstiff.Surface {self.name}: {shape}{f', {missing} missing' if missing else ''}>" + lines_of(self.warnings)
 
 
-def surface_of_topography(topography: Any, name: str) -> Surface:
-    """What SurfaceTopography holds, in m: its first axis is x."""
-    import numpy as np
-
-    unit = getattr(topography, "unit", None)
-    if unit not in METRES:
-        raise ValueError(f"{name}: its unit is {unit}; must be a length, one of {', '.join(METRES)}")
-    factor = METRES[unit]
-    sizes = [float(size) * factor for size in topography.physical_sizes]
-    if topography.dim == 1:
-        if not topography.is_uniform:
-            raise ValueError(f"{name}: its points are not equally spaced; to_uniform() of SurfaceTopography makes them so")
-        return Surface(np.ma.asanyarray(topography.heights()) * factor, sizes[0] / topography.nb_grid_pts[0], name=name)
-    columns, rows = topography.nb_grid_pts
-    return Surface(
-        np.ma.asanyarray(topography.heights()).T * factor, dx=sizes[0] / columns, dy=sizes[1] / rows, name=name
-    )
+def surface_of_object(source: Any, name: str, steps: dict[str, Any] | None = None, units: str | None = None) -> Surface:
+    """What another package holds; see grid_of()."""
+    heights, unit, own_steps = grid_of(source, name, steps or {}, units)
+    surface = Surface(heights, name=name, **own_steps)
+    surface.heights = surface.heights * unit
+    return surface
 
 
 def open_surface(file: str | os.PathLike[str], channel: str | int | None = None, **options: Any) -> Surface:
@@ -208,13 +201,17 @@ def open_surface(file: str | os.PathLike[str], channel: str | int | None = None,
     except FileError:
         raise
     except ValueError as refused:
-        topography = _by_surface_topography(path, channel)
+        try:
+            topography = _by_surface_topography(path, channel)
+        except ImportError:
+            way_out = "; SurfaceTopography may read it: pip install 'fstiff[readers]'" if is_of_form(refused) else ""
+            raise ValueError(f"{refused}{way_out}") from None
         if topography is None or set(options) - {"channel"}:
             raise
         try:
-            surface = surface_of_topography(topography, os.path.basename(path))
-        except ValueError:  # a text whose units fstiff asked for
-            raise refused from None
+            surface = surface_of_object(topography, os.path.basename(path))
+        except ValueError as without_unit:  # a text whose units fstiff asked for
+            raise without_unit if is_of_form(refused) else refused from None
         surface.decisions = [f"format: {type(topography).__name__}, by SurfaceTopography, since {refused}"]
         return surface
     surface = surface_of(arrays, path)
@@ -228,11 +225,9 @@ def surface_of(arrays: tuple[Numbers, float, float], name: str) -> Surface:
 
 
 def _by_surface_topography(path: str, channel: str | int | None) -> Any:
-    """The topography of `path`, or None where SurfaceTopography is not installed or does not know it."""
-    try:
-        from SurfaceTopography.IO import open_topography
-    except ImportError:
-        return None
+    """The topography of `path`, or None where SurfaceTopography does not know it."""
+    from SurfaceTopography.IO import open_topography
+
     try:
         reader = open_topography(path)
         if channel is None:
@@ -242,6 +237,11 @@ def _by_surface_topography(path: str, channel: str | int | None) -> Any:
         return reader.topography(channel_index=[one.name for one in reader.channels].index(channel))
     except Exception:  # its readers raise whatever they met in the file; that of fstiff is clearer
         return None
+
+
+def is_of_form(refused: ValueError) -> bool:
+    """Whether a file was refused for its form, which none of the readers knows: the sentence lists theirs."""
+    return "must be text (a profile" in str(refused)
 
 
 def options_of(options: dict[str, Any]) -> dict[str, Any]:
@@ -273,10 +273,10 @@ def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict
         if isinstance(options.get("spacing"), (tuple, list)):
             raise ValueError("spacing: of a file must be one length; dx and dy are of a map")
         return options_of({**options, **own, "file": files[0]}), files, []
-    useless = OF_FILES & set(options)
+    useless = OF_FILES & set(options) - {"units"}  # which objects may need
     if useless:
         raise ValueError(f"{sorted(useless)[0]}: is an option of files; must not be given for an array")
-    steps: dict[str, Any] = {name: options.pop(name) for name in ("spacing", "dx", "dy") if name in options}
+    steps: dict[str, Any] = {name: options.pop(name) for name in ("spacing", "dx", "dy", "units") if name in options}
     if _are_several(source, steps):
         parts = [_part(one, steps, f"heights[{i}]") for i, one in enumerate(source)]
     else:
@@ -294,17 +294,20 @@ def _are_several(source: Any, steps: dict[str, Any]) -> bool:
 
 
 def _part(source: Any, steps: dict[str, Any], name: str) -> Part:
-    """Heights, dx, dy, name and origin of one array or surface."""
-    origin = "an array"
+    """Heights, dx, dy, name and origin of one array, surface or object of another package."""
+    origin, steps = "an array", dict(steps)
     if isinstance(source, Surface):
         surface = source
         name = name if surface.name == "heights" else surface.name
-    elif hasattr(source, "heights") and hasattr(source, "physical_sizes"):
-        name = name.replace("heights", "topography")
-        surface = surface_of_topography(source, name)
-        origin = "a topography of SurfaceTopography"
     elif isinstance(source, Mapping):
         raise ValueError(f"{name}: must be an array or a list of arrays, not of type {type(source).__name__}")
+    elif is_object(source):
+        name = name.replace("heights", "topography") if is_topography(source) else name
+        units = steps.pop("units", None)
+        surface = surface_of_object(source, name, steps, units)
+        origin, steps = f"a {type(source).__name__} of {type(source).__module__.partition('.')[0]}", {}
+    elif "units" in steps:
+        raise ValueError("units: is an option of files; must not be given for an array")
     else:
         surface = Surface(source, name=name, **steps)
         steps = {}
@@ -557,8 +560,11 @@ def measure(
 ) -> Measurement:
     """Every parameter of a scene's surface, with errors, as `fstiff measure` finds them.
 
-    surface     a 1-D or 2-D array of heights [m] with `spacing`, a Surface, a topography of SurfaceTopography or a file; or
-                a list of several of one surface, which are pooled: files, or arrays such as the 1-D arrays of traces
+    surface     a 1-D or 2-D array of heights [m] with `spacing`, a Surface, a file, or an object with units and positions of its
+                own: what has heights, physical_sizes and a unit, as topographies of SurfaceTopography; a DataArray of xarray of the
+                shape (x), (y, x) or (x, y); a Series of pandas over x, or a DataFrame with index y and columns x. attrs["units"]
+                of the heights and of the coordinates, of pandas "um,nm" (lengths, heights), has the units, or `units` where there
+                are none. A list of several of one surface is pooled: files, or arrays such as the 1-D arrays of traces, or objects
     peaks       of a map, for R and D_p: its islands (default) or its summits
     window      shortest and longest lag that give D [m]; None chooses them
     resamples   for the standard errors, 400 by default, drawn with `seed`
@@ -575,6 +581,24 @@ def measure(
     if arrays:
         warn_of_height(measured.rms_height.value)
     return measured
+
+
+def measured_of(surface: Any) -> Any:
+    """What surface= takes, measured where it is a Surface, an object of another package or a list, which is pooled."""
+    return measure(surface) if isinstance(surface, (Surface, list, tuple)) or is_object(surface) else surface
+
+
+def with_surface(make: Callable[[str, _core.Measured | None], Made], surface: Any) -> Made:
+    """make(file, measured) of what surface= of a scene takes. A file whose form is unknown is read by SurfaceTopography."""
+    if isinstance(surface, Measurement):
+        return make("", surface._measured)
+    file = "" if surface is None else named(surface, "surface")
+    try:
+        return make(file, None)
+    except ValueError as refused:
+        if not file or not is_of_form(refused):
+            raise
+    return make("", measure(open_surface(file))._measured)
 
 
 def one_source(surface: Any, options: Any, **own: Any) -> tuple[dict[str, Any], _core.Heights]:

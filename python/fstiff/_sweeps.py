@@ -3,20 +3,18 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
-from ._errors import named
 from ._results import frame
 from ._scenes import Scene, _toml, lines_of_text, text_or_file
-from ._surfaces import Measurement
+from ._surfaces import measured_of, with_surface
 
 if TYPE_CHECKING:
     import pandas as pd
 
-    from ._scenes import Given
+    from ._scenes import Face, Given
 
 
 def _is_real(values: Any) -> bool:
@@ -30,7 +28,7 @@ def sweep(
     scene: Scene | Given,
     axes: Mapping[str, Any],
     *,
-    surface: str | os.PathLike[str] | Measurement | None = None,
+    surface: Face = None,
     mode: Literal["product", "zip"] | None = None,
     samples: int | None = None,
     seed: int | None = None,
@@ -70,10 +68,9 @@ def sweep(
         given[key] = values if isinstance(values, Mapping) else {"values": values}
     given.update({"sweep.mode": mode, "sweep.samples": samples, "sweep.seed": seed})
     text, file = text_or_file(scene)
-    measured = surface._measured if isinstance(surface, Measurement) else None
-    of_file = "" if surface is None or isinstance(surface, Measurement) else named(surface, "surface")
+    swept = _toml(given, "axes")
     with lines_of_text(scene):
-        found = _core.sweep(text, file, _toml(given, "axes"), numbers, of_file, measured, threads or 0)
+        found = with_surface(lambda *face: _core.sweep(text, file, swept, numbers, face[0], face[1], threads or 0), measured_of(surface))
     columns: dict[str, Any] = {"index": found["index"].astype(np.int64)}
     for key, texts, values in found["axes"]:
         columns[key] = np.array(texts, dtype=object)[values.astype(int)] if texts else values

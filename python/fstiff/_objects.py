@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces of other packages: topographies of a reader, arrays of xarray, series and frames of pandas, known by their attributes."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Protocol
+
+from . import _core
+
+
+class Topography(Protocol):
+    """What a reader such as SurfaceTopography returns: heights, or a function that returns them, whose first axis is x; the length of
+    each axis, which has as many steps as points; and the unit of both."""
+
+    @property
+    def heights(self) -> Any: ...
+    @property
+    def physical_sizes(self) -> Any: ...
+    @property
+    def unit(self) -> Any: ...
+
+
+class Labelled(Protocol):
+    """Heights with positions: a DataArray of xarray, or a Series or DataFrame of pandas; attrs["units"] has units."""
+
+    @property
+    def attrs(self) -> Any: ...
+    def __array__(self) -> Any: ...
+
+
+class Axis(NamedTuple):
+    """Positions of the points along an axis, and their unit; None where there are none."""
+
+    name: str
+    positions: Any
+    unit: Any
+
+
+def is_topography(source: Any) -> bool:
+    return hasattr(source, "heights") and hasattr(source, "physical_sizes")
+
+
+def is_object(source: Any) -> bool:
+    """Whether `source` may have positions and units of its own."""
+    return is_topography(source) or (hasattr(source, "attrs") and (hasattr(source, "coords") or hasattr(source, "index")))
+
+
+def grid_of(source: Any, name: str, steps: dict[str, Any], units: str | None) -> tuple[Any, float, dict[str, Any]]:
+    """Heights, a map with its rows along y; their unit [m]; and the steps [m], as Surface() takes them.
+
+    `steps` are those of an object without positions, `units` those of one without units.
+    """
+    import numpy as np
+
+    heights, axes, unit = (of_topography if is_topography(source) else of_xarray if hasattr(source, "coords") else of_pandas)(source, name)
+    of_lengths, of_heights = pair(units, "units")
+    own_steps: dict[str, Any] = {}
+    for axis, (which, positions, own) in reversed(list(enumerate(axes if len(axes) < 3 else ()))):  # x is the last; Surface() refuses a third
+        if steps and positions is not None:
+            raise ValueError(f"{next(iter(steps))}: must not be given for a surface that has its own")
+        if not steps and positions is None:
+            raise ValueError(f"{name}: has no {which}; must have them, or be given spacing")
+        if not steps:
+            step = equal_step(positions, f"{name}: {which}")
+            own_steps["dx" if axis + 1 == len(axes) else "dy"] = abs(step) * metres(own, of_lengths, f"{name}: {which}")
+            heights = np.flip(heights, axis) if step < 0 else heights
+    as_an_array = steps and unit is None and units is None  # in m
+    return heights, 1.0 if as_an_array else metres(unit, of_heights, name), steps or own_steps
+
+
+def of_topography(topography: Any, name: str) -> tuple[Any, list[Axis], Any]:
+    """Heights, axes and unit of the heights."""
+    import numpy as np
+
+    if not getattr(topography, "is_uniform", True):
+        raise ValueError(f"{name}: its points are not equally spaced; to_uniform() of SurfaceTopography makes them so")
+    heights = np.ma.asanyarray(topography.heights() if callable(topography.heights) else topography.heights).T
+    sizes = np.atleast_1d(np.asarray(topography.physical_sizes, dtype=np.float64))[::-1]
+    if sizes.size != heights.ndim or not (sizes > 0).all():
+        raise ValueError(f"{name}: its physical_sizes are {topography.physical_sizes}; must be lengths above 0 of its {heights.ndim} axes")
+    unit = getattr(topography, "unit", None)
+    return heights, [Axis("sizes", (0.0, size / max(points, 1)), unit) for size, points in zip(sizes, heights.shape)], unit
+
+
+def of_xarray(array: Any, _: str) -> tuple[Any, list[Axis], Any]:
+    """The same. Dimensions called x and y are what they say; else the last one is x."""
+    if set(array.dims) == {"x", "y"}:
+        array = array.transpose("y", "x")
+    coordinates = [(f"positions along {dim}", array.coords[dim] if dim in array.coords else None) for dim in array.dims]
+    axes = [Axis(which, None, None) if one is None else Axis(which, one.values, one.attrs.get("units")) for which, one in coordinates]
+    return array.values, axes, array.attrs.get("units")
+
+
+def of_pandas(data: Any, _: str) -> tuple[Any, list[Axis], Any]:
+    """The same. Positions are the index, and the columns of a frame, unless they only count (a RangeIndex)."""
+    import numpy as np
+
+    lengths, of_heights = pair(data.attrs.get("units"), 'attrs["units"]')
+    labels = [(which, getattr(data, which)) for which in ("index", "columns")[: data.ndim]]
+    axes = [Axis(f"positions in its {which}", None if hasattr(one, "start") else one, lengths) for which, one in labels]
+    return data.to_numpy(na_value=np.nan), axes, of_heights
+
+
+def pair(units: Any, name: str) -> tuple[str | None, str | None]:
+    """The units of "um,nm" (lengths, heights) or "um" (both)."""
+    if units is None:
+        return None, None
+    parts = [part.strip() for part in str(units).split(",")]
+    if len(parts) > 2:
+        raise ValueError(f'{name} = "{units}": must be a unit of length, or two as in "um,nm" (lengths, heights)')
+    return parts[0], parts[-1]
+
+
+def metres(own: Any, given: str | None, what: str) -> float:
+    """The unit [m] that an object has, or that was given for one that has none."""
+    if own is None and given is None:
+        raise ValueError(f'{what} have no units; must be in the object, or given as units="um,nm" (lengths, heights)')
+    values = []
+    for unit in (own, given):
+        try:
+            values += [] if unit is None else [_core.parse_length(f"1 {unit}", "unit")]
+        except ValueError:
+            raise ValueError(f"{what} have the unit {unit}; must be a length, such as um") from None
+    if values[0] != values[-1]:
+        raise ValueError(f'units = "{given}": contradicts the unit {own} of {what}')
+    return values[0]
+
+
+def equal_step(positions: Any, name: str) -> float:
+    """The step of positions that are equally spaced to within a hundredth of it; negative where they fall."""
+    import numpy as np
+
+    x = np.asarray(positions)
+    if x.ndim != 1 or x.dtype.kind not in "iuf" or x.size < 2:
+        way_out = "; a profile of a table is frame.set_index(POSITIONS)[HEIGHTS]" if "columns" in name else ""
+        raise ValueError(f"{name} are {', '.join(map(str, x.ravel()[:3]))}: must be two numbers or more{way_out}")
+    x = x.astype(np.float64)
+    step = float(x[-1] - x[0]) / (x.size - 1)
+    off = np.abs(x - (x[0] + step * np.arange(x.size)))
+    if not step or not off.max() <= 0.01 * abs(step):  # NaN too
+        worst = int(np.argmax(off))
+        raise ValueError(f"{name}: number {worst} is {x[worst]:.9g}; must be equally spaced, from {x[0]:.9g} to {x[-1]:.9g} by {step:.9g}")
+    return step
