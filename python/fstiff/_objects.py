@@ -3,21 +3,23 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 from . import _core
 
 
+#: Its name in messages, the positions of the points and their unit; None where there are none.
+Axis = tuple[str, Any, Any]
+
+
 class Topography(Protocol):
     """What a reader such as SurfaceTopography returns: heights, or a function that returns them, whose first axis is x; the length of
-    each axis, which has as many steps as points; and the unit of both."""
+    each axis, which has as many steps as points; and `unit`, that of both."""
 
     @property
     def heights(self) -> Any: ...
     @property
     def physical_sizes(self) -> Any: ...
-    @property
-    def unit(self) -> Any: ...
 
 
 class Labelled(Protocol):
@@ -26,14 +28,6 @@ class Labelled(Protocol):
     @property
     def attrs(self) -> Any: ...
     def __array__(self) -> Any: ...
-
-
-class Axis(NamedTuple):
-    """Positions of the points along an axis, and their unit; None where there are none."""
-
-    name: str
-    positions: Any
-    unit: Any
 
 
 def is_topography(source: Any) -> bool:
@@ -52,18 +46,19 @@ def grid_of(source: Any, name: str, steps: dict[str, Any], units: str | None) ->
     """
     import numpy as np
 
-    heights, axes, unit = (of_topography if is_topography(source) else of_xarray if hasattr(source, "coords") else of_pandas)(source, name)
+    parts = of_topography if is_topography(source) else of_xarray if hasattr(source, "coords") else of_pandas
+    heights, axes, unit = parts(source, name)
     of_lengths, of_heights = pair(units, "units")
     own_steps: dict[str, Any] = {}
-    for axis, (which, positions, own) in reversed(list(enumerate(axes if len(axes) < 3 else ()))):  # x is the last; Surface() refuses a third
+    for key, (which, positions, own) in zip(("dx", "dy"), reversed(axes)):  # x is the last
         if steps and positions is not None:
             raise ValueError(f"{next(iter(steps))}: must not be given for a surface that has its own")
         if not steps and positions is None:
             raise ValueError(f"{name}: has no {which}; must have them, or be given spacing")
         if not steps:
             step = equal_step(positions, f"{name}: {which}")
-            own_steps["dx" if axis + 1 == len(axes) else "dy"] = abs(step) * metres(own, of_lengths, f"{name}: {which}")
-            heights = np.flip(heights, axis) if step < 0 else heights
+            own_steps[key] = abs(step) * metres(own, of_lengths, f"{name}: {which}")
+            heights = np.flip(heights, -1 if key == "dx" else -2) if step < 0 else heights
     as_an_array = steps and unit is None and units is None  # in m
     return heights, 1.0 if as_an_array else metres(unit, of_heights, name), steps or own_steps
 
@@ -79,15 +74,16 @@ def of_topography(topography: Any, name: str) -> tuple[Any, list[Axis], Any]:
     if sizes.size != heights.ndim or not (sizes > 0).all():
         raise ValueError(f"{name}: its physical_sizes are {topography.physical_sizes}; must be lengths above 0 of its {heights.ndim} axes")
     unit = getattr(topography, "unit", None)
-    return heights, [Axis("sizes", (0.0, size / max(points, 1)), unit) for size, points in zip(sizes, heights.shape)], unit
+    return heights, [("sizes", (0.0, size / max(points, 1)), unit) for size, points in zip(sizes, heights.shape)], unit
 
 
 def of_xarray(array: Any, _: str) -> tuple[Any, list[Axis], Any]:
-    """The same. Dimensions called x and y are what they say; else the last one is x."""
+    """The same. Dimensions called x and y are along x and y; else the last one is x."""
     if set(array.dims) == {"x", "y"}:
         array = array.transpose("y", "x")
-    coordinates = [(f"positions along {dim}", array.coords[dim] if dim in array.coords else None) for dim in array.dims]
-    axes = [Axis(which, None, None) if one is None else Axis(which, one.values, one.attrs.get("units")) for which, one in coordinates]
+    names = {dim: f"positions along {dim}" for dim in array.dims}
+    of = array.coords
+    axes = [(name, of[dim].values, of[dim].attrs.get("units")) if dim in of else (name, None, None) for dim, name in names.items()]
     return array.values, axes, array.attrs.get("units")
 
 
@@ -97,7 +93,7 @@ def of_pandas(data: Any, _: str) -> tuple[Any, list[Axis], Any]:
 
     lengths, of_heights = pair(data.attrs.get("units"), 'attrs["units"]')
     labels = [(which, getattr(data, which)) for which in ("index", "columns")[: data.ndim]]
-    axes = [Axis(f"positions in its {which}", None if hasattr(one, "start") else one, lengths) for which, one in labels]
+    axes = [(f"positions in its {which}", None if hasattr(one, "start") else one, lengths) for which, one in labels]
     return data.to_numpy(na_value=np.nan), axes, of_heights
 
 
@@ -116,9 +112,9 @@ def metres(own: Any, given: str | None, what: str) -> float:
     if own is None and given is None:
         raise ValueError(f'{what} have no units; must be in the object, or given as units="um,nm" (lengths, heights)')
     values = []
-    for unit in (own, given):
+    for unit in (one for one in (own, given) if one is not None):
         try:
-            values += [] if unit is None else [_core.parse_length(f"1 {unit}", "unit")]
+            values.append(_core.parse_length(f"1 {unit}", "unit"))
         except ValueError:
             raise ValueError(f"{what} have the unit {unit}; must be a length, such as um") from None
     if values[0] != values[-1]:
@@ -138,6 +134,7 @@ def equal_step(positions: Any, name: str) -> float:
     step = float(x[-1] - x[0]) / (x.size - 1)
     off = np.abs(x - (x[0] + step * np.arange(x.size)))
     if not step or not off.max() <= 0.01 * abs(step):  # NaN too
-        worst = int(np.argmax(off))
-        raise ValueError(f"{name}: number {worst} is {x[worst]:.9g}; must be equally spaced, from {x[0]:.9g} to {x[-1]:.9g} by {step:.9g}")
+        steps, usual = np.diff(x), float(np.median(np.diff(x)))
+        odd = int(np.argmax(np.abs(steps - usual)))
+        raise ValueError(f"{name}: {x[odd + 1]:.9g} is a step of {steps[odd]:.9g} where the usual one is {usual:.9g}; must be equally spaced")
     return step

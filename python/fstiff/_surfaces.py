@@ -240,7 +240,7 @@ def _by_surface_topography(path: str, channel: str | int | None) -> Any:
 
 
 def is_of_form(refused: ValueError) -> bool:
-    """Whether a file was refused for its form, which none of the readers knows: the sentence lists theirs."""
+    """Whether a file was refused for its form, which no reader accepts: the sentence lists those of the readers."""
     return "must be text (a profile" in str(refused)
 
 
