@@ -92,10 +92,10 @@ def check(make, heights, file, options):
     of_object = fstiff.measure(surface, **own)
     for name, parameter in of_file["surface"].items():
         for key in ("value", "error"):
-            assert of_object["surface"][name][key] == pytest.approx(parameter[key], rel=1e-9), (name, key)
+            assert of_object["surface"][name][key] == pytest.approx(parameter[key], rel=1e-12), (name, key)
     expected = fstiff.hybrid(of_file, PRESSURES, effective_modulus=1e11).stiffness
     found = fstiff.hybrid(surface, PRESSURES, effective_modulus=1e11, **own).stiffness
-    np.testing.assert_allclose(found, expected, rtol=1e-9)
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize("kind", MAPS)
