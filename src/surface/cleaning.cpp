@@ -121,6 +121,10 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
     if (!options.mask.empty())
         details.push_back("mask: " + of(report.masked, points) + " became missing (" + display_name(options.mask) +
                           ")");
+    if (report.aligned > 0)
+        details.push_back("align: " + std::to_string(report.aligned) + " lines along " +
+                          std::string(name_of(report.scan_axis)) + " aligned (" + std::string(name_of(options.align)) +
+                          "); the steps between them had " + shown_length(report.line_step, 3) + " rms");
     if (options.spikes != 0)
         details.push_back("spikes: " + of(report.spikes, points) + " became missing, beyond " +
                           detail::shortest_text(options.spikes) +
@@ -142,6 +146,10 @@ void clean(const SurfaceOptions& options, io::Surface& surface) {
     if (options.spikes != 0)
         detail::require(options.spikes >= detail::min_spike_limit && options.spikes <= detail::max_spike_limit,
                         options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
+    if (options.align != LineAlignment::none && profile)
+        throw option_error(options.name("align") + " = \"" + std::string(name_of(options.align)) +
+                           "\": must be none for a profile, which is one line");
+    how.align = options.align, how.scan_axis = options.scan_axis;
     how.spikes = options.spikes;
     how.fill = options.fill;
     const CleaningReport report = std::visit([&](auto& heights) { return detail::clean(heights, how); }, surface.data);

@@ -126,8 +126,23 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     std::vector<std::string> of_peaks = peak_warnings(found.concerns, found.peaks_counted, found);
     if (!profile && has(found.concerns, MeasuredConcern::few_peaks)) surface.of_file.push_back(of_peaks.front());
     warned.insert(warned.end(), of_peaks.begin(), of_peaks.end());
-    for (const std::string& line : {form_warning(found, options.input), length_warning(prepared.rms, step_of(prepared)),
-                                    gradient_warning(gradient_of(prepared), "measured")})
+    const auto lines = [&] {
+        return found.offset_lines == ScanAxis::automatic
+                   ? std::string()
+                   : "the lines along " + std::string(name_of(found.offset_lines)) + " are offset from each other by " +
+                         shown_length(found.line_step, 3) +
+                         " rms, as by drift of a scanning probe: K may be off by a factor of two; " +
+                         options.input.name("align") + (options.input.prefix.empty() ? " = \"median\"" : " median") +
+                         " removes the offsets, and also a lay of a ground face that looks alike";
+    };
+    const auto flat_patch = [&] {
+        return prepared.radius == 0 ? std::string()
+                                    : "K is that of a flat face with the roughness of this part: the contact of the " +
+                                          std::string(name_of(prepared.removed)) + " itself is not in it";
+    };
+    for (const std::string& line :
+         {lines(), flat_patch(), form_warning(found, options.input), length_warning(prepared.rms, step_of(prepared)),
+          gradient_warning(gradient_of(prepared), "measured")})
         if (!line.empty()) warned.push_back(line), surface.of_file.push_back(line);
 }
 

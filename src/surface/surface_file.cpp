@@ -24,6 +24,15 @@ FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string
                        " must be one of " + detail::choices_text<FormOf>() + more);
 }
 
+/// The radius of \p options, 0 where there is none. \throws option_error for one without its \p round form.
+double radius_of_form(const SurfaceOptions& options, bool round) {
+    if (options.radius.empty()) return 0;
+    if (!round)
+        throw option_error(options.name("radius") + " belongs to " + options.name("detrend") +
+                           " circle, sphere or cylinder; must not be given without it");
+    return parse_length(options.radius, options.name("radius"));
+}
+
 void refuse_cutoff(const SurfaceOptions& options) {
     if (!options.cutoff.empty())
         throw option_error(options.name("cutoff") + " belongs to " + options.name("detrend") +
@@ -151,6 +160,7 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
     return about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
         how.form = form;
+        how.form_radius = radius_of_form(options, form == Form::circle);
         if (options.detrend == gaussian_form) how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
         how.height_step = input.surface.record.resolution;
         require_cut_offs(options, how, read.spacing, read.length());
@@ -168,6 +178,7 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     return about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
         how.map_form = form;
+        how.form_radius = radius_of_form(options, form > MapForm::cubic);
         how.height_step = input.surface.record.resolution;
         require_cut_offs(
             options, how, std::max(map.dx, map.dy),
@@ -176,10 +187,20 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     });
 }
 
-std::string form_name(const LevelledProfile<double>& levelled) {
-    return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed));
+namespace {
+
+std::string radius_sentence(double radius) {
+    return radius == 0 ? "" : (radius < 0 ? ", hollow, of radius " : " of radius ") + shown_length(std::abs(radius));
 }
-std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
+
+}  // namespace
+
+std::string form_name(const LevelledProfile<double>& levelled) {
+    return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed)) + radius_sentence(levelled.radius);
+}
+std::string form_name(const LevelledMap<double>& levelled) {
+    return std::string(name_of(levelled.removed)) + radius_sentence(levelled.radius);
+}
 
 PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
     const auto how = options_for_profile(options, input);

@@ -60,12 +60,14 @@ constexpr SurfaceOptionRow rows[] = {
      "height of a matrix or .npy file (number of rows times dy), instead of --dy"},
     {"detrend", form, &Of::detrend, always,
      "form, as a drawing defines it, removed before anything is computed; for a profile none, mean, line "
-     "(default), parabola or gaussian; for a map none, mean, plane (default), quadratic or cubic",
+     "(default), parabola, circle or gaussian; for a map none, mean, plane (default), quadratic, cubic, sphere or cylinder",
      {.help_of_profile = "form, as a drawing defines it, removed before anything is computed; for a profile none, "
-                         "mean, line (default), parabola or gaussian",
+                         "mean, line (default), parabola, circle or gaussian",
       .help_of_map = "form, as a drawing defines it, removed before anything is computed; for a map none, "
-                     "mean, plane (default), quadratic or cubic",
+                     "mean, plane (default), quadratic, cubic, sphere or cylinder",
       .words = words_of_form}},
+    {"radius", form, &Of::radius, if_not_default,
+     "radius of a circle, sphere or cylinder, such as \"5 mm\"; default that of the best one"},
     {"cutoff", form_of_profile, &Of::cutoff, always,
      "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\""},
     {"peaks", estimate, &Of::peaks, always,
@@ -102,6 +104,12 @@ constexpr SurfaceOptionRow rows[] = {
     {"mask", cleaning, &Of::mask, if_not_default,
      "text or .npy file of zeros and ones, as large as the surface: points with 0 become missing",
      {.form = request::Form::file}},
+    {"align", cleaning_of_map, &Of::align, if_not_default,
+     "removes the offsets of scan lines, as a scanning probe leaves them: none (default), median, or "
+     "median_of_differences where a line crosses a plateau or a pit"},
+    {"scan_axis", cleaning_of_map, &Of::scan_axis, if_not_default,
+     "axis along which the lines of --align were scanned: x (the rows of a file), y, or auto (default): that whose "
+     "lines have offsets, else x"},
     {"spikes", cleaning, &Of::spikes, if_not_default,
      "points farther from the median of their neighbours than this many robust standard deviations, such as 5, "
      "become missing",
@@ -124,7 +132,7 @@ std::string SurfaceOptionRow::flag_name() const {
 bool SurfaceOptionRow::is_for(SurfaceKind kind) const {
     using enum OptionGroup;
     const bool profile = group == step_of_profile || group == file_of_profile || group == form_of_profile;
-    const bool map = group == step_of_map || group == file_of_map;
+    const bool map = group == step_of_map || group == file_of_map || group == cleaning_of_map;
     return !(profile && kind == SurfaceKind::map) && !(map && kind == SurfaceKind::profile);
 }
 

@@ -27,16 +27,18 @@ enum class OptionGroup {
     step_of_map,  ///< of a file or of an array
     file_of_map,
     cleaning,
+    cleaning_of_map,
     form,
     filter,
     estimate,  ///< of the parameters: of the commands that estimate them
 };
 
 /// The field of an option, whose type is the kind of its value.
-using SurfaceField = std::variant<std::string SurfaceOptions::*, Amount SurfaceOptions::*, int SurfaceOptions::*,
-                                  double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
-                                  std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
-                                  PeakSource SurfaceOptions::*>;
+using SurfaceField =
+    std::variant<std::string SurfaceOptions::*, Amount SurfaceOptions::*, int SurfaceOptions::*,
+                 double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
+                 std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
+                 PeakSource SurfaceOptions::*, LineAlignment SurfaceOptions::*, ScanAxis SurfaceOptions::*>;
 
 /// When an option is in a JSON document.
 enum class Echo { always, if_not_default };

@@ -35,10 +35,13 @@ struct SurfaceOptions {
     std::string channel;                            ///< of gwy: its number or its title
     Amount crop;                                    ///< a part of the surface: x0, x1, and y0, y1 of a map
     std::string mask;                               ///< a file of 0 and 1
-    double spikes = 0;                              ///< become missing beyond so many standard deviations; 0: none
-    bool fill = false;                              ///< missing points are filled
-    std::string detrend;                            ///< empty: "line" of a profile, "plane" of a map
-    Amount cutoff;                                  ///< of detrend = "gaussian"
+    LineAlignment align = LineAlignment::none;      ///< of the scan lines of a map
+    ScanAxis scan_axis = ScanAxis::automatic;
+    double spikes = 0;          ///< become missing beyond so many standard deviations; 0: none
+    bool fill = false;          ///< missing points are filled
+    std::string detrend;        ///< empty: "line" of a profile, "plane" of a map
+    Amount radius;              ///< of detrend = "circle", "sphere" or "cylinder"
+    Amount cutoff;              ///< of detrend = "gaussian"
     Amount lambda_s, lambda_c;  ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
     CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
     PeakSource peaks = PeakSource::islands;        ///< of a map

@@ -35,6 +35,7 @@ namespace fstiff::inline v0_1 {
 ///     parameter_unknown    the standard error of sigma, R, D_p, D, r or theta exceeds half the value
 ///     form, step           one parabola (of a map: a quadratic surface) or one step is more than half of the mean
 ///                          square height: sigma is that of a part and not of its roughness
+///     scan_lines           lines of a map have offsets (topography/scan_lines.hpp): K may be off by a factor of two
 ///     implausible_gradient the rms gradient is above 1 or below 1e-6: a unit of length is likely wrong
 enum class MeasuredConcern {
     curved,
@@ -52,6 +53,7 @@ enum class MeasuredConcern {
     parameter_unknown,
     form,
     step,
+    scan_lines,
     implausible_gradient
 };
 
@@ -72,6 +74,7 @@ inline constexpr auto names<MeasuredConcern> = detail::name_list<MeasuredConcern
     {MeasuredConcern::parameter_unknown, "parameter_unknown"},
     {MeasuredConcern::form, "form"},
     {MeasuredConcern::step, "step"},
+    {MeasuredConcern::scan_lines, "scan_lines"},
     {MeasuredConcern::implausible_gradient, "implausible_gradient"},
 });
 
@@ -154,7 +157,7 @@ template <Real T>
 }  // namespace detail
 
 /// Concerns curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level,
-/// parameter_unknown, form and step.
+/// parameter_unknown, form, step and scan_lines.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> found;
@@ -169,6 +172,7 @@ template <Real T>
     if (!detail::unknown_parameters(surface).empty()) found.push_back(MeasuredConcern::parameter_unknown);
     if (surface.plain_form.is_parabola()) found.push_back(MeasuredConcern::form);
     if (surface.plain_form.is_step()) found.push_back(MeasuredConcern::step);
+    if (surface.offset_lines != ScanAxis::automatic) found.push_back(MeasuredConcern::scan_lines);
     return found;
 }
 

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 namespace fstiff::inline v0_1 {
@@ -171,10 +172,10 @@ template <Real T>
 [[nodiscard]] Surface<T> measure_profile(const Profile<T>& profile, const MeasureOptions<T>& options) {
     const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, options));
     const Profile<T>& flat = prepared->profile;
+    const int degree = static_cast<int>(coefficients(options.form)) - 1;
     SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
-                                                       parameter_options(options, *prepared, int(options.form) - 1));
-    if (options.texture && options.form > Form::mean)
-        found.plain_form = detail::plain_form(flat, static_cast<int>(options.form) - 1);
+                                                       parameter_options(options, *prepared, degree));
+    if (options.texture && options.form > Form::mean) found.plain_form = detail::plain_form(flat, degree);
     Surface<T> surface = surface_of(std::move(found), flat, prepared->cut_offs, prepared->rms_gradient);
     surface.profile = prepared;
     surface.is_profile = true;
@@ -198,12 +199,13 @@ template <Real T>
             measured_neighbours(choose_cut_offs(steps, options), options, (std::max)(steps.dx, steps.dy),
                                 [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
     const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
-    const int degree = int(options.map_form), terms = degree * (degree + 3) / 2;
+    const int degree = degree_of(options.map_form), terms = degree * (degree + 3) / 2;
     SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
                                                        parameter_options(options, *prepared, terms));
     if (prepared->cut_offs.why_s != LambdaSReason::by_table) prepared->unfiltered.reset();  // D is found; K is of it
     const HeightMap<T>& flat = prepared->map;
     if (options.texture && degree > 0) found.plain_form = detail::plain_form(flat, degree);
+    if (options.texture) std::tie(found.offset_lines, found.line_step) = line_offsets(steps);
     Surface<T> surface =
         surface_of(std::move(found), flat, prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient));
     surface.map = prepared;
@@ -225,7 +227,8 @@ void require_options_of_map(const HeightMap<T>& map, const MeasureOptions<T>& op
 /// Whether \p cleaning leaves a surface unchanged.
 template <Real T>
 [[nodiscard]] bool is_empty(const Cleaning<T>& cleaning) {
-    return !cleaning.crop && cleaning.mask.size() == 0 && cleaning.spikes == T(0) && !cleaning.fill;
+    return !cleaning.crop && cleaning.mask.size() == 0 && cleaning.align == LineAlignment::none &&
+           cleaning.spikes == T(0) && !cleaning.fill;
 }
 
 }  // namespace detail

@@ -65,9 +65,11 @@ using PointMask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 template <Real T = double>
 struct Cleaning {
     std::optional<Crop<T>> crop{};
-    PointMask mask{};  ///< of the cropped surface; empty: every point is used
-    T spikes{};        ///< points so many robust standard deviations away become missing, 3 to 1000; 0: none
-    bool fill{};       ///< whether missing points are filled
+    PointMask mask{};                           ///< of the cropped surface; empty: every point is used
+    LineAlignment align = LineAlignment::none;  ///< of the scan lines of a map
+    ScanAxis scan_axis = ScanAxis::automatic;
+    T spikes{};   ///< points so many robust standard deviations away become missing, 3 to 1000; 0: none
+    bool fill{};  ///< whether missing points are filled
 };
 
 /// Options of cleaning, preparation and measurement.
@@ -80,6 +82,7 @@ struct MeasureOptions {
     Form form = Form::line;                        ///< removed from a profile
     std::optional<T> form_cut_off{};               ///< of a Gaussian filter that removes the long waves with it [m]
     MapForm map_form = MapForm::plane;             ///< removed from a map
+    T form_radius{};                               ///< of a circle, sphere or cylinder [m]; 0: the best one
     T height_step{};                               ///< in which heights were printed or counted [m]; 0: not known
     Cleaning<T> cleaning{};
     PeakSource peaks = PeakSource::islands;  ///< of a map

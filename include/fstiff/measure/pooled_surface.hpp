@@ -238,7 +238,8 @@ void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
     }
 }
 
-/// Concerns of all \p parts, and parameter_unknown for \p whole; form, step and implausible_gradient of one are enough.
+/// Concerns of all \p parts, and parameter_unknown for \p whole; form, step, scan_lines and implausible_gradient of one
+/// are enough.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> pooled_concerns(const Surface<T>& whole,
                                                            const std::vector<Surface<T>>& parts) {
@@ -249,12 +250,12 @@ template <Real T>
     std::vector<MeasuredConcern> all;
     for (const MeasuredConcern one : parts.front().concerns) {
         if (one == few_peaks || one == radius_uncertain || one == density_uncertain || one == parameter_unknown ||
-            one == form || one == step || one == implausible_gradient)
+            one == form || one == step || one == scan_lines || one == implausible_gradient)
             continue;
         if (std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); }))
             all.push_back(one);
     }
-    for (const MeasuredConcern one : {form, step, implausible_gradient})
+    for (const MeasuredConcern one : {form, step, scan_lines, implausible_gradient})
         if (std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); }))
             all.push_back(one);
     add_peak_concerns(all, whole.peaks_counted, whole.peak_radius, whole.peak_density);

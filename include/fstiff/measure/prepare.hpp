@@ -3,7 +3,7 @@
 /// \file
 /// Preparation of a surface for measurement: cleaning, removal of the form, filters of the cut-offs, in this order.
 ///
-///     clean()      crop, mask, spikes, holes
+///     clean()      crop, mask, offsets of scan lines, spikes, holes
 ///     prepare()    form, with its own cut-off if given; lambda_s; lambda_c if given
 ///
 /// with_drawing_cut_off() adds the lambda_c of the tables for Ra, Rq and the other parameters of drawings. It is chosen
@@ -56,6 +56,9 @@ struct CleaningReport {
     std::size_t columns_read{}, rows_read{};  ///< before the crop; a profile has one row
     std::size_t columns{}, rows{};            ///< after it
     std::size_t masked{};                     ///< became missing by the mask
+    std::size_t aligned{};                    ///< lines whose offset was removed
+    ScanAxis scan_axis{};                     ///< of these
+    double line_step{};                       ///< rms step between them before [m]
     std::size_t spikes{};                     ///< became missing as spikes
     std::size_t filled{}, largest_hole{};
 };
@@ -219,7 +222,7 @@ void remove_waves(PreparedMap<T>& prepared) {
 template <Real T>
 [[nodiscard]] PreparedMap<T> levelled_map(const HeightMap<T>& map, const MeasureOptions<T>& options) {
     PreparedMap<T> prepared;
-    static_cast<LevelledMap<T>&>(prepared) = level(map, options.map_form, options.height_step);
+    static_cast<LevelledMap<T>&>(prepared) = level(map, options.map_form, options.height_step, options.form_radius);
     prepared.rms_as_read = rms_height(map);
     prepared.rms_levelled = rms_height(prepared.map);
     return prepared;
@@ -244,6 +247,7 @@ void finish(PreparedMap<T>& prepared) {
 
 template <Real T>
 CleaningReport clean(Profile<T>& profile, const Cleaning<T>& how) {
+    if (how.align != LineAlignment::none) refuse("align", name_of(how.align), "none for a profile, which is one line");
     CleaningReport report{.columns_read = profile.size(), .rows_read = 1};
     if (how.crop) {
         const PointRange x = cropped("x", how.crop->x_from, how.crop->x_to, profile.size(), profile.spacing);
@@ -279,6 +283,11 @@ CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& how) {
                 "in rows and columns as those of the cropped map");
         report.masked = apply_mask(map.heights.data(), how.mask);
     }
+    if (how.align != LineAlignment::none) {
+        const auto [axis, step] = align_lines(map, how.align, how.scan_axis);
+        report.scan_axis = axis, report.line_step = static_cast<double>(step);
+        report.aligned = axis == ScanAxis::x ? report.rows : report.columns;
+    }
     detail::repair(map, how, report);
     return report;
 }
@@ -294,8 +303,8 @@ PreparedProfile<T> prepare(const Profile<T>& profile, const MeasureOptions<T>& o
     PreparedProfile<T> prepared;
     CutOffs<T>& cut_offs = prepared.cut_offs = detail::choose_cut_offs(profile, options);
     prepared.rms_as_read = rms_height(profile);
-    static_cast<LevelledProfile<T>&>(prepared) =
-        detail::level(profile, options.form, options.form_cut_off, options.height_step, cut_offs.lambda_s);
+    static_cast<LevelledProfile<T>&>(prepared) = detail::level(
+        profile, options.form, options.form_cut_off, options.height_step, cut_offs.lambda_s, options.form_radius);
     prepared.rms_levelled = rms_height(prepared.profile);
     if (!options.form_cut_off && cut_offs.lambda_c) detail::remove_long_waves(prepared);
     prepared.rms = rms_height(prepared.profile);

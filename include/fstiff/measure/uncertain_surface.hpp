@@ -22,6 +22,7 @@
 #include <fstiff/measure/sections.hpp>
 #include <fstiff/surface/parameter.hpp>
 #include <fstiff/topography/island_spread.hpp>
+#include <fstiff/topography/scan_lines.hpp>
 
 #include <Eigen/Core>
 
@@ -82,6 +83,8 @@ struct SurfaceParameters {
     Repetition<T> repetition{};   ///< of a profile
     PlainForm<T> plain_form{};    ///< none where the mean alone, or nothing, was removed
     T texture_aspect_ratio{1};    ///< Str of a map
+    ScanAxis offset_lines{};      ///< lines of a map that have offsets; automatic: none seen
+    T line_step{};                ///< rms step between them [m]
     bool curved{};                ///< no clean power law in the window
     std::size_t peaks_counted{};  ///< number of peaks for R and D_p
     std::size_t blocks{};         ///< independent parts that the errors come from

@@ -204,6 +204,7 @@ template <Real T = double>
 struct LevelledProfile {
     Profile<T> profile;
     Form removed = Form::none;
+    T radius{};                   ///< of a removed circle [m], below 0 where it is hollow
     std::optional<T> cutoff{};    ///< of the Gaussian filter that belongs to the form and took its long waves [m]
     std::optional<T> lambda_s{};  ///< of the filter that then took the short waves [m]
     std::optional<T> lambda_c{};  ///< and of the one that took the long ones, of without_waviness() [m]
@@ -220,15 +221,20 @@ namespace fstiff::inline v0_1::detail {
 
 /// Removes the \p form of \p profile, then, with \p lambda_s, its short waves, and then, with a \p cutoff, the waviness
 /// of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0 where it is
-/// not known. \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a profile that
+/// not known. A \p radius [m] above 0 is that of the circle. \throws domain_error as detrend(), remove_circle(),
+/// gaussian_low_pass() and gaussian_roughness(), and for a profile that
 /// is constant, apart from rounding, after the removal of its form.
 template <Real T>
 [[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
                                        std::optional<std::type_identity_t<T>> cutoff = {},
                                        std::type_identity_t<T> resolution = 0,
-                                       std::optional<std::type_identity_t<T>> lambda_s = {}) {
-    LevelledProfile<T> flat{
-        .profile = detail::detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
+                                       std::optional<std::type_identity_t<T>> lambda_s = {},
+                                       std::type_identity_t<T> radius = 0) {
+    LevelledProfile<T> flat{.profile = form == Form::circle ? profile : detail::detrend(profile, form),
+                            .removed = form,
+                            .cutoff = cutoff,
+                            .lambda_s = lambda_s};
+    if (form == Form::circle) flat.radius = remove_circle(flat.profile, radius);
     if (form != Form::none)
         math::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
                                             flat.profile.heights.data(), profile.size(), resolution);

@@ -8,6 +8,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
+#include <fstiff/math/round_fit.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/tukey.hpp>
 
@@ -172,7 +173,7 @@ math::Repair fill_missing(Profile<T>& profile) {
 
 }  // namespace fstiff::inline v0_1::detail
 
-// Removal of the form of a profile: its mean, least-squares line or least-squares parabola.
+// Removal of the form of a profile: its mean, least-squares line, parabola or circle (math/round_fit.hpp).
 //
 // The polynomials are orthogonal over the points that exist. The residual includes the rounding error of each product
 // and sum, and the fit is repeated on the residual: a large offset or tilt costs no digits beyond those that it costs
@@ -186,15 +187,20 @@ math::Repair fill_missing(Profile<T>& profile) {
 namespace fstiff::inline v0_1 {
 
 /// Form that is removed from a profile.
-enum class Form { none, mean, line, parabola };
+enum class Form { none, mean, line, parabola, circle };
 template <>
-inline constexpr auto names<Form> = detail::name_list<Form>(
-    {{Form::none, "none"}, {Form::mean, "mean"}, {Form::line, "line"}, {Form::parabola, "parabola"}});
+inline constexpr auto names<Form> = detail::name_list<Form>({{Form::none, "none"},
+                                                             {Form::mean, "mean"},
+                                                             {Form::line, "line"},
+                                                             {Form::parabola, "parabola"},
+                                                             {Form::circle, "circle"}});
 
 namespace detail {
 
-/// Number of polynomial coefficients of a form.
-constexpr std::size_t coefficients(Form form) { return static_cast<std::size_t>(form); }
+/// Number of coefficients of a form, those of a circle without the terms of its higher powers.
+constexpr std::size_t coefficients(Form form) {
+    return static_cast<std::size_t>(form == Form::circle ? Form::parabola : form);
+}
 
 /// First three polynomials that are orthogonal over the positions u at which points exist.
 template <Real T>
@@ -265,6 +271,24 @@ template <Real T>
     }
     for (std::size_t i = 0; i < value.size(); ++i) result.heights[i] = static_cast<T>(value[i] + carry[i]);
     return result;
+}
+
+/// Removes the least-squares circle of \p profile, whose heights become distances from it. Returns its radius [m], below 0
+/// where it is hollow; a \p radius above 0 is kept. \throws domain_error as math::fit_round().
+template <Real T>
+T remove_circle(Profile<T>& profile, std::type_identity_t<T> radius) {
+    profile.validate(4);
+    const double unit = static_cast<double>(profile.length()) / 2, mean = mean_height(profile), step = profile.spacing;
+    const auto place = [&](std::size_t i) { return static_cast<double>(i) * step / unit - 1; };
+    const auto height = [&](std::size_t i) { return (static_cast<double>(profile.heights[i]) - mean) / unit; };
+    const math::RoundSurface circle =
+        math::fit_round(math::RoundShape::circle, static_cast<double>(radius) / unit, [&](const auto& use) {
+            for (std::size_t i = 0; i < profile.size(); ++i)
+                if (!std::isnan(profile.heights[i])) use(place(i), 0.0, height(i));
+        });
+    for (std::size_t i = 0; i < profile.size(); ++i)  // NaN stays
+        profile.heights[i] = static_cast<T>(circle.distance(place(i), 0, height(i)) * unit);
+    return static_cast<T>(unit / circle.curvature());
 }
 
 }  // namespace detail

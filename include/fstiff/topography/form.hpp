@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Removal of the form of a map: its mean, or a least-squares plane, quadratic or cubic surface.
+/// Removal of the form of a map: its mean, a least-squares plane, quadratic or cubic surface, or a least-squares sphere or
+/// cylinder (math/round_fit.hpp), of which the distances stay.
 ///
 ///     form = sum of c_kl P_k(u) P_l(v),  k + l <= degree,  u, v in [-1, 1] over the map, P_k Legendre's polynomials
 ///
@@ -14,6 +15,7 @@
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/round_fit.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -24,20 +26,23 @@
 
 namespace fstiff::inline v0_1 {
 
-/// Degree of the surface that is removed.
-enum class MapForm { none = -1, mean = 0, plane = 1, quadratic = 2, cubic = 3 };
+/// Surface that is removed; of a polynomial its degree.
+enum class MapForm { none = -1, mean = 0, plane = 1, quadratic = 2, cubic = 3, sphere, cylinder };
 template <>
 inline constexpr auto names<MapForm> = detail::name_list<MapForm>({{MapForm::none, "none"},
                                                                    {MapForm::mean, "mean"},
                                                                    {MapForm::plane, "plane"},
                                                                    {MapForm::quadratic, "quadratic"},
-                                                                   {MapForm::cubic, "cubic"}});
+                                                                   {MapForm::cubic, "cubic"},
+                                                                   {MapForm::sphere, "sphere"},
+                                                                   {MapForm::cylinder, "cylinder"}});
 
 /// A map without its form, with the data of the removed form.
 template <Real T = double>
 struct LevelledMap {
     HeightMap<T> map;
     MapForm removed = MapForm::none;
+    T radius{};  ///< of a removed sphere or cylinder [m], below 0 where it is hollow
     /// Map before lambda_s and lambda_c, if any; maps filtered with several cut-offs may share it.
     std::shared_ptr<const HeightMap<T>> unfiltered{};
     T lambda_c{};             ///< of the filter of the long waves [m]; 0: none
@@ -48,6 +53,9 @@ struct LevelledMap {
 };
 
 namespace detail {
+
+/// Degree of the polynomial of about as many terms as \p form.
+constexpr int degree_of(MapForm form) { return static_cast<int>(form > MapForm::cubic ? MapForm::quadratic : form); }
 
 /// Legendre's polynomials 0 to 3 at the points of a side, one a column.
 template <Real S>
@@ -147,12 +155,38 @@ template <Real T>
     return result;
 }
 
+/// Removes the least-squares sphere or cylinder of \p map, whose heights become distances from it. Returns its radius [m],
+/// below 0 where it is hollow; a \p radius above 0 is kept. \throws domain_error as math::fit_round().
+template <Real T>
+T remove_round_form(HeightMap<T>& map, MapForm form, std::type_identity_t<T> radius) {
+    map.validate();
+    const double dx = map.dx, dy = map.dy, columns = static_cast<double>(map.columns() - 1),
+                 rows = static_cast<double>(map.rows() - 1), unit = std::hypot(columns * dx, rows * dy) / 2;
+    const double mean = static_cast<double>(map.heights.isNaN().select(T(0), map.heights).mean());
+    const auto each = [&](const auto& use) {
+        for (Eigen::Index j = 0; j < map.rows(); ++j)
+            for (Eigen::Index i = 0; i < map.columns(); ++i)
+                if (T& z = map.heights(j, i); !std::isnan(z))
+                    use((static_cast<double>(i) - columns / 2) * dx / unit,
+                        (static_cast<double>(j) - rows / 2) * dy / unit, (static_cast<double>(z) - mean) / unit, z);
+    };
+    const auto shape = form == MapForm::sphere ? math::RoundShape::sphere : math::RoundShape::cylinder;
+    const math::RoundSurface round = math::fit_round(shape, static_cast<double>(radius) / unit, [&](const auto& use) {
+        each([&](double x, double y, double z, T&) { use(x, y, z); });
+    });
+    each([&](double x, double y, double z, T& height) { height = static_cast<T>(round.distance(x, y, z) * unit); });
+    return static_cast<T>(unit / round.curvature());
+}
+
 /// \p map levelled, with the removed form. \p resolution [m] is the step in which the heights were printed or counted;
-/// 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, apart from rounding,
+/// 0 where it is not known; a \p radius [m] above 0 is that of the sphere or cylinder. \throws domain_error as remove_form(),
+/// remove_round_form(), and for a map that is constant, apart from rounding,
 /// after the removal of its form.
 template <Real T>
-[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
-    LevelledMap<T> flat{remove_form(map, form), form};
+[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0,
+                                   std::type_identity_t<T> radius = 0) {
+    LevelledMap<T> flat{form > MapForm::cubic ? map : remove_form(map, form), form};
+    if (form > MapForm::cubic) flat.radius = remove_round_form(flat.map, form, radius);
     const auto removed = [&](Eigen::Index j, Eigen::Index i) { return map.heights(j, i) - flat.map.heights(j, i); };
     flat.tilt = {removed(0, map.columns() - 1) - removed(0, 0), removed(map.rows() - 1, 0) - removed(0, 0)};
     if (form != MapForm::none)
