@@ -3,10 +3,12 @@
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
 #include "surface/measured_surface.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/measure/pooled_surface.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 namespace fstiff::scene {
@@ -151,15 +153,71 @@ MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const M
     return whole;
 }
 
+namespace {
+
+/// The numbers of a list such as "2-180" or "2,4,6-9". \throws option_error.
+std::vector<int> numbers_of_list(const std::string& list, const std::string& name) {
+    std::vector<int> numbers;
+    const auto number = [&](std::string_view text) {
+        int read = -1;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
+        if (error != std::errc() || end != text.data() + text.size() || read < 0 || read > most_columns)
+            throw option_error(name + " = \"" + list + "\": must be whole numbers up to " +
+                               std::to_string(most_columns) + ", such as \"2-180\" or \"2,4,6-9\"");
+        return read;
+    };
+    for (const std::string& part : split_at_commas(list)) {
+        const std::size_t dash = std::min(part.find('-'), part.size());
+        const int first = number(part.substr(0, dash)),
+                  last = dash < part.size() ? number(part.substr(dash + 1)) : first;
+        if (last < first) throw option_error(name + " = \"" + list + "\": the numbers of a range must rise");
+        for (int n = first; n <= last; ++n) numbers.push_back(n);
+    }
+    return numbers;
+}
+
+/// What of a file is measured: all of it, or one of its columns or channels.
+struct FilePart {
+    std::string file, key;
+    int number = 0;
+};
+
+}  // namespace
+
 MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<std::string>& names,
                               const ProgressHook& progress) {
     const std::vector<std::string> files = without_folders(names);
-    const auto measure = [&](MeasureOptions of_file, std::size_t i) {
-        of_file.input.file = files[i];
-        return measure_surface(of_file, read_all(files[i]), progress);
+    const SurfaceOptions& input = options.input;
+    if (!input.columns.empty() && !input.channels.empty())
+        throw option_error(input.name("columns") + " and " + input.name("channels") +
+                           " are both given; must be one of them");
+    const std::string key = !input.columns.empty() ? "columns" : !input.channels.empty() ? "channels" : "";
+    std::vector<FilePart> parts;
+    for (const std::string& file : files) {
+        if (key.empty())
+            parts.push_back({file, key});
+        else
+            for (const int n : numbers_of_list(key == "columns" ? input.columns : input.channels, input.name(key)))
+                parts.push_back({file, key, n});
+    }
+    std::string file, bytes;  // of the last part
+    const auto measure = [&](MeasureOptions of_part, std::size_t i) {
+        const FilePart& part = parts[i];
+        if (i == 0 || part.file != file) file = part.file, bytes = read_all(file);
+        of_part.input.file = file;
+        of_part.input.columns.clear(), of_part.input.channels.clear();
+        if (key == "columns") of_part.input.column = part.number;
+        if (key == "channels") of_part.input.channel = std::to_string(part.number);
+        MeasuredSurface measured = measure_surface(of_part, bytes, progress);
+        if (!key.empty()) {
+            const std::string which = key.substr(0, key.size() - 1) + " " + std::to_string(part.number);
+            measured.file += ", " + which;
+            measured.sha256 = sha256(measured.sha256 + " " + which);
+        }
+        return measured;
     };
     const bool again = std::count(files.begin(), files.end(), "-") == 0;  // standard input is read once
-    return measure_parts(options, files.size(), measure, "file", again);
+    return measure_parts(options, parts.size(), measure, key.empty() ? "file" : key.substr(0, key.size() - 1), again);
 }
 
 }  // namespace fstiff::scene

@@ -67,6 +67,10 @@ bool is_document(std::string_view bytes) {
 }
 
 void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
+    for (const auto& [key, parts] : {std::pair("columns", &options.columns), std::pair("channels", &options.channels)})
+        if (!parts->empty())
+            throw option_error(options.name(key) + " = \"" + *parts +
+                               "\": must not be given where one surface is read");
     about_file(options.file, [&] {
         clean(options, input.surface);
         for (std::string& hint : cleaning_hints(options, input.surface))

@@ -28,6 +28,7 @@ struct SurfaceOptions {
     Amount dx, dy, width, height;                   ///< of a matrix
     int column = 0;                                 ///< of the heights of a profile, counted from 1
     int x_column = 0;                               ///< of its positions
+    std::string columns, channels;                  ///< each a part of one surface: "2-180", "1,3"
     std::string missing;                            ///< marks missing points of a text: "-9999", or "none"
     std::string thousands;                          ///< separates thousands in a text: ",", or "none"
     bool resample = false;                          ///< unequally spaced positions of a profile are interpolated

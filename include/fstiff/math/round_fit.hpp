@@ -52,13 +52,15 @@ struct RoundSurface {
         const double u = -x * sin_phi + y * cos_phi, s = x * cos_phi + y * sin_phi, w = z * cos_psi - s * sin_psi;
         const double c = std::sqrt(1 - b_u * b_u - b_v * b_v + 2 * kappa * e), squares = u * u + v * v + w * w;
         const double p = kappa / 2 * squares + b_u * u + b_v * v + c * w + e;
+        const double root = std::sqrt((std::max)(0.0, 1 + 2 * kappa * p)), distance = 2 * p / (1 + root);
         if (derivatives) {
-            *derivatives << squares / 2 + w * e / c, 1 + w * kappa / c, u - w * b_u / c, v - w * b_v / c, 0;
+            *derivatives << (squares - distance * distance) / 2 + w * e / c, 1 + w * kappa / c, u - w * b_u / c, v - w * b_v / c, 0;
             const double across = kappa * u + b_u, up = kappa * w + c;
             if (rod) derivatives->tail<2>() << -across * s - up * sin_psi * u, -up * (z * sin_psi + s * cos_psi);
+            *derivatives /= root;
         }
         if (sine) *sine = std::hypot(kappa * u + b_u, kappa * v + b_v, sin_psi);
-        return 2 * p / (1 + std::sqrt((std::max)(0.0, 1 + 2 * kappa * p)));
+        return distance;
     }
 };
 

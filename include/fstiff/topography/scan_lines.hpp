@@ -107,10 +107,14 @@ template <Real T>
 std::pair<ScanAxis, T> align_lines(HeightMap<T>& map, LineAlignment method, ScanAxis axis) {
     const auto align = [&](auto&& heights) {
         const LineSteps<T> steps = line_steps<T>(heights);
+        std::vector<Eigen::Index> before;  // the last line before j that has points
+        for (Eigen::Index j = 0; j < heights.rows(); ++j)
+            before.push_back(j == 0 || !heights.row(j - 1).isNaN().all() ? j - 1 : before.back());
         std::vector<T> offsets =
             medians_of_lines<T>(heights.rows(), heights.cols(), [&](Eigen::Index j, Eigen::Index i) {
                 if (method == LineAlignment::median) return heights(j, i);
-                return j == 0 ? T(0) : heights(j, i) - heights(j - 1, i);
+                const Eigen::Index last = before[static_cast<std::size_t>(j)];
+                return last < 0 ? T(0) : heights(j, i) - heights(last, i);
             });
         for (T& offset : offsets) offset = std::isnan(offset) ? T(0) : offset;
         if (method == LineAlignment::median_of_differences)

@@ -61,7 +61,7 @@ Command add_measure(Arguments& command) {
          .required = true,
          .form = request::Form::file});
     add_surface_options(command, measure.input);
-    for (const char* key : {"peaks", "tip_radius", "resolution", "window"})
+    for (const char* key : {"columns", "channels", "peaks", "tip_radius", "resolution", "window"})
         add_surface_option(command, measure.input, key);
     command.fields(measure);
     command.option(
