@@ -93,7 +93,7 @@ Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface)
     }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
     for (const SurfaceOptionRow& row : surface_option_table())
-        if (row.group == OptionGroup::estimate)
+        if (row.group == OptionGroup::estimate && (row.echo == Echo::always || !row.has_same(options.input, {})))
             document["inputs"][row.json_name()] = json_of_option(row, options.input);
     document["inputs"].update({{"resamples", options.resamples}, {"seed", options.seed}});
     document["roughness"] = json_of(roughness_of(surface));

@@ -73,6 +73,23 @@ std::string length_warning(double rms_height, double step) {
            " apart: a unit of its lengths is likely wrong";
 }
 
+/// A sentence on offsets of the scan lines of a map; empty where none are seen.
+std::string lines_warning(const Surface<double>& found, const SurfaceOptions& options) {
+    if (found.offset_lines == ScanAxis::automatic) return "";
+    return "the lines along " + std::string(name_of(found.offset_lines)) + " are offset from each other by " +
+           shown_length(found.line_step, 3) +
+           " rms, as by drift of a scanning probe: K may be off by a factor of two; " + options.name("align") +
+           (options.prefix.empty() ? " = \"median\"" : " median") +
+           " removes the offsets, and a fine lay along the lines, which looks alike";
+}
+
+/// A sentence on a round \p form of \p radius that was removed; empty for a radius of 0.
+std::string flat_patch_warning(double radius, std::string_view form) {
+    if (radius == 0) return "";
+    return "K is that of a flat face with the roughness of this part: the contact of the " + std::string(form) +
+           " itself is not in it";
+}
+
 /// Decisions after the reading of the file, and doubts about \p found.
 template <class Prepared>
 void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureOptions& options) {
@@ -80,7 +97,7 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     auto& said = surface.decisions;
     const bool profile = surface.is_profile();
     said.push_back("rms height " + shown_length(prepared.rms_as_read) + " as read, " + shown_length(prepared.rms) +
-                   " without its form (" + form_name(prepared) + ")");
+                   " without its form (" + form_name(prepared) + radius_clause(prepared.radius) + ")");
     said.push_back(sentence_of(found.cut_offs));
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
@@ -127,22 +144,9 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     std::vector<std::string> of_peaks = peak_warnings(found.concerns, found.peaks_counted, found);
     if (!profile && has(found.concerns, MeasuredConcern::few_peaks)) surface.of_file.push_back(of_peaks.front());
     warned.insert(warned.end(), of_peaks.begin(), of_peaks.end());
-    const auto lines = [&] {
-        return found.offset_lines == ScanAxis::automatic
-                   ? std::string()
-                   : "the lines along " + std::string(name_of(found.offset_lines)) + " are offset from each other by " +
-                         shown_length(found.line_step, 3) +
-                         " rms, as by drift of a scanning probe: K may be off by a factor of two; " +
-                         options.input.name("align") + (options.input.prefix.empty() ? " = \"median\"" : " median") +
-                         " removes the offsets, and also a lay of a ground face that looks alike";
-    };
-    const auto flat_patch = [&] {
-        return prepared.radius == 0 ? std::string()
-                                    : "K is that of a flat face with the roughness of this part: the contact of the " +
-                                          std::string(name_of(prepared.removed)) + " itself is not in it";
-    };
     for (const std::string& line :
-         {lines(), flat_patch(), form_warning(found, options.input), length_warning(prepared.rms, step_of(prepared)),
+         {lines_warning(found, options.input), flat_patch_warning(prepared.radius, form_name(prepared)),
+          form_warning(found, options.input), length_warning(prepared.rms, step_of(prepared)),
           gradient_warning(gradient_of(prepared), "measured")})
         if (!line.empty()) warned.push_back(line), surface.of_file.push_back(line);
 }

@@ -191,19 +191,13 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     });
 }
 
-namespace {
-
-std::string radius_sentence(double radius) {
-    return radius == 0 ? "" : (radius < 0 ? ", hollow, of radius " : " of radius ") + shown_length(std::abs(radius));
-}
-
-}  // namespace
-
 std::string form_name(const LevelledProfile<double>& levelled) {
-    return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed)) + radius_sentence(levelled.radius);
+    return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed));
 }
-std::string form_name(const LevelledMap<double>& levelled) {
-    return std::string(name_of(levelled.removed)) + radius_sentence(levelled.radius);
+std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
+
+std::string radius_clause(double radius) {
+    return radius == 0 ? "" : (radius < 0 ? ", hollow, of radius " : " of radius ") + shown_length(std::abs(radius));
 }
 
 PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {

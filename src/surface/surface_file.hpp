@@ -81,6 +81,8 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
 /// The name of the form that was removed: one of Form, or gaussian_form; one of MapForm.
 [[nodiscard]] std::string form_name(const LevelledProfile<double>& levelled);
 [[nodiscard]] std::string form_name(const LevelledMap<double>& levelled);
+/// What follows it where a circle, sphere or cylinder of \p radius was removed: " of radius 5 mm"; empty for 0.
+[[nodiscard]] std::string radius_clause(double radius);
 
 /// prepare() for a profile. \throws as options_for_profile() and, with the name of the file, prepare().
 [[nodiscard]] PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input);

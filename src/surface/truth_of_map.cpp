@@ -66,7 +66,8 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     const PreparedMap<double> map = level_map(surface, input);
     TruthOfMap solved;
     solved.file = display_name(options.surface.file);
-    solved.form = form_name(map) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");
+    solved.form =
+        form_name(map) + radius_clause(map.radius) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");
     solved.modulus = options.modulus;
     solved.rms_height = map.rms;
     solved.rms_gradient = map.areal.rms_gradient;

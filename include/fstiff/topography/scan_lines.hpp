@@ -4,19 +4,17 @@
 /// Offsets between the scan lines of a map, as drift and creep of a scanning probe leave them, and their removal.
 ///
 ///     median                  z_j,i - median_i z_j,i
-///     median_of_differences   z_j,i - sum_(k <= j) median_i(z_k,i - z_k-1,i): less is taken where a line crosses a plateau
-///     step                    m_j = median_i(z_j,i - z_j-1,i); s_j = 1.4826 median_i |z_j,i - z_j-1,i - m_j|
-///     offset                  mean m_j^2 > mean s_j^2/4, four times that of the other axis, and the correlation of m_j
-///                             and m_j+1 below -0.1: -1/2 for offsets of single lines, above 0 for a lay that is resolved
+///     median_of_differences   z_j,i - sum_(k <= j) m_k,  m_j = median_i(z_j,i - z_j-1,i): for plateaus and pits
+///     offsets are seen        where mean m_j^2 > mean s_j^2/4, s_j = 1.4826 median_i |z_j,i - z_j-1,i - m_j|, four times
+///                             that across the lines, and m_j and m_j+1 correlate below -0.1: -1/2 for offsets of single
+///                             lines, above 0 for a lay that is resolved
 ///
-/// Waves that run across the lines and that all points of a line share are lost with the offsets: of an isotropic
-/// self-affine map of 256 lines 1 to 2 % of the rms height.
+/// Waves that all points of a line share are lost with the offsets, 1 to 2 % of the rms height of 256 isotropic lines.
 ///
-/// Reference   Necas, Klapetek, Cent. Eur. J. Phys. 10 (2012) 181, the methods of their names; the limits are this
-///             project's
+/// Reference   Necas, Klapetek, Cent. Eur. J. Phys. 10 (2012) 181 (both methods); the limits are this project's
 /// Units       heights [m]
-/// Valid       maps of 3 points a side, missing points allowed
-/// Accuracy    offsets of up to a thousand times the roughness: rounding (tests/topography/scan_lines_test.cpp)
+/// Valid       maps of 3 points a side, missing points allowed; offsets are seen from 32 points a side
+/// Accuracy    rounding; K to 2 % (tests/topography/scan_lines_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/tukey.hpp>
