@@ -17,10 +17,16 @@ struct KnownBinary {
     std::string_view way;  // how its heights get out
 };
 
-constexpr std::string_view from_the_instrument = "export it from the program of the instrument or from Gwyddion";
+// pip install 'fstiff[readers]' brings SurfaceTopography, which reads these
+constexpr std::string_view from_the_instrument =
+    "read it by python -m fstiff run --surface FILE, of the Python package with fstiff[readers], or export it from the "
+    "program of the instrument or from Gwyddion";
 constexpr std::string_view from_gwyddion = "save it with a newer Gwyddion";
 constexpr std::string_view no_heights = "it is not a measured surface: export the heights themselves";
-constexpr std::string_view from_python = "write its array with a few lines of Python";
+constexpr std::string_view from_python =
+    "read it by python -m fstiff run --surface FILE, of the Python package with fstiff[readers], or write its array "
+    "with "
+    "a few lines of Python";
 constexpr std::string_view unpack = "unpack it first";
 constexpr std::string_view sample = "sample its heights on a grid, as text or .stl";
 constexpr std::string_view from_the_program = "export the heights from the program that wrote it";
@@ -31,11 +37,11 @@ constexpr std::array known_binaries{
     KnownBinary{"GIF8", "a GIF picture", no_heights},
     KnownBinary{"P5\n", "a PGM picture", no_heights},
     KnownBinary{"P6\n", "a PPM picture", no_heights},
-    KnownBinary{std::string_view("II*\0", 4), "a TIFF picture", from_the_instrument},
-    KnownBinary{std::string_view("MM\0*", 4), "a TIFF picture", from_the_instrument},
+    KnownBinary{std::string_view("II*\0", 4), "a TIFF picture or a file of JPK (.tif, .jpk)", from_the_instrument},
+    KnownBinary{std::string_view("MM\0*", 4), "a TIFF picture or a file of JPK (.tif, .jpk)", from_the_instrument},
     KnownBinary{"%PDF-", "a PDF document", no_heights},
     KnownBinary{"\x89HDF\r\n", "an HDF5 file", from_python},
-    KnownBinary{"MATLAB 5.0", "a MATLAB file", "write its matrix as text"},
+    KnownBinary{"MATLAB 5.0", "a MATLAB file (.mat)", from_python},
     KnownBinary{"GWYO", "a file of Gwyddion 1 (.gwy)", from_gwyddion},
     KnownBinary{"\\*File list", "a Nanoscope file of an atomic force microscope", from_the_instrument},
     KnownBinary{"Binary TrueMap Data File", "a TrueMap file (.tmd)", from_the_instrument},
@@ -54,7 +60,10 @@ constexpr std::array known_binaries{
                 "a file packed by xz", unpack},
     KnownBinary{"7z\xBC\xAF", "a 7z archive", unpack},
     KnownBinary{"Rar!", "a RAR archive", unpack},
-    KnownBinary{"PK\x03\x04", "a zip archive", "unpack it first; of an Excel workbook (.xlsx), save the sheet as CSV"},
+    KnownBinary{"PK\x03\x04", "a zip archive",
+                "unpack it first; of an Excel workbook (.xlsx), save the sheet as CSV, or read it by python -m fstiff "
+                "run --surface "
+                "FILE, of the Python package with fstiff[readers]"},
     KnownBinary{"\xD0\xCF\x11\xE0", "an old Office document (.xls) or a file of its container",
                 "save the sheet as CSV, or export it from the program that wrote it"},
     KnownBinary{"SQLite format 3", "a database", no_heights},

@@ -217,7 +217,11 @@ MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<s
         return measured;
     };
     const bool again = std::count(files.begin(), files.end(), "-") == 0;  // standard input is read once
-    return measure_parts(options, parts.size(), measure, key.empty() ? "file" : key.substr(0, key.size() - 1), again);
+    if (key.empty()) return measure_parts(options, parts.size(), measure, "file", again);
+    MeasuredSurface whole = measure_parts(options, parts.size(), measure, key.substr(0, key.size() - 1), again);
+    if (files.size() == 1 && !whole.parts.empty())
+        whole.file = display_name(file) + ", " + key + " " + (key == "columns" ? input.columns : input.channels);
+    return whole;
 }
 
 }  // namespace fstiff::scene

@@ -3,7 +3,10 @@
 // sentences.
 #include "json.hpp"
 
+#include <fstiff/core/text.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace measure_test {
@@ -102,6 +105,106 @@ TEST_CASE("Heights in a wrong unit end every command that measures with exit cod
         CHECK(steep.status == 4);
         CHECK(test::contains(steep.err, "a unit of its lengths is likely wrong"));
     }
+}
+
+TEST_CASE("Columns and tables of one file are traces of one face, pooled as files of them are") {
+    const test::Folder folder;
+    std::vector<std::string> rows(600);
+    std::string tables, files;
+    for (const int seed : {1, 2, 3}) {
+        const std::string made =
+            test::run_fstiff("generate profile --points 600 --spacing '1 um' --hurst 0.5 --rms '1 um' --seed " +
+                             std::to_string(seed))
+                .out;
+        const std::string name = "trace" + std::to_string(seed) + ".csv";
+        files += " '" + folder.write(name, made) + "'";
+        const std::string table = made.substr(made.find("x [m]"));
+        tables += table + "\n";
+        const std::vector<std::string> lines = test::lines(table);
+        for (std::size_t i = 0; i < 600; ++i)
+            rows[i] += rows[i].empty() ? lines[i + 1] : lines[i + 1].substr(lines[i + 1].find(','));
+    }
+    std::string columns = "x [m],a [m],b [m],c [m]\n";
+    for (const std::string& row : rows) columns += row + "\n";
+    const std::string one = folder.write("columns.csv", columns), blocks = folder.write("tables.txt", tables);
+    const auto found = [](const std::string& arguments) {
+        const test::Outcome outcome = test::run_fstiff("measure " + arguments + " --format csv");
+        INFO(arguments << "\n" << outcome.err);
+        CHECK(outcome.status == 0);
+        std::vector<double> values;
+        const test::Csv csv(outcome.out);
+        for (std::size_t i = 0; i < csv.size(); ++i)
+            if (csv.text(i, "file") == "pooled") values.push_back(csv.number(i, "value"));
+        return values;
+    };
+    const std::vector<double> of_files = found(files);
+    REQUIRE(of_files.size() > 5);
+    for (const std::string& call :
+         {"'" + one + "' --input-format profile --columns 2-4", "'" + one + "' --input-format profile --columns 2,3,4",
+          "'" + blocks + "' --channels 1-3"}) {
+        const std::vector<double> of_parts = found(call);
+        REQUIRE(of_parts.size() == of_files.size());
+        for (std::size_t i = 0; i < of_files.size(); ++i) CHECK(of_parts[i] == of_files[i]);
+    }
+    const std::string profile = "measure '" + one + "' --input-format profile ";
+    test::check_refused(profile + "--columns 4-2", 2, {"--columns = \"4-2\"", "must rise"});
+    test::check_refused(profile + "--columns 2-x", 2, {"--columns = \"2-x\"", "whole numbers up to 4096"});
+    test::check_refused(profile + "--columns 2-5", 3, {"columns.csv", "column = 5", "between 1 and 4"});
+    test::check_refused(profile + "--columns 2 --channels 1", 2, {"--columns and --channels are both given"});
+    test::check_refused(profile + "--columns 2-3 --scales", 2,
+                        {"--columns", "must not be given where one surface is read"});
+}
+
+TEST_CASE("Offsets of scan lines are named, removed where that is asked for, and refused for a profile") {
+    const test::Folder folder;
+    const std::string map =
+        test::run_fstiff("generate map --points 64 --spacing '20 nm' --hurst 0.8 --rms '1 nm' --longest '400 nm'").out;
+    std::string shifted;
+    unsigned line = 0;
+    for (const std::string& row : test::lines(map)) {
+        if (row.starts_with('#')) {
+            shifted += row + "\n";
+            continue;
+        }
+        const double offset = 3e-9 * ((line * line * 7 % 11) / 5.0 - 1);
+        ++line;
+        for (const std::string& cell : test::csv_cells(row))
+            shifted += fstiff::detail::shortest_text(std::stod(cell) + offset) + " ";
+        shifted += "\n";
+    }
+    const std::string file = folder.write("map.txt", shifted);
+    const auto seen = test::run_fstiff("measure '" + file + "'");
+    CHECK(test::contains(seen.err, "the lines along x are offset from each other by"));
+    CHECK(test::contains(seen.out, "\"scan_lines\""));
+    for (const char* method : {"median", "median_of_differences"}) {
+        const auto aligned = test::run_fstiff("measure '" + file + "' --align " + method);
+        CHECK_FALSE(test::contains(aligned.err, "offset from each other"));
+        CHECK(test::contains(aligned.out, "align: 64 lines along x aligned (" + std::string(method) + ")"));
+    }
+    test::check_refused(
+        "measure - --align median", 2, {"--align = \"median\": must be none for a profile"},
+        test::run_fstiff("generate profile --points 600 --spacing '1 um' --hurst 0.5 --rms '1 um'").out);
+}
+
+TEST_CASE("A round part is measured by its circle, whose radius is printed, with a word on the flat patch") {
+    std::string ring = "x [um],z [um]\n";
+    for (int i = 0; i < 2000; ++i) {
+        const double x = i - 900,
+                     z = std::sqrt(4000.0 * 4000 - x * x) - 4000 + 0.3 * std::sin(0.7 * i) * std::sin(0.31 * i);
+        ring += std::to_string(i) + "," + fstiff::detail::shortest_text(z) + "\n";
+    }
+    const auto measured = test::run_fstiff("measure - --detrend circle", ring);
+    CHECK(test::contains(measured.out, "without its form (circle of radius 4"));
+    CHECK(test::contains(measured.out, "\"detrend\": \"circle\""));
+    CHECK(test::contains(measured.err, "the contact of the circle itself is not in it"));
+    CHECK(test::contains(test::run_fstiff("measure - --detrend circle --radius '4 mm'", ring).out, "of radius 4 mm"));
+    test::check_refused("measure - --radius '4 mm'", 2, {"--radius belongs to --detrend circle, sphere or cylinder"},
+                        ring);
+    test::check_refused("measure - --detrend circle --radius '-4 mm'", 3,
+                        {"--radius = \"-4 mm\": must be greater than 0"}, ring);
+    test::check_refused("measure - --detrend sphere", 2,
+                        {"--detrend = \"sphere\": of a profile must be one of none, mean, line, parabola, circle"},
+                        ring);
 }
 
 }  // namespace measure_test

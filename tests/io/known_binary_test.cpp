@@ -51,6 +51,8 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
         INFO(name);
         CHECK(has(refusal(bytes), name));
         CHECK(has(refusal(bytes), "which is not read; must be text"));
+        for (const std::string_view of_instrument : {".tmd", ".mi", ".nid", ".frt", ".bcrf", ".stp", ".ibw"})
+            if (name == of_instrument) CHECK(has(refusal(bytes), "python -m fstiff run --surface FILE"));
     }
 }
 
