@@ -74,12 +74,12 @@ template <Real T>
     return (values[3] + values[4]) / 2;
 }
 
-/// How far \p here is beyond both \p a and \p b, on the side of \p sign; at most 0 where one is as far; without NaN
+/// How far \p centre is beyond both \p a and \p b, on the side of \p sign; at most 0 where one is as far; without NaN
 template <Real T>
-[[nodiscard]] T beyond_both(T here, T a, T b, T sign) {
+[[nodiscard]] T beyond_both(T centre, T a, T b, T sign) {
     if (std::isnan(a)) a = b;
     if (std::isnan(b)) b = a;
-    return (std::min)(sign * (here - a), sign * (here - b));
+    return (std::min)(sign * (centre - a), sign * (centre - b));
 }
 
 /// Whether a point that is \p inner beyond the points around it, \p outer beyond those farther away, and \p difference
