@@ -148,8 +148,8 @@ private:
             for (int m = 0; m < 8; ++m) {
                 const V root = V::all(inverse_root[i + m]);
                 const V power = multiply_add(root, multiply_add(root, share[2], share[1]), share[0]);  // t^b
-                V& one = term[static_cast<std::size_t>(m)];
-                one = one * (power * V::all(mass[i + m] * erf_[i + m]));
+                V& product = term[static_cast<std::size_t>(m)];
+                product = product * (power * V::all(mass[i + m] * erf_[i + m]));
             }
             for (std::size_t m = 0; m < 8; ++m) sums_[m] = sums_[m] + term[m];
             if (count_ + i == 0) first_ = term.front();
