@@ -104,11 +104,11 @@ struct MadeContact {
 /// \throws domain_error where no law answers.
 [[nodiscard]] const Law& law_of_answer(Problem& problem, bool at_separations);
 
-/// What \p request asks of \p problem, by the contacts \p made where they are those of its laws. Next to more than 100
+/// What \p request asks of \p problem, by \p contacts where they are those of its laws. Next to more than 100
 /// points of named laws the answer is at Request::answered alone. No band and no answer where no named law has a state.
 /// \throws domain_error where the model cannot give it.
 [[nodiscard]] Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress = {},
-                               const std::vector<MadeContact>* made = nullptr);
+                               const std::vector<MadeContact>* contacts = nullptr);
 
 }  // namespace fstiff::inline v0_1::detail
 
@@ -162,10 +162,10 @@ struct NextMeasurement {
     std::optional<Unknown> which{};  ///< none: the same measurement of four times the length or the area
     double factor = 0;               ///< high over low of the band once it finds what is assumed now
 };
-/// Of the band of \p answer at its state \p at; none where nothing narrows that factor by a twentieth.
+/// Of the band of \p answer at its state \p i; none where nothing narrows that factor by a twentieth.
 [[nodiscard]] std::optional<NextMeasurement> next_measurement(const Problem& problem, const Request& request,
                                                               const LawCurve& answer, const AnswerFacts& facts,
-                                                              std::size_t at);
+                                                              std::size_t i);
 
 }  // namespace fstiff::inline v0_1::detail
 
@@ -293,8 +293,8 @@ private:
     [[nodiscard]] double in_piece(std::size_t i, double x) const {
         const auto [x0, y0] = points_[i];
         const auto [x1, y1] = points_[i + 1];
-        const double h = x1 - x0, t = (x - x0) / h, all = y1 - y0, left = h * slopes_[i], right = h * slopes_[i + 1];
-        return y0 + t * (left + t * (3 * all - 2 * left - right + t * (left + right - 2 * all)));
+        const double h = x1 - x0, t = (x - x0) / h, rise = y1 - y0, left = h * slopes_[i], right = h * slopes_[i + 1];
+        return y0 + t * (left + t * (3 * rise - 2 * left - right + t * (left + right - 2 * rise)));
     }
 
     std::vector<std::pair<double, double>> points_;

@@ -118,8 +118,8 @@ struct Face {
     void write(Parameter which, double value);
     /// The known parameters take the values of \p drawn, in the order of Parameter.
     void draw(const std::array<double, detail::surface_parameter_count>& drawn);
-    /// Takes \p of, which bearing_of_moments() takes, with its bearing curve.
-    void set_shape(const HeightShape<double>& of);
+    /// Sets \p shape and its bearing curve; bearing_of_moments() must accept it.
+    void set_shape(const HeightShape<double>& shape);
     /// Gives R and D_p, where they follow, the values that the other numbers make.
     void follow();
 };
@@ -240,9 +240,9 @@ inline constexpr FaceParameter face_parameters[]{
     {Parameter::r, &JointFace::r, &JointFace::Errors::r},
     {Parameter::theta, &JointFace::theta, &JointFace::Errors::theta}};
 
-/// The face of \p of as the contact has it: what is written counts before what was measured, and that before a prior.
-/// \throws domain_error naming the member of \p of.
-[[nodiscard]] Face face_of(const JointFace& of);
+/// The face of \p spec as the contact has it: what is written counts before what was measured, and that before a prior.
+/// \throws domain_error naming the member of \p spec.
+[[nodiscard]] Face face_of(const JointFace& spec);
 /// \p joint resolved. Two maps have the shifts that a scene has: those of the seed of Request, whatever the draws have.
 /// \throws domain_error naming the member that is out of range.
 [[nodiscard]] Problem problem_of(const Joint& joint, const LawOptions& options);
