@@ -54,15 +54,15 @@ FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
 /// What follows from K of the state \p i of \p curve, into \p point.
 FSTIFF_INLINE void derive(const Problem& problem, const LawCurve& curve, std::size_t i, AnswerPoint& point) {
     const ContactState<double>& state = curve.states[i];
-    const auto put = [&](Derived which, std::optional<Banded>& into) {
-        if (!can_derive(which, problem) || (which == Derived::loss_factor && curve.growth.empty())) return;
+    const auto put = [&](Derived quantity, std::optional<Banded>& into) {
+        if (!can_derive(quantity, problem) || (quantity == Derived::loss_factor && curve.growth.empty())) return;
         const auto bound = [&](double K, BandEnd end) {
             ContactState<double> other = state;
             if (end != BandEnd::value) other.stiffness = {K, 0};
-            return derived(which, problem, curve, i, other, end).value;
+            return derived(quantity, problem, curve, i, other, end).value;
         };
-        const double low = falls(which) ? point.stiffness.high : point.stiffness.low,
-                     high = falls(which) ? point.stiffness.low : point.stiffness.high;
+        const double low = falls(quantity) ? point.stiffness.high : point.stiffness.low,
+                     high = falls(quantity) ? point.stiffness.low : point.stiffness.high;
         into = {bound(low, BandEnd::low), bound(point.stiffness.value, BandEnd::value), bound(high, BandEnd::high)};
     };
     put(Derived::tangential_stiffness, point.tangential_stiffness);
@@ -194,11 +194,12 @@ namespace fstiff::inline v0_1::detail {
 
 /// Conductance of heat or current through the spots of \p s and their film.
 FSTIFF_INLINE Estimate<double> conductance_of_spots(bool heat, const Problem& problem, const ContactState<double>& s) {
-    const Conduction& by = problem.conduction;
-    const double h =
-        spot_conductance(s.stiffness.value, heat ? *by.thermal : *by.electrical, problem.effective_modulus);
-    const double under = detail::under_film(h, s.real_area_fraction.value, heat ? by.thermal_film : by.electrical_film);
-    return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
+    const Conduction& conduction = problem.conduction;
+    const double h = spot_conductance(s.stiffness.value, heat ? *conduction.thermal : *conduction.electrical,
+                                      problem.effective_modulus);
+    const double film =
+        under_film(h, s.real_area_fraction.value, heat ? conduction.thermal_film : conduction.electrical_film);
+    return {film, s.stiffness.value > 0 ? film * (s.stiffness.error / s.stiffness.value) : 0};
 }
 
 FSTIFF_INLINE double loss_of(const Problem& problem, const LawCurve& curve, std::size_t i, double tangential_stiffness,
@@ -211,9 +212,9 @@ FSTIFF_INLINE double loss_of(const Problem& problem, const LawCurve& curve, std:
     return end == BandEnd::low ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
 }
 
-FSTIFF_INLINE bool can_derive(Derived which, const Problem& problem) {
+FSTIFF_INLINE bool can_derive(Derived quantity, const Problem& problem) {
     const bool elastic = problem.upper.youngs_modulus > 0;
-    switch (which) {
+    switch (quantity) {
         case Derived::tangential_stiffness: return elastic;
         case Derived::loss_factor: return elastic && problem.friction && problem.friction->amplitude;
         case Derived::reflection: return problem.ultrasound.has_value();
@@ -224,7 +225,7 @@ FSTIFF_INLINE bool can_derive(Derived which, const Problem& problem) {
     return false;
 }
 
-FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, const LawCurve& curve, std::size_t i,
+FSTIFF_INLINE Estimate<double> derived(Derived quantity, const Problem& problem, const LawCurve& curve, std::size_t i,
                                        const ContactState<double>& s, BandEnd end) {
     const double ratio =
         problem.upper.youngs_modulus > 0 ? tangential_ratio(problem.upper, problem.lower) : 0;  // where it is known
@@ -232,7 +233,7 @@ FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, co
         return fstiff::reflection(s.stiffness * factor, media, problem.ultrasound->angular());
     };
     const auto loss = [&](double K) { return loss_of(problem, curve, i, ratio * K, end); };
-    switch (which) {
+    switch (quantity) {
         case Derived::tangential_stiffness: return {ratio * s.stiffness.value, ratio * s.stiffness.error};
         case Derived::loss_factor: {
             const double factor = loss(s.stiffness.value);
@@ -246,8 +247,8 @@ FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, co
     return {};
 }
 
-FSTIFF_INLINE double conductance_of_gap(const Conduction& by, double separation) {
-    return detail::gap_conductance(*by.gap, (std::max)(separation, 0.0)) + by.radiation;
+FSTIFF_INLINE double conductance_of_gap(const Conduction& conduction, double separation) {
+    return detail::gap_conductance(*conduction.gap, (std::max)(separation, 0.0)) + conduction.radiation;
 }
 
 }  // namespace fstiff::inline v0_1::detail

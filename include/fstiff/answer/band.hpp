@@ -123,8 +123,8 @@ struct BandParts {
     T shape_low{}, shape_high{};                          ///< of the shape of the heights: skewness and kurtosis
     std::array<BandPart<T>, unknown_count> of_unknown{};  ///< parts of these two and of the hardness, as Unknown
 
-    [[nodiscard]] const BandPart<T>& part_of(Unknown which) const {
-        return of_unknown[static_cast<std::size_t>(which)];
+    [[nodiscard]] const BandPart<T>& part_of(Unknown unknown) const {
+        return of_unknown[static_cast<std::size_t>(unknown)];
     }
 };
 
@@ -164,11 +164,11 @@ BandParts<T> widen(SampledBand<T>& band, std::type_identity_t<T> value, std::spa
 /// faces an unknown may occur twice.
 template <Real T>
 void widen(SampledBand<T>& band, BandParts<T>& parts, std::span<const UnknownCurves<T>> curves, std::size_t point) {
-    for (const UnknownCurves<T>& one : curves) {
-        const std::array<T, 2> ratios{one.low[point], one.high[point]};
+    for (const UnknownCurves<T>& curve : curves) {
+        const std::array<T, 2> ratios{curve.low[point], curve.high[point]};
         BandPart<T> part;
         spread_of(T(1), std::span<const T>(ratios), part.low, part.high);
-        BandPart<T>& sum = parts.of_unknown[static_cast<std::size_t>(one.which)];
+        BandPart<T>& sum = parts.of_unknown[static_cast<std::size_t>(curve.which)];
         sum = {-std::hypot(sum.low, part.low), std::hypot(sum.high, part.high)};
     }
     for (std::size_t i = 0; i < unknown_count; ++i) {

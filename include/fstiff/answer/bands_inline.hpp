@@ -52,7 +52,7 @@ FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, det
                                    const FurtherDraw& further) {
     Face& face = problem.face;
     const double rms_height = face.parameters.rms_height.value;
-    const auto value = [&](Parameter which) { return drawn[detail::index_of(which)]; };
+    const auto value = [&](Parameter parameter) { return drawn[detail::index_of(parameter)]; };
     face.draw(drawn);
     const double taller = face.parameters.rms_height.value / rms_height;
     if (face.rms_gradient) {

@@ -87,11 +87,11 @@ FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, con
     return checks;
 }
 
-/// High over low of the band at the point \p place once \p which of the faces is known; infinite without a band.
-FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, Unknown which) {
-    if (which == Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
-    for (Face& face : problem.faces) face = with_measured(std::move(face), which);
-    problem.face = with_measured(std::move(problem.face), which);
+/// High over low of the band at the point \p place once \p unknown of the faces is known; infinite without a band.
+FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, Unknown unknown) {
+    if (unknown == Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
+    for (Face& face : problem.faces) face = with_measured(std::move(face), unknown);
+    problem.face = with_measured(std::move(problem.face), unknown);
     request.points = {request.points[place]};
     request.answered = {0};
     request.laws.clear();
@@ -109,9 +109,9 @@ FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size
 FSTIFF_INLINE double factor_of_larger(const Problem& problem, const AnswerReason& reason) {
     Causes<double> causes = reason.causes;
     const bool profile = measured_faces(problem).front()->measured->is_profile;
-    const auto scale = [&](Cause cause, double by) {
+    const auto scale = [&](Cause cause, double factor) {
         auto& spread = causes[static_cast<std::size_t>(cause)];
-        spread = {by * spread.low, by * spread.high};
+        spread = {factor * spread.low, factor * spread.high};
     };
     scale(Cause::measurement, 0.5), scale(Cause::shape, 0.5);
     if (problem.nominal_area) {
@@ -132,12 +132,12 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
     const bool map = problem.face.map && problem.face.spectrum_of_map, measured = !measured_faces(problem).empty();
     std::optional<NextMeasurement> most;
     double least = 0.95 * (answer.band[i].high / answer.band[i].low);  // nothing that narrows the factor by less
-    const auto consider = [&](std::optional<Unknown> which, double factor) {
-        if (factor < least) most = NextMeasurement{which, least = factor};
+    const auto consider = [&](std::optional<Unknown> unknown, double factor) {
+        if (factor < least) most = NextMeasurement{unknown, least = factor};
     };
-    for (const Unknown which : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
-        if (!map && problem.face.is_open(which) && !(measured && detail::is_of_shape(which)))
-            consider(which, factor_of_known(problem, request, answer.places[i], which));
+    for (const auto unknown : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
+        if (!map && problem.face.is_open(unknown) && !(measured && detail::is_of_shape(unknown)))
+            consider(unknown, factor_of_known(problem, request, answer.places[i], unknown));
     if (problem.hardness_range && feels_hardness(problem, {answer.law}))
         consider(Unknown::hardness, factor_of_known(problem, request, answer.places[i], Unknown::hardness));
     if (measured && !facts.of_map_itself) consider(std::nullopt, factor_of_larger(problem, facts.reasons[i]));
@@ -210,14 +210,14 @@ FSTIFF_INLINE void fill_unknown(Face& face, bool shape_known) {
     if (!shape_known) fill_shape(face);
 }
 
-FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
+FSTIFF_INLINE Face with_value(Face face, Unknown unknown, double value) {
     const auto set_shape = [&](double skewness, double kurtosis) {
         skewness = std::clamp(skewness, -2.5, 2.5);
         face.set_shape(
             {skewness, std::clamp(kurtosis, detail::least_kurtosis(skewness), (std::max)(20.0, face.shape.kurtosis))});
     };
     const auto [skewness, kurtosis] = face.shape;
-    switch (which) {
+    switch (unknown) {
         case Unknown::height: face.parameters.rms_height.value = value; break;
         case Unknown::gradient: face.rms_gradient = value; break;
         case Unknown::alpha: face.alpha = value; break;
@@ -232,11 +232,11 @@ FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
     return face;
 }
 
-FSTIFF_INLINE Face with_measured(Face face, Unknown which) {
-    std::erase_if(face.priors, [which](const Prior& prior) {
-        return prior.which == which || (detail::is_of_shape(prior.which) && detail::is_of_shape(which));
+FSTIFF_INLINE Face with_measured(Face face, Unknown unknown) {
+    std::erase_if(face.priors, [unknown](const Prior& prior) {
+        return prior.which == unknown || (detail::is_of_shape(prior.which) && detail::is_of_shape(unknown));
     });
-    if (which != Unknown::gradient || !face.gradient_of_islands) return face;
+    if (unknown != Unknown::gradient || !face.gradient_of_islands) return face;
     face.gradient_of_islands = false;  // alpha follows from R then
     std::erase_if(face.priors, [](const Prior& prior) { return prior.which == Unknown::alpha; });
     face.alpha.reset();
@@ -244,12 +244,12 @@ FSTIFF_INLINE Face with_measured(Face face, Unknown which) {
     return face;
 }
 
-/// Whether one of \p laws depends on \p which of \p face, which is not known.
+/// Whether one of \p laws depends on \p unknown of \p face, which is not known.
 FSTIFF_INLINE bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
-                           Unknown which) {
-    if (which == Unknown::height) return true;
+                           Unknown unknown) {
+    if (unknown == Unknown::height) return true;
     if (std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
-    return !detail::is_of_shape(which) && which != Unknown::hurst &&
+    return !detail::is_of_shape(unknown) && unknown != Unknown::hurst &&
            (face.radius_follows || face.density_follows || (problem.default_peaks && has_isotropic_peaks(face)));
 }
 
@@ -274,12 +274,12 @@ FSTIFF_INLINE std::vector<FeltPrior> felt_priors(const Problem& problem, const s
 FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
     std::vector<Alternative> alternatives;
     for (const auto& [place, prior] : felt_priors(problem, laws)) {
-        const auto with = [&, i = place, which = prior->which](double value) {
+        const auto variant = [&, i = place, which = prior->which](double value) {
             const Face changed = with_value(*rough_faces(problem)[i], which, value);
             if (problem.faces.empty()) return changed;
             return i == 0 ? sum_of_faces(changed, problem.faces[1]) : sum_of_faces(problem.faces[0], changed);
         };
-        alternatives.push_back({prior->which, with(prior->low), with(prior->high)});
+        alternatives.push_back({prior->which, variant(prior->low), variant(prior->high)});
     }
     return alternatives;
 }

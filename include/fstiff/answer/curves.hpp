@@ -127,18 +127,18 @@ enum class Derived {
 /// The value, or an end of its band.
 enum class BandEnd { low, value, high };
 
-/// Whether \p which falls as K rises.
-[[nodiscard]] constexpr bool falls(Derived which) {
-    return which == Derived::reflection || which == Derived::shear_reflection;
+/// Whether \p quantity falls as K rises.
+[[nodiscard]] constexpr bool falls(Derived quantity) {
+    return quantity == Derived::reflection || quantity == Derived::shear_reflection;
 }
-/// Whether \p problem has what \p which takes in addition to K.
-[[nodiscard]] bool can_derive(Derived which, const Problem& problem);
-/// \p which at the state \p i of \p curve, whose K is that of \p state: of an end of the band another one. The loss of
+/// Whether \p problem has what \p quantity needs in addition to K.
+[[nodiscard]] bool can_derive(Derived quantity, const Problem& problem);
+/// \p quantity at the state \p i of \p curve with the K of \p state, which differs at an end of the band. The loss of
 /// yielded spots has two limits, the ends; its value is their mean in logarithms.
-[[nodiscard]] Estimate<double> derived(Derived which, const Problem& problem, const LawCurve& curve, std::size_t i,
+[[nodiscard]] Estimate<double> derived(Derived quantity, const Problem& problem, const LawCurve& curve, std::size_t i,
                                        const ContactState<double>& state, BandEnd end);
 /// Conductance of the gap at \p separation [m], with the radiation [W/(m^2 K)].
-[[nodiscard]] double conductance_of_gap(const Conduction& by, double separation);
+[[nodiscard]] double conductance_of_gap(const Conduction& conduction, double separation);
 
 }  // namespace fstiff::inline v0_1::detail
 

@@ -131,8 +131,8 @@ FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Qu
     for (const Law* law : request.laws) count += law->has_peaks ? peaks_of(*law, problem).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves
     if (progress)
-        of_all = [&](std::string_view what, std::size_t done, std::size_t total) {
-            progress(what, curves.size() * total + done, count * total);
+        of_all = [&](std::string_view part, std::size_t done, std::size_t total) {
+            progress(part, curves.size() * total + done, count * total);
         };
     const std::optional<double> slope = gradient(problem);
     if (request.parallel && request.samples > 0 && problem.face.map) make_contacts(problem, request);

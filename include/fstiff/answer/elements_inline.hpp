@@ -126,9 +126,9 @@ FSTIFF_INLINE CauseSpread<double> scatter_of_shifts(const Problem& problem, cons
 FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size_t i, LawCurve& curve,
                              AnswerReason& reason) {
     ContactState<double>& from = curve.states[i];
-    const auto take = [&](Estimate<double> ContactState<double>::*which) {
-        Estimate<double>& estimate = from.*which;
-        const Estimate<double>& other = to.state.*which;
+    const auto take = [&](Estimate<double> ContactState<double>::*member) {
+        Estimate<double>& estimate = from.*member;
+        const Estimate<double>& other = to.state.*member;
         if (!(to.weight < 1 && estimate.value > 0 && other.value > 0)) return void(estimate = other);
         estimate.value *= std::pow(other.value / estimate.value, to.weight);
         estimate.error = std::lerp(estimate.error, other.error, to.weight);

@@ -44,8 +44,8 @@ FSTIFF_INLINE Roughness<double> Face::roughness() const {
             parameters.max_peak_height.value};
 }
 
-FSTIFF_INLINE std::optional<double> Face::value(Parameter which) const {
-    const Measurement<double>* known = parameters.find(which);
+FSTIFF_INLINE std::optional<double> Face::value(Parameter parameter) const {
+    const Measurement<double>* known = parameters.find(parameter);
     return known ? std::optional(known->value) : std::nullopt;
 }
 
@@ -57,11 +57,11 @@ FSTIFF_INLINE bool Face::has_measured_errors() const {
                                              });
 }
 
-FSTIFF_INLINE void Face::write(Parameter which, double value) {
+FSTIFF_INLINE void Face::write(Parameter parameter, double value) {
     write([&](Face& face) {
-        face.parameters.set(which, {value, 0});
-        if (which == Parameter::rms_height) face.parameters.long_end = {};
-        const std::size_t i = detail::index_of(which);
+        face.parameters.set(parameter, {value, 0});
+        if (parameter == Parameter::rms_height) face.parameters.long_end = {};
+        const std::size_t i = detail::index_of(parameter);
         for (std::size_t j = 0; j < detail::surface_parameter_count; ++j)
             face.parameters.correlation[i][j] = face.parameters.correlation[j][i] = i == j ? 1 : 0;
     });
@@ -72,8 +72,8 @@ FSTIFF_INLINE void Face::draw(const std::array<double, detail::surface_parameter
         if (auto* known = parameters.find(row.parameter)) known->value = drawn[detail::index_of(row.parameter)];
 }
 
-FSTIFF_INLINE bool Face::is_open(Unknown which) const {
-    return std::any_of(priors.begin(), priors.end(), [&](const Prior& one) { return one.which == which; });
+FSTIFF_INLINE bool Face::is_open(Unknown unknown) const {
+    return std::any_of(priors.begin(), priors.end(), [&](const Prior& prior) { return prior.which == unknown; });
 }
 
 FSTIFF_INLINE void Face::follow() {
@@ -101,7 +101,7 @@ FSTIFF_INLINE void Face::set_shape(const HeightShape<double>& height_shape) {
 }
 
 FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r) {
-    using enum ImplausibleGradient::Of;
+    using enum ImplausibleGradient::Source;
     std::vector<ImplausibleGradient> gradients;
     const bool as_measured = face.measured && face.measured->heights && face.rms_gradient &&
                              face.measured->rms_gradient.value == *face.rms_gradient;

@@ -389,8 +389,8 @@ FSTIFF_INLINE Identification<double> fit_curve(const FitInputs& inputs, const Cu
 FSTIFF_INLINE const Law& find_law(LawName name) { return of_laws::table[static_cast<std::size_t>(name)]; }
 
 FSTIFF_INLINE const Law* find_law(std::string_view name) {
-    const auto found = detail::find_named<LawName>(name);
-    return found ? &find_law(*found) : nullptr;
+    const auto match = detail::find_named<LawName>(name);
+    return match ? &find_law(*match) : nullptr;
 }
 
 }  // namespace detail

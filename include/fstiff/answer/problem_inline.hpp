@@ -254,11 +254,11 @@ FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request
     }
     for (std::span<const double> rest = request.points; !rest.empty();) {
         if (progress) progress("points", request.points.size() - rest.size(), request.points.size());
-        const auto some = rest.first((std::min)(part, rest.size()));
-        const auto more =
-            request.at_separations ? contact.at_separations(some, quantities) : contact.at_pressures(some, quantities);
+        const auto batch = rest.first((std::min)(part, rest.size()));
+        const auto more = request.at_separations ? contact.at_separations(batch, quantities)
+                                                 : contact.at_pressures(batch, quantities);
         points.insert(points.end(), more.begin(), more.end());
-        rest = rest.subspan(some.size());
+        rest = rest.subspan(batch.size());
     }
     return points;
 }

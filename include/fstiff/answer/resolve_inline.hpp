@@ -53,14 +53,14 @@ FSTIFF_INLINE void require_numbers(const JointFace& spec) {
     constexpr Named lengths[]{{"max_peak_height", &JointFace::max_peak_height},
                               {"fractal_roughness", &JointFace::fractal_roughness}};
     require_one(spec, heights), require_one(spec, gradients);
-    for (const std::span<const Named> some : {std::span<const Named>(heights), {gradients}, {lengths}})
-        for (const auto& [name, value] : some) require_between(name, spec.*value, 0);
+    for (const std::span<const Named> group : {std::span<const Named>(heights), {gradients}, {lengths}})
+        for (const auto& [name, value] : group) require_between(name, spec.*value, 0);
     require_between("alpha", spec.alpha, 1.5);
     require_between("hurst", spec.hurst, 0, 1);
     require_between("fractal_dimension", spec.fractal_dimension, 1, greatest_dimension);
-    for (const auto& [which, value, error] : given_parameters) {
-        const ParameterRow& row = detail::row_of(which);
-        if (spec.*value && !detail::parameter_in_range(which, *(spec.*value)))
+    for (const auto& [parameter, value, error] : given_parameters) {
+        const ParameterRow& row = detail::row_of(parameter);
+        if (spec.*value && !detail::parameter_in_range(parameter, *(spec.*value)))
             detail::refuse(row.key, *(spec.*value), row.range());
     }
     if (!spec.measured && !spec.rms_height && !spec.mean_height)
@@ -81,9 +81,9 @@ FSTIFF_INLINE void require_errors(const JointFace& spec, const Face& face) {
     check("the height", spec.errors.height, true);
     check("the gradient", spec.errors.gradient,
           spec.rms_gradient || spec.profile_gradient || spec.profile_spacing || (spec.measured && face.rms_gradient));
-    for (const auto& [which, value, error] : given_parameters)
-        check(detail::row_of(which).key, spec.errors.*error,
-              (spec.*value).has_value() || (spec.measured && face.parameters.find(which)));
+    for (const auto& [parameter, value, error] : given_parameters)
+        check(detail::row_of(parameter).key, spec.errors.*error,
+              (spec.*value).has_value() || (spec.measured && face.parameters.find(parameter)));
 }
 
 /// A gradient of the range \p range, which is from \p origin.
@@ -122,8 +122,8 @@ FSTIFF_INLINE void take_height_and_gradient(const JointFace& spec, Face& face) {
 /// The errors of \p spec in place of those of \p face.
 FSTIFF_INLINE void take_errors(const JointFace& spec, Face& face) {
     require_errors(spec, face);
-    for (const auto& [which, value, error] : given_parameters)
-        if (spec.errors.*error) face.parameters.find(which)->error = *(spec.errors.*error);
+    for (const auto& [parameter, value, error] : given_parameters)
+        if (spec.errors.*error) face.parameters.find(parameter)->error = *(spec.errors.*error);
     Measurement<double>& height = face.parameters.rms_height;
     if (spec.errors.height)
         height.error = *spec.errors.height * (height.value / spec.mean_height.value_or(height.value));
@@ -169,8 +169,8 @@ FSTIFF_INLINE Face face_of(const JointFace& spec) {
         spec.alpha || spec.hurst || spec.peak_radius || spec.peak_density || has_shape)
         face.write([](Face& f) { f.spectrum_of_map = f.spectrum_of_map && !f.map; });
     if (spec.fractal_dimension) face.write([](Face& f) { f.parameters.dimension_window_error = 0; });
-    for (const auto& [which, value, error] : given_parameters)
-        if (spec.*value) face.write(which, *(spec.*value));
+    for (const auto& [parameter, value, error] : given_parameters)
+        if (spec.*value) face.write(parameter, *(spec.*value));
     face.radius_follows = !spec.measured && !spec.peak_radius;
     face.density_follows = !spec.measured && !spec.peak_density;
     take_errors(spec, face);

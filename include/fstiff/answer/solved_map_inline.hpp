@@ -62,13 +62,13 @@ FSTIFF_INLINE std::vector<ElementPoint> element_points(const Problem& problem, c
 FSTIFF_INLINE std::vector<ElementPoint> solved_points(const std::vector<ElementPoint>& points) {
     constexpr std::size_t most = 60, few = 24;
     if (points.size() <= most) return points;
-    std::vector<ElementPoint> some;
+    std::vector<ElementPoint> nodes;
     const double first = points.front().log_pressure, step = (points.back().log_pressure - first) / (few - 1);
     for (const ElementPoint& point : points)
-        if (some.empty() || point.place == points.back().place ||
-            point.log_pressure >= first + (static_cast<double>(some.size()) - 0.5) * step)
-            some.push_back(point);
-    return some;
+        if (nodes.empty() || point.place == points.back().place ||
+            point.log_pressure >= first + (static_cast<double>(nodes.size()) - 0.5) * step)
+            nodes.push_back(point);
+    return nodes;
 }
 
 /// \p solved of \p nodes at each of \p points between them: ln K, ln of the area, d by cubics over ln p.
@@ -82,8 +82,8 @@ FSTIFF_INLINE void interpolate(const std::vector<ElementPoint>& nodes, const std
         return RisingCurve(std::move(pairs));
     };
     constexpr double least = (std::numeric_limits<double>::min)();
-    const auto log_through = [&](Estimate<double> State::*which) {
-        return through([&](const State& state) { return std::log((std::max)((state.*which).value, least)); });
+    const auto log_through = [&](Estimate<double> State::*member) {
+        return through([&](const State& state) { return std::log((std::max)((state.*member).value, least)); });
     };
     const RisingCurve K = log_through(&State::stiffness), area = log_through(&State::real_area_fraction),
                       loading = log_through(&State::loading_stiffness),

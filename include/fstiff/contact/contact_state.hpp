@@ -84,7 +84,7 @@ inline constexpr int min_eta = -1000;  ///< separations that are searched for a 
 template <Real T>
 struct EtaSearch {
     Estimate<T> eta;
-    bool found = true;
+    bool exists = true;
     T log_lowest{}, log_highest{};  ///< if not found: the least and the greatest log f, less the one looked for
 };
 

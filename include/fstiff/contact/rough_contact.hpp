@@ -203,7 +203,7 @@ private:
         Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
         const auto search = detail::eta_of(std::log(pressure / pressure_unit_), max_eta(),
                                            [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
-        if (!search.found) return {{}, detail::unreachable_pressure(pressure, search)};
+        if (!search.exists) return {{}, detail::unreachable_pressure(pressure, search)};
         if (options_.interaction.reading == InteractionReading::as_printed)
             return printed(search.eta.value, {pressure, 0, 0}, quantities);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
@@ -259,8 +259,8 @@ private:
         state.separation.value -= sink;
         state.separation.error +=
             state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
-        const auto in_series = [&](Quantity quantity, Estimate<T>& k, T with) {
-            const T share = 1 / (1 + with * bulk_compliance_);
+        const auto in_series = [&](Quantity quantity, Estimate<T>& k, T inner) {
+            const T share = 1 / (1 + inner * bulk_compliance_);
             k = detail::has(quantities, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations}
                                                   : Estimate<T>{};
         };

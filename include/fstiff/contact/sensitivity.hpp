@@ -232,7 +232,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
         }
         return sum;
     };
-    const auto with = [&](const Roughness<T>& surface, const Peaks& peaks) {
+    const auto model = [&](const Roughness<T>& surface, const Peaks& peaks) {
         RoughContactOptions<T> options = contact.options();
         options.interaction = {};
         return RoughContact<T, Law, Peaks>(surface, peaks, contact.law(), contact.effective_modulus(), options);
@@ -242,7 +242,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
         return slopes(T(0.02), [&](T x) {
             Roughness<T> moved = surface;
             moved.*scale *= 1 + x;
-            return logs(with(moved, contact.peaks()), eta);
+            return logs(model(moved, contact.peaks()), eta);
         });
     };
     Exponents<T> out;
@@ -255,9 +255,9 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
     if constexpr (std::same_as<Peaks, PeakDistribution<T>>) {
         const T r = contact.peaks().r(), theta = contact.peaks().theta();
         out.r =
-            slopes(T(0.03) * (std::min)(r, 1 - r), [&](T x) { return logs(with(surface, Peaks(r + x, theta)), eta); });
+            slopes(T(0.03) * (std::min)(r, 1 - r), [&](T x) { return logs(model(surface, Peaks(r + x, theta)), eta); });
         out.theta = slopes(T(0.03) * (std::min)(theta, std::numbers::pi_v<T> / 2 - theta),
-                           [&](T x) { return logs(with(surface, Peaks(r, theta + x)), eta); });
+                           [&](T x) { return logs(model(surface, Peaks(r, theta + x)), eta); });
     }
     return out;
 }

@@ -256,12 +256,12 @@ bool BoundaryElements<T>::is_set_kept(detail::SetGradients<T>& gradients, T nomi
     const T level = gradients.level();
     const auto is_inside = [&](Eigen::Index k) { return p_.data()[k] > 0 && p_.data()[k] < hard(); };
     std::vector<Eigen::Index> joined, next;
-    auto on = points.begin();
+    auto member = points.begin();
     bool bounded = false;
     for (Eigen::Index k = 0; k < p_.size(); ++k) {
         const T gap = u_.data()[k] - height_.data()[k];
-        if (on != points.end() && *on == k) {
-            ++on;
+        if (member != points.end() && *member == k) {
+            ++member;
             bounded = bounded || !is_inside(k);
         } else if (p_.data()[k] > 0 ? gap > level : gap < level) {
             joined.push_back(k);
@@ -353,9 +353,9 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 
 template <Real T>
 typename BoundaryElements<T>::Solution BoundaryElements<T>::held(T most) const {
-    const Field start = (p_ < most).select(p_, T(0)), on = (start > T(0)).template cast<T>();
+    const Field start = (p_ < most).select(p_, T(0)), mask = (start > T(0)).template cast<T>();
     const detail::HeldContact<T> contact =
-        detail::held_together(compliance_, inverse_, on, start, held_tolerance, options_.max_iterations);
+        detail::held_together(compliance_, inverse_, mask, start, held_tolerance, options_.max_iterations);
     return {contact.compliance, contact.residual, contact.iterations};
 }
 

@@ -67,10 +67,10 @@ private:
     /// dK/du of the variable \p k at all points.
     [[nodiscard]] std::vector<T> slopes_by(const Vector& u, std::size_t k) const {
         const bool offset = this->parameters()[k] == Parameter::offset;
-        const auto moved = [&](T by) {
+        const auto moved = [&](T shift) {
             Vector shifted = u;
-            if (!offset) shifted(static_cast<Eigen::Index>(k)) += by;
-            return stiffness_at(shifted, offset ? by : T(0));
+            if (!offset) shifted(static_cast<Eigen::Index>(k)) += shift;
+            return stiffness_at(shifted, offset ? shift : T(0));
         };
         const std::vector<T> up = moved(step), down = moved(-step), far_up = moved(2 * step),
                              far_down = moved(-2 * step);

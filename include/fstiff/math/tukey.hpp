@@ -95,14 +95,14 @@ template <Real T>
 /// Finds none where that deviation is 0, because rounded heights do not show their spread.
 template <Real T, class Alone>
 Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool remove, const Alone& alone) {
-    std::vector<T> some;
+    std::vector<T> finite;
     for (const T d : differences)
-        if (!std::isnan(d)) some.push_back(d);
+        if (!std::isnan(d)) finite.push_back(d);
     Repair repair;
-    if (some.empty()) return repair;
-    const T middle = median(some);
-    for (T& d : some) d = std::abs(d - middle);
-    const T scale = tukey_factor<T> / 3 * median(some);
+    if (finite.empty()) return repair;
+    const T middle = median(finite);
+    for (T& d : finite) d = std::abs(d - middle);
+    const T scale = tukey_factor<T> / 3 * median(finite);
     if (!(scale > T(0))) return repair;
     std::vector<std::size_t> spikes;
     for (std::size_t i = 0; i < differences.size(); ++i)

@@ -102,16 +102,16 @@ template <Real T, std::size_t blocks>
     require(total.triples >= 16 && total.points >= 64, "points of a surface", static_cast<long long>(total.points),
             "at least 64, with 16 triples of neighbours");
     const auto measured = [&](T (HeightPowers<T>::*statistic)() const, T scale) {
-        std::array<T, blocks> without{};
+        std::array<T, blocks> left_out{};
         T mean = 0, square = 0;
         std::size_t used = 0;
         for (const auto& block : sums) {
             if (!(block.pairs > 0)) continue;
-            without[used] = ((total - block).*statistic)();
-            mean += without[used++];
+            left_out[used] = ((total - block).*statistic)();
+            mean += left_out[used++];
         }
         mean /= static_cast<T>(used);
-        for (std::size_t i = 0; i < used; ++i) square += (without[i] - mean) * (without[i] - mean);
+        for (std::size_t i = 0; i < used; ++i) square += (left_out[i] - mean) * (left_out[i] - mean);
         const T n = static_cast<T>(used);
         return Measurement<T>{scale * (total.*statistic)(), scale * std::sqrt((n - 1) / n * square)};
     };

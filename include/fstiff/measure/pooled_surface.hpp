@@ -281,19 +281,19 @@ template <Real T>
 /// Surfaces of \p heights, each measured with the common cut-offs.
 template <Real T, class Heights>
 [[nodiscard]] Surface<T> measure_several(const std::vector<Heights>& heights, MeasureOptions<T> options) {
-    const auto each = [&] {
+    const auto measured = [&] {
         std::vector<Surface<T>> parts;
         for (const Heights& sample : heights) parts.push_back(measure(sample, options));
         return parts;
     };
-    std::vector<Surface<T>> parts = each();
+    std::vector<Surface<T>> parts = measured();
     const CutOff<T> lambda_s = shared_cut_off(options.lambda_s, parts, &CutOffs<T>::lambda_s);
     const CutOff<T> lambda_c =
         options.form_cut_off ? options.lambda_c : shared_cut_off(options.lambda_c, parts, &CutOffs<T>::lambda_c);
     const bool again =
         lambda_s.automatic() != options.lambda_s.automatic() || lambda_c.automatic() != options.lambda_c.automatic();
     options.lambda_s = lambda_s, options.lambda_c = lambda_c;
-    if (again) parts = each();
+    if (again) parts = measured();
     return pooled(std::move(parts));
 }
 
@@ -331,8 +331,8 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
     if (parts.size() == 1) return std::move(parts.front());
     const Surface<T>& first = parts.front();
     for (const auto& part : parts)
-        if (const detail::Unlikeness in = detail::unlikeness(first, part); in != detail::Unlikeness::none)
-            throw domain_error("measurements of unlike " + std::string(name_of(in)) + ": must be alike to be pooled");
+        if (const auto kind = detail::unlikeness(first, part); kind != detail::Unlikeness::none)
+            throw domain_error("measurements of unlike " + std::string(name_of(kind)) + ": must be alike to be pooled");
     Surface<T> pool{detail::stated(detail::mean_of_known(parts))};
     pool.cut_offs = first.cut_offs;
     pool.is_profile = first.is_profile;

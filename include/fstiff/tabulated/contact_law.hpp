@@ -48,7 +48,7 @@ void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x
     if constexpr (!math::four_at_once<T>) {
         for (Eigen::Index i = 0; i < count; ++i) put(i, single(x[i]));
     } else {
-        T given[4], values[N][4];
+        T arguments[4], values[N][4];
         for (Eigen::Index i = 0; i < count; i += 4) {
             const T* from = x.data() + i;
             std::array<T*, N> to = out;
@@ -61,9 +61,9 @@ void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x
             }
             const Eigen::Index left = std::min<Eigen::Index>(count - i, 4);
             for (Eigen::Index k = 0; k < 4; ++k)
-                given[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
+                arguments[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
             for (std::size_t n = 0; n < N; ++n) to[n] = values[n];
-            four(pieces, given, to);
+            four(pieces, arguments, to);
             for (Eigen::Index k = 0; k < left; ++k) {
                 if (!pieces.contains(from[k])) {
                     put(i + k, single(from[k]));

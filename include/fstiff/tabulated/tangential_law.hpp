@@ -210,11 +210,11 @@ private:
     [[nodiscard]] Response<Directions> response(const detail::SlipPath<T, Directions>& path) const {
         Response<Directions> sum;
         sum.traction.setZero();
-        sum.last.setZero();
+        sum.tangent.setZero();
         auto last = law_.tangent_at_separation(path.begin()->level);
         sum.pressure = last.pressure;
         sum.tangent(0, 0) = last.slope;
-        auto by_inputs = sum.last.template bottomRows<Directions>();
+        auto by_inputs = sum.tangent.template bottomRows<Directions>();
         by_inputs = last.slope * path.begin()->drag_by;  // not 0 where nothing slips
         for (auto a = path.begin(), b = a + 1; b != path.end(); a = b++) {
             const auto next = law_.tangent_at_separation(b->level);

@@ -135,10 +135,10 @@ public:
         for (std::size_t i = 0; i < points_; ++i)
             for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] = from[i * step + l * jump];
     }
-    /// Multiplies each number by that of \p by, in the same order.
-    void multiply(const T* by, std::size_t step, std::size_t jump, std::size_t count) {
+    /// Multiplies each number by that of \p factors, in the same order.
+    void multiply(const T* factors, std::size_t step, std::size_t jump, std::size_t count) {
         for (std::size_t i = 0; i < points_; ++i)
-            for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] *= by[i * step + l * jump];
+            for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] *= factors[i * step + l * jump];
     }
     /// Writes the lines back.
     void store(T* to, std::size_t step, std::size_t jump, std::size_t count) const {
