@@ -66,7 +66,7 @@ void fit_row(const std::string& name, const std::vector<Parameter>& wanted, cons
             const Case exact(wanted, law, 0);
             const Identification<double> found = fit(exact);
             AccuracyCollector collector;
-            for (const Parameter each : wanted) collector.add(found.all[each], exact.truth[each]);
+            for (const Parameter each : wanted) collector.add(found.optimum[each], exact.truth[each]);
             collector.add_cost(found.evaluations);
             return collector.accuracy();
         },

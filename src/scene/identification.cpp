@@ -130,12 +130,12 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
 }
 
 Identification<double> found_by(const Problem& problem, const Fit& fit, const FitInputs& inputs) {
-    const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
+    const bool exact = !of_spectrum(inputs.parameters) && !has(inputs.parameters, Parameter::hardness);
     if (fit.law->fit && exact) return fit.law->fit(inputs);
     return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
                                                                     std::span<const double> pressures) {
         std::vector<double> stiffness;
-        for (const auto& point : points_with(lean, *fit.law, x, inputs.wanted, pressures))
+        for (const auto& point : points_with(lean, *fit.law, x, inputs.parameters, pressures))
             stiffness.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         return stiffness;
     });
@@ -154,9 +154,9 @@ Observation<double> scaled(Observation<double> one, double factor, const std::op
 /// of its error, which is on one side of K at all pressures.
 void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
     constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
-    inputs.start = fit.found.all, inputs.options.search.max_iterations = 30;
+    inputs.start = fit.found.optimum, inputs.options.search.max_iterations = 30;
     Problem fitted = lean_problem(problem, fit);
-    fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.wanted);
+    fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.parameters);
     const std::optional<double> g = gradient(fitted);
     const auto shifted = [&](double LawError<double>::*end) {
         std::vector<Observation<double>> data = inputs.data;
@@ -166,11 +166,11 @@ void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
             observation = scaled(observation, std::exp(-wider * law_error(problem, fit.law->which, reason).*end),
                                  inputs.options.wave);
         }
-        return found_by(problem, fit, {data, inputs.wanted, inputs.start, inputs.options});
+        return found_by(problem, fit, {data, inputs.parameters, inputs.start, inputs.options});
     };
     const auto low = shifted(&LawError<double>::low), high = shifted(&LawError<double>::high);
     if (low.status != math::FitStatus::converged || high.status != math::FitStatus::converged) return;
-    for (std::size_t i = 0; i < inputs.wanted.size(); ++i) {
+    for (std::size_t i = 0; i < inputs.parameters.size(); ++i) {
         auto& own = fit.found.parameters[i];
         const detail::ParameterScale<double> scale(own.parameter);
         double u = scale.variable(own.value), below = u - scale.variable(own.low), above = scale.variable(own.high) - u;
@@ -313,7 +313,7 @@ bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, doub
     double most = 0;
     for (const MeasuredPoint& point : fit.points) most = std::max(most, point.pressure);
     if (!(most < hardness)) return true;
-    const detail::GaussianCut<double> cut(fit.found.all.rms_height, rms_gradient, fit.found.all.effective_modulus);
+    const detail::GaussianCut<double> cut(fit.found.optimum.rms_height, rms_gradient, fit.found.optimum.effective_modulus);
     const double share = most / hardness, K = fitted_points(problem, fit, {&most, 1}).front().state.stiffness.value;
     return detail::yielded(share, cut.stiffness(share), K).stiffness > 1.05 * K;
 }
@@ -323,7 +323,7 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
     const double hardness = hardness_of(problem);
     const bool known = !problem.hardness_range && std::isfinite(hardness);
     if (flows(problem, *fit.law) || !known || fit.found.status == math::FitStatus::singular) return "";
-    const ContactParameters<double>& x = fit.found.all;
+    const ContactParameters<double>& x = fit.found.optimum;
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);
     const double psi = fitted.face.has_radius_and_density()
@@ -352,7 +352,7 @@ std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fi
                                                 std::span<const double> pressures) {
     std::vector<Parameter> wanted;
     for (const auto& one : fit.found.parameters) wanted.push_back(one.parameter);
-    return points_with(lean_problem(problem, fit), *fit.law, fit.found.all, wanted, pressures);
+    return points_with(lean_problem(problem, fit), *fit.law, fit.found.optimum, wanted, pressures);
 }
 
 Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {

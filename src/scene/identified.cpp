@@ -72,7 +72,7 @@ Json curve_json(const Problem& problem, const Identified& identified, const Fit&
     for (int k = 0; k <= steps; ++k) {
         const double p = least->pressure * std::pow(most->pressure / least->pressure, double(k) / steps);
         pressures.push_back(p);
-        loads.push_back(std::max(p + fit.found.all.offset, 1e-6 * p));
+        loads.push_back(std::max(p + fit.found.optimum.offset, 1e-6 * p));
     }
     const auto& wave = identified.found.wave;
     std::vector<ContactPoint<double>> points = fitted_points(problem, fit, loads);

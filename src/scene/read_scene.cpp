@@ -76,7 +76,7 @@ void warn_of_gradients(Scene& scene) {
                                                        MeasuredConcern::implausible_gradient) > 0;
         const auto wrong = told ? std::nullopt : implausible_gradient(scene, *face);
         const std::string line =
-            wrong ? gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->of)]) : "";
+            wrong ? gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->source)]) : "";
         if (told || !line.empty()) scene.implausible = true;
         if (!line.empty()) scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
     }

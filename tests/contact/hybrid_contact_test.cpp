@@ -140,7 +140,7 @@ TEST_CASE(
     high.rms_height *= 2;
     for (Summit<double>& one : high.summits) one.height *= 2, one.max_curvature *= 2, one.min_curvature *= 2;
     const SummitContact<double> high_peaks(high, 1.0);
-    const HybridContact taller(high_peaks, crowded.scaled(2), join.of(high_peaks, 2));
+    const HybridContact taller(high_peaks, crowded.scaled(2), join.scaled(high_peaks, 2));
     for (const double x : {0.1 * p, p, 3 * p})
         CHECK(test::relative_error(taller.stiffness(2 * x), hybrid.stiffness(x)) < 1e-9);
 }

@@ -157,8 +157,8 @@ TEST_CASE("parameters that a curve by differences cannot separate are singular a
     start.alpha = 6;
     const auto fit = detail::identify_by_differences(data, {rms_height, alpha, offset}, start, curve);
     CHECK(fit.status == math::FitStatus::converged);
-    CHECK(test::relative_error(fit.all.alpha, blasted.alpha) < 1e-5);
-    CHECK(std::abs(fit.all.offset) < 1);
+    CHECK(test::relative_error(fit.optimum.alpha, blasted.alpha) < 1e-5);
+    CHECK(std::abs(fit.optimum.offset) < 1);
 }
 
 }  // namespace difference_fit_test

@@ -110,10 +110,10 @@ TEST_CASE("with interaction, and for plastic peaks, the truth comes back") {
         for (const Parameter p : wanted) start[p] *= 0.9;
         const auto fit = identify(data, wanted, start, law, {.contact = options});
         CHECK(fit.status == math::FitStatus::converged);
-        for (const Parameter p : wanted) CHECK(test::relative_error(fit.all[p], true_contact[p]) < 1e-6);
+        for (const Parameter p : wanted) CHECK(test::relative_error(fit.optimum[p], true_contact[p]) < 1e-6);
         // without the bulk it is another surface
         if (options.interaction.reading != InteractionReading::none)
-            CHECK(test::relative_error(identify(data, wanted, start, law).all.rms_height, true_contact.rms_height) >
+            CHECK(test::relative_error(identify(data, wanted, start, law).optimum.rms_height, true_contact.rms_height) >
                   0.05);
     };
     check(fractal, {rms_height, peak_density}, patch);

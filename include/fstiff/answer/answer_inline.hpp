@@ -38,13 +38,13 @@ FSTIFF_INLINE std::string reason_of(const MissedPoint& missed, const std::string
 }
 
 FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const Problem& problem, const Law& law) {
-    std::vector<AssumedNumber> all;
+    std::vector<AssumedNumber> numbers;
     if (const auto& range = problem.hardness_range; range && feels_hardness(problem, {&law}))
-        all.push_back({Unknown::hardness, {range->low, range->middle, range->high}});
+        numbers.push_back({Unknown::hardness, {range->low, range->middle, range->high}});
     for (const auto& [face, prior] : felt_priors(problem, {&law}))
         if (const auto& [low, middle, high] = prior->range; prior->origin != Origin::measurement)
-            all.push_back({prior->which, {low, middle, high}, face > 0});
-    return all;
+            numbers.push_back({prior->which, {low, middle, high}, face > 0});
+    return numbers;
 }
 
 FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
@@ -54,16 +54,16 @@ FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
 /// What follows from K of the state \p i of \p curve, into \p point.
 FSTIFF_INLINE void derive(const Problem& problem, const LawCurve& curve, std::size_t i, AnswerPoint& point) {
     const ContactState<double>& state = curve.states[i];
-    const auto put = [&](Derived which, std::optional<Banded>& into) {
-        if (!can_derive(which, problem) || (which == Derived::loss_factor && curve.growth.empty())) return;
-        const auto at = [&](double K, BandEnd end) {
+    const auto put = [&](Derived quantity, std::optional<Banded>& into) {
+        if (!can_derive(quantity, problem) || (quantity == Derived::loss_factor && curve.growth.empty())) return;
+        const auto bound = [&](double K, BandEnd end) {
             ContactState<double> other = state;
             if (end != BandEnd::value) other.stiffness = {K, 0};
-            return derived(which, problem, curve, i, other, end).value;
+            return derived(quantity, problem, curve, i, other, end).value;
         };
-        const double low = falls(which) ? point.stiffness.high : point.stiffness.low,
-                     high = falls(which) ? point.stiffness.low : point.stiffness.high;
-        into = {at(low, BandEnd::low), at(point.stiffness.value, BandEnd::value), at(high, BandEnd::high)};
+        const double low = falls(quantity) ? point.stiffness.high : point.stiffness.low,
+                     high = falls(quantity) ? point.stiffness.low : point.stiffness.high;
+        into = {bound(low, BandEnd::low), bound(point.stiffness.value, BandEnd::value), bound(high, BandEnd::high)};
     };
     put(Derived::tangential_stiffness, point.tangential_stiffness);
     put(Derived::loss_factor, point.loss_factor);
@@ -115,49 +115,49 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
                             .solves_map = options.solve_map,
                             .parallel = options.parallel};
     for (std::size_t i = 0; i < pressures.size(); ++i) request.answered.push_back(i);
-    Answer found;
-    found.rms_height = problem.face.parameters.rms_height.value;
-    if (pressures.empty()) return found;
+    Answer answer;
+    answer.rms_height = problem.face.parameters.rms_height.value;
+    if (pressures.empty()) return answer;
     const detail::Curves curves = curves_of(problem, request, options.progress);
     const detail::LawCurve& curve = *curves.answer;
-    found.points = points_of(problem, curve, pressures);
+    answer.points = points_of(problem, curve, pressures);
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const detail::AnswerReason& reason = curves.facts.reasons[i];
-        AnswerPoint& point = found.points[curve.places[i]];
+        AnswerPoint& point = answer.points[curve.places[i]];
         point.causes = reason.causes, point.p_star = reason.p_star, point.contacts = reason.contacts;
         point.loading_stiffness = reason.loading_stiffness;
     }
-    found.flows = curves.facts.flows;
-    found.of_map_itself = curves.facts.of_map_itself;
-    found.relative_hardness = curves.facts.relative_hardness;
-    found.assumed = detail::assumed_of(problem, *curve.law);
+    answer.flows = curves.facts.flows;
+    answer.of_map_itself = curves.facts.of_map_itself;
+    answer.relative_hardness = curves.facts.relative_hardness;
+    answer.assumed = detail::assumed_of(problem, *curve.law);
     const std::vector<const detail::Face*> faces = detail::measured_faces(problem);
-    found.across_lay =
+    answer.across_lay =
         std::any_of(faces.begin(), faces.end(), [](const auto* face) { return face->is_taken_across(); });
-    found.concerns = concerns_of(problem, curve);
-    found.doubtful = std::any_of(found.concerns.begin(), found.concerns.end(), [](const Check<double>& one) {
-        return one.concern != Concern::missing_points && one.concern != Concern::noise;
+    answer.concerns = concerns_of(problem, curve);
+    answer.doubtful = std::any_of(answer.concerns.begin(), answer.concerns.end(), [](const Check<double>& check) {
+        return check.concern != Concern::missing_points && check.concern != Concern::noise;
     });
-    if (const auto at = curve.state_at(pressures.size() / 2); options.next && at)
-        if (const auto next = next_measurement(problem, request, curve, curves.facts, *at))
-            found.next = {next->which, pressures[pressures.size() / 2], curve.band[*at].high / curve.band[*at].low,
-                          next->factor};
-    if (options.laws.empty()) return found;
+    if (const auto index = curve.state_at(pressures.size() / 2); options.next && index)
+        if (const auto next = next_measurement(problem, request, curve, curves.facts, *index))
+            answer.next = {next->which, pressures[pressures.size() / 2],
+                           curve.band[*index].high / curve.band[*index].low, next->factor};
+    if (options.laws.empty()) return answer;
     for (const LawName law : options.laws) request.laws.push_back(&detail::possible_law(law, problem));
     request.answers = request.checked = false;
-    for (const detail::LawCurve& one : curves_of(problem, request, options.progress).named)
-        found.laws.push_back({one.law->which, one.theta, one.r, points_of(problem, one, pressures)});
-    return found;
+    for (const detail::LawCurve& named : curves_of(problem, request, options.progress).named)
+        answer.laws.push_back({named.law->which, named.theta, named.r, points_of(problem, named, pressures)});
+    return answer;
 }
 
 FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<double>& range) const {
     if (!(quantile == 0.05 || quantile == 0.5 || quantile == 0.95))
         detail::refuse("quantile", quantile, 3, "0.05, 0.5 or 0.95");
     std::vector<std::pair<double, double>> logs;  // of p and K
-    for (const AnswerPoint& one : points) {
-        const auto& [low, value, high] = one.stiffness;
-        if (one.ok())
-            logs.push_back({std::log(one.pressure), std::log(quantile < 0.5 ? low : quantile > 0.5 ? high : value)});
+    for (const AnswerPoint& point : points) {
+        const auto& [low, value, high] = point.stiffness;
+        if (point.ok())
+            logs.push_back({std::log(point.pressure), std::log(quantile < 0.5 ? low : quantile > 0.5 ? high : value)});
     }
     const detail::RisingCurve curve(std::move(logs));
     curve.require_within(range.min_pressure, range.max_pressure);
@@ -177,11 +177,11 @@ FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, L
         std::unique_ptr<AnyContact> contact;
     };
     const auto kept = std::make_shared<Kept>(Kept{detail::problem_of(joint, detail::law_options(options)), nullptr});
-    const detail::Law& one = detail::possible_law(law, kept->problem);
-    if (kept->problem.hardness_range && feels_hardness(kept->problem, {&one}))
-        throw domain_error("law " + std::string(one.name) + ": needs hardness or yield_strength of both bodies");
-    for_each_contact(kept->problem, {&one}, options.progress, [&](const detail::ContactOfLaw& of) {
-        if (!kept->contact) kept->contact = of.make();
+    const detail::Law& row = detail::possible_law(law, kept->problem);
+    if (kept->problem.hardness_range && feels_hardness(kept->problem, {&row}))
+        throw domain_error("law " + std::string(row.name) + ": needs hardness or yield_strength of both bodies");
+    for_each_contact(kept->problem, {&row}, options.progress, [&](const detail::ContactOfLaw& recipe) {
+        if (!kept->contact) kept->contact = recipe.make();
     });
     return {kept, kept->contact.get()};
 }
@@ -194,11 +194,12 @@ namespace fstiff::inline v0_1::detail {
 
 /// Conductance of heat or current through the spots of \p s and their film.
 FSTIFF_INLINE Estimate<double> conductance_of_spots(bool heat, const Problem& problem, const ContactState<double>& s) {
-    const Conduction& by = problem.conduction;
-    const double h =
-        spot_conductance(s.stiffness.value, heat ? *by.thermal : *by.electrical, problem.effective_modulus);
-    const double under = detail::under_film(h, s.real_area_fraction.value, heat ? by.thermal_film : by.electrical_film);
-    return {under, s.stiffness.value > 0 ? under * (s.stiffness.error / s.stiffness.value) : 0};
+    const Conduction& conduction = problem.conduction;
+    const double h = spot_conductance(s.stiffness.value, heat ? *conduction.thermal : *conduction.electrical,
+                                      problem.effective_modulus);
+    const double film =
+        under_film(h, s.real_area_fraction.value, heat ? conduction.thermal_film : conduction.electrical_film);
+    return {film, s.stiffness.value > 0 ? film * (s.stiffness.error / s.stiffness.value) : 0};
 }
 
 FSTIFF_INLINE double loss_of(const Problem& problem, const LawCurve& curve, std::size_t i, double tangential_stiffness,
@@ -211,9 +212,9 @@ FSTIFF_INLINE double loss_of(const Problem& problem, const LawCurve& curve, std:
     return end == BandEnd::low ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
 }
 
-FSTIFF_INLINE bool can_derive(Derived which, const Problem& problem) {
+FSTIFF_INLINE bool can_derive(Derived quantity, const Problem& problem) {
     const bool elastic = problem.upper.youngs_modulus > 0;
-    switch (which) {
+    switch (quantity) {
         case Derived::tangential_stiffness: return elastic;
         case Derived::loss_factor: return elastic && problem.friction && problem.friction->amplitude;
         case Derived::reflection: return problem.ultrasound.has_value();
@@ -224,7 +225,7 @@ FSTIFF_INLINE bool can_derive(Derived which, const Problem& problem) {
     return false;
 }
 
-FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, const LawCurve& curve, std::size_t i,
+FSTIFF_INLINE Estimate<double> derived(Derived quantity, const Problem& problem, const LawCurve& curve, std::size_t i,
                                        const ContactState<double>& s, BandEnd end) {
     const double ratio =
         problem.upper.youngs_modulus > 0 ? tangential_ratio(problem.upper, problem.lower) : 0;  // where it is known
@@ -232,11 +233,11 @@ FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, co
         return fstiff::reflection(s.stiffness * factor, media, problem.ultrasound->angular());
     };
     const auto loss = [&](double K) { return loss_of(problem, curve, i, ratio * K, end); };
-    switch (which) {
+    switch (quantity) {
         case Derived::tangential_stiffness: return {ratio * s.stiffness.value, ratio * s.stiffness.error};
         case Derived::loss_factor: {
-            const double found = loss(s.stiffness.value);
-            return {found, std::abs(loss(s.stiffness.value + s.stiffness.error) - found)};
+            const double factor = loss(s.stiffness.value);
+            return {factor, std::abs(loss(s.stiffness.value + s.stiffness.error) - factor)};
         }
         case Derived::reflection: return reflected(problem.ultrasound->longitudinal, 1);
         case Derived::shear_reflection: return reflected(*problem.ultrasound->shear, ratio);
@@ -246,8 +247,8 @@ FSTIFF_INLINE Estimate<double> derived(Derived which, const Problem& problem, co
     return {};
 }
 
-FSTIFF_INLINE double conductance_of_gap(const Conduction& by, double separation) {
-    return detail::gap_conductance(*by.gap, (std::max)(separation, 0.0)) + by.radiation;
+FSTIFF_INLINE double conductance_of_gap(const Conduction& conduction, double separation) {
+    return detail::gap_conductance(*conduction.gap, (std::max)(separation, 0.0)) + conduction.radiation;
 }
 
 }  // namespace fstiff::inline v0_1::detail

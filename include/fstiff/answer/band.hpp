@@ -57,19 +57,19 @@ template <Real T, class Compute>
     SurfaceSampler<T> draw(surface, options.seed);
     std::vector<std::array<T, surface_parameter_count>> drawn;
     for (std::size_t i = 0; i < options.samples; ++i) drawn.push_back(draw());
-    std::vector<std::vector<T>> found(options.samples);  // by surface, value
+    std::vector<std::vector<T>> outcomes(options.samples);  // by surface, value
     run_pieces(options.parallel, options.samples, [&](std::size_t i) {
         if (options.progress && !options.parallel) options.progress("surfaces", i, options.samples);
-        found[i] = compute(drawn[i], i);
+        outcomes[i] = compute(drawn[i], i);
     });
-    const std::size_t count = found.front().size();
-    for (const std::vector<T>& values : found)
+    const std::size_t count = outcomes.front().size();
+    for (const std::vector<T>& values : outcomes)
         if (values.size() != count)
             refuse("values of a drawn surface", values.size(), std::to_string(count) + ", as of the first");
     std::vector<SampledBand<T>> bands;
     for (std::size_t k = 0; k < count; ++k) {
         std::vector<T> values;
-        for (const std::vector<T>& of_surface : found)
+        for (const std::vector<T>& of_surface : outcomes)
             if (std::isfinite(of_surface[k])) values.push_back(of_surface[k]);
         SampledBand<T> band;
         band.failed = options.samples - values.size();
@@ -123,8 +123,8 @@ struct BandParts {
     T shape_low{}, shape_high{};                          ///< of the shape of the heights: skewness and kurtosis
     std::array<BandPart<T>, unknown_count> of_unknown{};  ///< parts of these two and of the hardness, as Unknown
 
-    [[nodiscard]] const BandPart<T>& part_of(Unknown which) const {
-        return of_unknown[static_cast<std::size_t>(which)];
+    [[nodiscard]] const BandPart<T>& part_of(Unknown unknown) const {
+        return of_unknown[static_cast<std::size_t>(unknown)];
     }
 };
 
@@ -164,12 +164,12 @@ BandParts<T> widen(SampledBand<T>& band, std::type_identity_t<T> value, std::spa
 /// faces an unknown may occur twice.
 template <Real T>
 void widen(SampledBand<T>& band, BandParts<T>& parts, std::span<const UnknownCurves<T>> curves, std::size_t point) {
-    for (const UnknownCurves<T>& one : curves) {
-        const std::array<T, 2> ratios{one.low[point], one.high[point]};
+    for (const UnknownCurves<T>& curve : curves) {
+        const std::array<T, 2> ratios{curve.low[point], curve.high[point]};
         BandPart<T> part;
         spread_of(T(1), std::span<const T>(ratios), part.low, part.high);
-        BandPart<T>& all = parts.of_unknown[static_cast<std::size_t>(one.which)];
-        all = {-std::hypot(all.low, part.low), std::hypot(all.high, part.high)};
+        BandPart<T>& sum = parts.of_unknown[static_cast<std::size_t>(curve.which)];
+        sum = {-std::hypot(sum.low, part.low), std::hypot(sum.high, part.high)};
     }
     for (std::size_t i = 0; i < unknown_count; ++i) {
         if (static_cast<Unknown>(i) == Unknown::hardness) continue;
@@ -205,10 +205,10 @@ template <Real T>
                 low = std::hypot(low, parts.of_unknown[i].low), high = std::hypot(high, parts.of_unknown[i].high);
         return low + high;
     };
-    const T whole = width(unknown_count);
+    const T total = width(unknown_count);
     std::optional<GreatestUnknown<T>> greatest;
     for (std::size_t i = 0; i < unknown_count; ++i) {
-        const T narrower = width(i) / whole;
+        const T narrower = width(i) / total;
         if (narrower < (greatest ? greatest->narrower : T(1)))
             greatest = {static_cast<Unknown>(i), 1 - narrower * narrower, narrower};
     }
@@ -245,18 +245,18 @@ template <Real T>
                                      bool has_lay = false, T factor = T(1),
                                      const std::vector<UnknownCurves<T>>& of_unknowns = {}) {
     const auto at_point = [&](const std::vector<std::vector<T>>& curves) {
-        std::vector<T> all;
-        for (const auto& curve : curves) all.push_back(curve[point] * factor);
-        return all;
+        std::vector<T> stiffnesses;
+        for (const auto& curve : curves) stiffnesses.push_back(curve[point] * factor);
+        return stiffnesses;
     };
-    WidenedBand<T> one{stiffness, band, {}};
+    WidenedBand<T> result{stiffness, band, {}};
     const std::vector<T> neighbours = at_point(of_neighbours), windows = at_point(of_windows);
     if (!neighbours.empty() || !of_unknowns.empty())
-        one.parts = widen(one.band, stiffness, std::span<const T>(neighbours));
-    if (!of_unknowns.empty()) widen(one.band, one.parts, std::span<const UnknownCurves<T>>(of_unknowns), point);
-    spread_of(stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
-    if (has_lay) widen_by_lay(one.band);
-    return one;
+        result.parts = widen(result.band, stiffness, std::span<const T>(neighbours));
+    if (!of_unknowns.empty()) widen(result.band, result.parts, std::span<const UnknownCurves<T>>(of_unknowns), point);
+    spread_of(stiffness, std::span<const T>(windows), result.parts.window_low, result.parts.window_high);
+    if (has_lay) widen_by_lay(result.band);
+    return result;
 }
 
 }  // namespace fstiff::inline v0_1::detail

@@ -36,15 +36,15 @@ FSTIFF_INLINE double drawn_gradient(const Face& face, std::uint64_t& state) {
 /// Those of \p count surfaces about \p face.
 FSTIFF_INLINE std::vector<FurtherDraw> further_draws(const Face& face, std::size_t count, std::uint64_t seed) {
     std::uint64_t of_tiles = seed, of_gradients = ~seed;
-    std::vector<FurtherDraw> all(count);
-    for (FurtherDraw& one : all) {
-        if (face.rms_gradient) one.steeper = drawn_gradient(face, of_gradients);
+    std::vector<FurtherDraw> draws(count);
+    for (FurtherDraw& draw : draws) {
+        if (face.rms_gradient) draw.steeper = drawn_gradient(face, of_gradients);
         if (!face.map) continue;
         if (const std::size_t shifts = face.map->summits.size(); shifts > 1)
-            one.shift = math::splitmix64(of_tiles) % shifts;
-        one.tiles = detail::drawn_tiles(tiles_a_side * tiles_a_side, of_tiles);
+            draw.shift = math::splitmix64(of_tiles) % shifts;
+        draw.tiles = detail::drawn_tiles(tiles_a_side * tiles_a_side, of_tiles);
     }
-    return all;
+    return draws;
 }
 
 /// \p problem with the surface \p drawn about its own. Of a map the tiles are drawn anew.
@@ -52,7 +52,7 @@ FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, det
                                    const FurtherDraw& further) {
     Face& face = problem.face;
     const double rms_height = face.parameters.rms_height.value;
-    const auto value = [&](Parameter which) { return drawn[detail::index_of(which)]; };
+    const auto value = [&](Parameter parameter) { return drawn[detail::index_of(parameter)]; };
     face.draw(drawn);
     const double taller = face.parameters.rms_height.value / rms_height;
     if (face.rms_gradient) {
@@ -89,12 +89,12 @@ FSTIFF_INLINE Problem with_face(Problem problem, const Face& face) {
 /// steps of \p unit: of a law each of whose states is an integral in two dimensions. Empty where a state is missing.
 FSTIFF_INLINE std::vector<double> by_few(Request request, const Law& law, const AnyContact& contact, double unit) {
     const auto x_of = [&](double point) { return request.at_separations ? point : std::log(point); };
-    const std::vector<double> wanted = std::move(request.points);
-    const auto [least, greatest] = std::minmax_element(wanted.begin(), wanted.end());
+    const std::vector<double> points = std::move(request.points);
+    const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
     const double from = x_of(*least), half = (x_of(*greatest) - from) / 2;
     const double steps = 2 * half / (request.at_separations ? unit : 1);
     const int last = 12 + static_cast<int>((std::min)(steps, 30.0));  // of Chebyshev's points
-    std::vector<double> nodes, logs, all;
+    std::vector<double> nodes, logs, interpolated;
     for (int k = 0; k <= last; ++k) nodes.push_back(from + half * (1 - std::cos(std::numbers::pi * k / last)));
     request.points.clear();
     for (const double x : nodes) request.points.push_back(request.at_separations ? x : std::exp(x));
@@ -102,37 +102,37 @@ FSTIFF_INLINE std::vector<double> by_few(Request request, const Law& law, const 
         if (!point.ok() || !(point.state.stiffness.value > 0)) return {};
         logs.push_back(std::log(point.state.stiffness.value));
     }
-    for (const double point : wanted) {
+    for (const double point : points) {
         double sum = 0, weights = 0;
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             const double apart = x_of(point) - nodes[k], end = k == 0 || k + 1 == nodes.size() ? 0.5 : 1.0;
             const double weight = (k % 2 == 0 ? end : -end) / (apart == 0 ? 1e-300 : apart);
             sum += weight * logs[k], weights += weight;
         }
-        all.push_back(std::exp(sum / weights));
+        interpolated.push_back(std::exp(sum / weights));
     }
-    return all;
+    return interpolated;
 }
 
 /// K of every curve and point of \p request, one after the other; NaN for a surface that the law does not take, such as
 /// a D next to 2.
 FSTIFF_INLINE std::vector<double> stiffnesses(const Problem& problem, const Request& request) {
-    std::vector<double> all;
-    for_each_contact(problem, request.laws, {}, [&](const ContactOfLaw& of) {
+    std::vector<double> result;
+    for_each_contact(problem, request.laws, {}, [&](const ContactOfLaw& recipe) {
         try {
             constexpr std::size_t many = 48;
-            const auto made = of.make();
-            if (problem.similar && of.law->needs_yield && request.points.size() > many)
-                if (const auto few = by_few(request, *of.law, *made, problem.face.parameters.rms_height.value);
+            const auto model = recipe.make();
+            if (problem.similar && recipe.law->needs_yield && request.points.size() > many)
+                if (const auto few = by_few(request, *recipe.law, *model, problem.face.parameters.rms_height.value);
                     !few.empty())
-                    return void(all.insert(all.end(), few.begin(), few.end()));
-            for (const auto& point : points_of(request, *of.law, *made, Quantity::pressure | Quantity::stiffness))
-                all.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
+                    return void(result.insert(result.end(), few.begin(), few.end()));
+            for (const auto& point : points_of(request, *recipe.law, *model, Quantity::pressure | Quantity::stiffness))
+                result.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         } catch (const domain_error&) {
-            all.insert(all.end(), request.points.size(), std::numeric_limits<double>::quiet_NaN());
+            result.insert(result.end(), request.points.size(), std::numeric_limits<double>::quiet_NaN());
         }
     });
-    return all;
+    return result;
 }
 
 /// \p problem as it is copied with every surface: with what the laws of \p request take in their quick form.
@@ -151,40 +151,40 @@ FSTIFF_INLINE Problem lean_problem(const Problem& problem, const Request& reques
 
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
 FSTIFF_INLINE std::vector<std::vector<double>> behind_other_windows(const Problem& lean, const Request& request) {
-    std::vector<std::vector<double>> both;
+    std::vector<std::vector<double>> curves;
     const SurfaceParameters<double>& surface = lean.face.parameters;
-    if (!surface.fractal_dimension || !(surface.dimension_window_error > 0)) return both;
+    if (!surface.fractal_dimension || !(surface.dimension_window_error > 0)) return curves;
     for (const double dimension :
          detail::dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
         Problem other = lean;
         other.face.parameters.fractal_dimension->value = dimension;
-        both.push_back(stiffnesses(other, request));
+        curves.push_back(stiffnesses(other, request));
     }
-    return both;
+    return curves;
 }
 
 /// K of every curve and point of the surfaces that have one unknown of \p problem at its ends, over that of \p lean.
 FSTIFF_INLINE std::vector<UnknownCurves<double>> behind_unknowns(const Problem& problem,
                                                                  const std::vector<const Law*>& laws, Problem lean,
                                                                  const Request& request) {
-    std::vector<UnknownCurves<double>> all;
+    std::vector<UnknownCurves<double>> curves;
     const std::vector<Alternative> others = alternatives(problem, laws);
     const bool of_hardness = problem.hardness_range && feels_hardness(problem, laws);
-    if (others.empty() && !of_hardness) return all;
+    if (others.empty() && !of_hardness) return curves;
     lean.similar = hybrids_of_numbers(lean.law_options.gamma);
     const std::vector<double> own = stiffnesses(lean, request);
-    const auto over_own = [&](const Problem& of) {
-        std::vector<double> other = stiffnesses(of, request);
+    const auto over_own = [&](const Problem& variant) {
+        std::vector<double> other = stiffnesses(variant, request);
         other.resize(own.size(), std::numeric_limits<double>::quiet_NaN());
         std::transform(other.begin(), other.end(), own.begin(), other.begin(), std::divides<>());
         return other;
     };
-    for (const Alternative& one : others)
-        all.push_back({one.which, over_own(with_face(lean, one.low)), over_own(with_face(lean, one.high))});
+    for (const Alternative& range : others)
+        curves.push_back({range.which, over_own(with_face(lean, range.low)), over_own(with_face(lean, range.high))});
     if (of_hardness)
-        all.push_back({Unknown::hardness, over_own(with_hardness(lean, problem.hardness_range->low)),
-                       over_own(with_hardness(lean, problem.hardness_range->high))});
-    return all;
+        curves.push_back({Unknown::hardness, over_own(with_hardness(lean, problem.hardness_range->low)),
+                          over_own(with_hardness(lean, problem.hardness_range->high))});
+    return curves;
 }
 
 /// Bands over the errors of the surface, one for each value of stiffnesses().
@@ -202,10 +202,10 @@ FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const R
 FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
     const std::vector<Face>& neighbours = problem.face.neighbours;
     detail::run_pieces(request.parallel, neighbours.size() + 1, [&](std::size_t i) {
-        const Problem one = with_face(problem, i == 0 ? problem.face : neighbours[i - 1]);
+        const Problem neighbour = with_face(problem, i == 0 ? problem.face : neighbours[i - 1]);
         try {
-            for_each_contact(one, request.laws, {}, [](const ContactOfLaw& of) {
-                if (of.law->varies) (void)of.make();
+            for_each_contact(neighbour, request.laws, {}, [](const ContactOfLaw& recipe) {
+                if (recipe.law->varies) (void)recipe.make();
             });
         } catch (const domain_error&) {  // whoever needs it finds it again
         }
@@ -235,18 +235,18 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
         if (!curve.law->varies) continue;
         bool wide_anywhere = has_errors;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
-            const std::size_t at = next + curve.places[i];
+            const std::size_t index = next + curve.places[i];
             const double value = curve.states[i].stiffness.value;
             SampledBand<double> band{value, value, value};
             double factor = 1;
             if (has_errors) {
-                band = bands[at];
+                band = bands[index];
                 failed = (std::max)(failed, band.failed);
-                if (std::isfinite(quick[at])) factor = value / quick[at];
+                if (std::isfinite(quick[index])) factor = value / quick[index];
                 if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
             }
             const WidenedBand<double> wide =
-                detail::widened(value, band, of_neighbours, of_windows, at, lay, factor, of_unknowns);
+                detail::widened(value, band, of_neighbours, of_windows, index, lay, factor, of_unknowns);
             wide_anywhere = wide_anywhere || wide.band.high > wide.band.low;
             if (!of_neighbours.empty() || !of_unknowns.empty()) curve.band_parts.push_back(wide.parts);
             curve.band.push_back(wide.band);

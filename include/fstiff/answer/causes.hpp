@@ -178,20 +178,21 @@ template <Real T>
                       elastic = yields ? law_error_row(LawName::hybrid, question.known) : flowed;
     const T share = std::clamp(question.p_star / H, T(1.5e-4), T(law_error_pressures.back())),  // K goes as p/H below
         of_elastic = H * H / (H * H + T(0.25));
-    const auto at = [&](const LawErrorTable& of_flowed, const LawErrorTable& of_elastic_peaks, T least) {
+    const auto spread = [&](const LawErrorTable& of_flowed, const LawErrorTable& of_elastic_peaks, T least) {
         const T alone = at_pressure(of_elastic_peaks, (std::max)(question.p_star, least));
         if (!yields) return alone;
         return std::hypot(std::sqrt(1 - of_elastic) * at_pressure(of_flowed, (std::max)(share, least)),
                           std::sqrt(of_elastic) * alone);
     };
     const T waves = question.known == KnownAs::map ? T(0.8) * question.long_waves : T(0);
-    T low = std::hypot(at(flowed.low, elastic.low, 0), waves),
-      high = std::hypot(at(flowed.high, elastic.high, 0), waves);
+    T low = std::hypot(spread(flowed.low, elastic.low, 0), waves),
+      high = std::hypot(spread(flowed.high, elastic.high, 0), waves);
     if (question.known != KnownAs::map && question.skewness && question.kurtosis) {
-        const auto& of = question.known == KnownAs::trace ? shape_errors_of_traces : shape_errors_of_numbers;
+        const auto& table = question.known == KnownAs::trace ? shape_errors_of_traces : shape_errors_of_numbers;
         const T m = (std::min)(std::hypot(question.skewness->value, question.kurtosis->value - 3), T(1));
         const T first = T(law_error_pressures.front());  // it does not grow below
-        low = std::hypot(low, m * at(of.low, of.low, first)), high = std::hypot(high, m * at(of.high, of.high, first));
+        low = std::hypot(low, m * spread(table.low, table.low, first)),
+        high = std::hypot(high, m * spread(table.high, table.high, first));
     }
     return {-(std::min)(low, T(3)), (std::min)(high, T(3))};
 }
@@ -281,12 +282,12 @@ namespace fstiff::inline v0_1::detail {
 /// The whole of \p causes.
 template <Real T>
 [[nodiscard]] CauseSpread<T> band_of(const Causes<T>& causes) {
-    CauseSpread<T> whole;
-    for (const CauseSpread<T>& one : causes) {
-        whole.low = -std::hypot(whole.low, one.low);
-        whole.high = std::hypot(whole.high, one.high);
+    CauseSpread<T> total;
+    for (const CauseSpread<T>& cause : causes) {
+        total.low = -std::hypot(total.low, cause.low);
+        total.high = std::hypot(total.high, cause.high);
     }
-    return whole;
+    return total;
 }
 
 }  // namespace fstiff::inline v0_1::detail
@@ -297,11 +298,11 @@ namespace fstiff::inline v0_1 {
 template <Real T>
 [[nodiscard]] std::array<T, detail::cause_count> shares_of(const Causes<T>& causes) {
     std::array<T, detail::cause_count> shares{};
-    T all = 0;
+    T total = 0;
     for (std::size_t i = 0; i < detail::cause_count; ++i)
-        all += shares[i] = causes[i].low * causes[i].low + causes[i].high * causes[i].high;
-    if (all > T(0))
-        for (T& one : shares) one /= all;
+        total += shares[i] = causes[i].low * causes[i].low + causes[i].high * causes[i].high;
+    if (total > T(0))
+        for (T& share : shares) share /= total;
     return shares;
 }
 

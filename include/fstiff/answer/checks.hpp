@@ -136,9 +136,9 @@ namespace detail {
 /// The check of \p concern among \p checks; null when it was not made.
 template <Real T>
 [[nodiscard]] const Check<T>* find_check(const std::vector<Check<T>>& checks, Concern concern) {
-    const auto found =
-        std::find_if(checks.begin(), checks.end(), [&](const auto& one) { return one.concern == concern; });
-    return found == checks.end() ? nullptr : &*found;
+    const auto match =
+        std::find_if(checks.begin(), checks.end(), [&](const auto& check) { return check.concern == concern; });
+    return match == checks.end() ? nullptr : &*match;
 }
 
 template <Real T>
@@ -191,15 +191,15 @@ template <Real T>
     std::vector<Check<T>> checks;
     // value_of gives the number that is shown, or none; broken is true where the check does not hold
     const auto check = [&](Concern concern, T limit, const auto& value_of, const auto& broken) {
-        Check<T> made{.concern = concern, .limit = limit};
+        Check<T> result{.concern = concern, .limit = limit};
         for (std::size_t i = 0; i < states.size(); ++i) {
             const std::optional<T> value = value_of(states[i]);
             if (!value) continue;
-            made.least = (std::min)(made.least, *value);
-            made.greatest = (std::max)(made.greatest, *value);
-            if (broken(states[i], *value) && made.violations++ == 0) made.first = i;
+            result.least = (std::min)(result.least, *value);
+            result.greatest = (std::max)(result.greatest, *value);
+            if (broken(states[i], *value) && result.violations++ == 0) result.first = i;
         }
-        checks.push_back(made);
+        checks.push_back(result);
     };
     const auto above = [&](Concern concern, T limit, const auto& value_of) {
         check(concern, limit, value_of, [limit](const ContactState<T>&, T value) { return value > limit; });

@@ -17,21 +17,21 @@
 namespace fstiff::inline v0_1::detail {
 
 FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, bool of_answer) {
-    std::vector<Parameter> all;
+    std::vector<Parameter> parameters;
     const auto measured = measured_faces(problem);
     if (problem.face.measured)
-        all = detail::unknown_parameters(*problem.face.measured, problem.face.parameters);
+        parameters = detail::unknown_parameters(*problem.face.measured, problem.face.parameters);
     else if (!measured.empty())  // of a sum: what is unknown of one face may not matter next to the other
-        all = detail::unknown_parameters(problem.face.parameters);
-    if (all.empty() && problem.faces.size() == 2)
+        parameters = detail::unknown_parameters(problem.face.parameters);
+    if (parameters.empty() && problem.faces.size() == 2)
         for (const Face* face : measured) {
             const double share = face->parameters.rms_height.value / problem.face.parameters.rms_height.value;
             const auto own = detail::unknown_parameters(*face->measured, face->parameters);
             if (2 * share * share > 1 && std::count(own.begin(), own.end(), Parameter::rms_height) > 0)
-                all = {Parameter::rms_height};
+                parameters = {Parameter::rms_height};
         }
-    if (of_answer) std::erase_if(all, [](Parameter one) { return one != Parameter::rms_height; });
-    return all;
+    if (of_answer) std::erase_if(parameters, [](Parameter parameter) { return parameter != Parameter::rms_height; });
+    return parameters;
 }
 
 FSTIFF_INLINE std::optional<Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve) {
@@ -53,9 +53,9 @@ FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Prob
 }
 
 FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, const LawCurve& curve) {
-    std::vector<Check<double>> all;
+    std::vector<Check<double>> checks;
     const auto add = [&](Concern concern, double value, double limit) {
-        all.push_back(detail::surface_check(concern, value, limit, false));
+        checks.push_back(detail::surface_check(concern, value, limit, false));
     };
     for (const Face* face : rough_faces(problem))
         if (const auto wrong = implausible_gradient(problem, *face)) {
@@ -72,26 +72,26 @@ FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, con
         add(Concern::noise, noise, most_noise);
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged})
         if (const Check<double>* check = detail::find_check(curve.checks, concern); check && !check->holds()) {
-            all.push_back(*check);
-            all.back().first = curve.places[check->first];
+            checks.push_back(*check);
+            checks.back().first = curve.places[check->first];
         }
     if (auto check = beyond_comparison(problem, curve)) {
         check->first = curve.places[check->first];
-        all.push_back(*check);
+        checks.push_back(*check);
     }
     if (!curve.missed.empty()) {
         Check<double> lost{.concern = Concern::no_state, .limit = curve.missed.front().limit};
         lost.violations = curve.missed.size(), lost.first = curve.missed.front().place;
-        all.push_back(lost);
+        checks.push_back(lost);
     }
-    return all;
+    return checks;
 }
 
-/// High over low of the band at the point \p place once \p which of the faces is known; infinite without a band.
-FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, Unknown which) {
-    if (which == Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
-    for (Face& face : problem.faces) face = with_measured(std::move(face), which);
-    problem.face = with_measured(std::move(problem.face), which);
+/// High over low of the band at the point \p place once \p unknown of the faces is known; infinite without a band.
+FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, Unknown unknown) {
+    if (unknown == Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
+    for (Face& face : problem.faces) face = with_measured(std::move(face), unknown);
+    problem.face = with_measured(std::move(problem.face), unknown);
     request.points = {request.points[place]};
     request.answered = {0};
     request.laws.clear();
@@ -109,9 +109,9 @@ FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size
 FSTIFF_INLINE double factor_of_larger(const Problem& problem, const AnswerReason& reason) {
     Causes<double> causes = reason.causes;
     const bool profile = measured_faces(problem).front()->measured->is_profile;
-    const auto scale = [&](Cause cause, double by) {
-        auto& one = causes[static_cast<std::size_t>(cause)];
-        one = {by * one.low, by * one.high};
+    const auto scale = [&](Cause cause, double factor) {
+        auto& spread = causes[static_cast<std::size_t>(cause)];
+        spread = {factor * spread.low, factor * spread.high};
     };
     scale(Cause::measurement, 0.5), scale(Cause::shape, 0.5);
     if (problem.nominal_area) {
@@ -128,19 +128,19 @@ FSTIFF_INLINE double factor_of_larger(const Problem& problem, const AnswerReason
 
 FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& problem, const Request& request,
                                                               const LawCurve& answer, const AnswerFacts& facts,
-                                                              std::size_t at) {
+                                                              std::size_t i) {
     const bool map = problem.face.map && problem.face.spectrum_of_map, measured = !measured_faces(problem).empty();
     std::optional<NextMeasurement> most;
-    double least = 0.95 * (answer.band[at].high / answer.band[at].low);  // nothing that narrows the factor by less
-    const auto consider = [&](std::optional<Unknown> which, double factor) {
-        if (factor < least) most = NextMeasurement{which, least = factor};
+    double least = 0.95 * (answer.band[i].high / answer.band[i].low);  // nothing that narrows the factor by less
+    const auto consider = [&](std::optional<Unknown> unknown, double factor) {
+        if (factor < least) most = NextMeasurement{unknown, least = factor};
     };
-    for (const Unknown which : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
-        if (!map && problem.face.is_open(which) && !(measured && detail::is_of_shape(which)))
-            consider(which, factor_of_known(problem, request, answer.places[at], which));
+    for (const auto unknown : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
+        if (!map && problem.face.is_open(unknown) && !(measured && detail::is_of_shape(unknown)))
+            consider(unknown, factor_of_known(problem, request, answer.places[i], unknown));
     if (problem.hardness_range && feels_hardness(problem, {answer.law}))
-        consider(Unknown::hardness, factor_of_known(problem, request, answer.places[at], Unknown::hardness));
-    if (measured && !facts.of_map_itself) consider(std::nullopt, factor_of_larger(problem, facts.reasons[at]));
+        consider(Unknown::hardness, factor_of_known(problem, request, answer.places[i], Unknown::hardness));
+    if (measured && !facts.of_map_itself) consider(std::nullopt, factor_of_larger(problem, facts.reasons[i]));
     return most;
 }
 
@@ -154,7 +154,7 @@ namespace fstiff::inline v0_1::detail {
 FSTIFF_INLINE void fill_spectrum(Face& face) {
     const ProcessPrior& prior = detail::prior_of(face.process);
     const bool has_radius = !face.radius_follows, has_density = !face.density_follows;
-    const Roughness<double> of = face.roughness();
+    const Roughness<double> peaks = face.roughness();
     const auto set_gradient = [&](const PriorRange& range, Origin origin) {
         face.rms_gradient = range.middle;
         face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
@@ -162,9 +162,9 @@ FSTIFF_INLINE void fill_spectrum(Face& face) {
     if (!face.rms_gradient && !face.alpha && has_radius && has_density) {
         if (spectral_moments(face).bandwidth() > 1.5) return;
         face.gradient_of_islands = true;
-        set_gradient(detail::gradient_of_islands(of.rms_height, of.peak_radius, of.peak_density), Origin::islands);
+        set_gradient(gradient_of_islands(peaks.rms_height, peaks.peak_radius, peaks.peak_density), Origin::islands);
     } else if (!face.rms_gradient && !has_radius && !has_density) {
-        set_gradient(detail::gradient_of_height(prior, of.rms_height), Origin::process);
+        set_gradient(detail::gradient_of_height(prior, peaks.rms_height), Origin::process);
     } else if (face.rms_gradient && !face.alpha && (has_radius || has_density)) {
         face.follow();
         if (spectral_moments(face).bandwidth() > 1.5) return;
@@ -210,14 +210,14 @@ FSTIFF_INLINE void fill_unknown(Face& face, bool shape_known) {
     if (!shape_known) fill_shape(face);
 }
 
-FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
+FSTIFF_INLINE Face with_value(Face face, Unknown unknown, double value) {
     const auto set_shape = [&](double skewness, double kurtosis) {
         skewness = std::clamp(skewness, -2.5, 2.5);
         face.set_shape(
             {skewness, std::clamp(kurtosis, detail::least_kurtosis(skewness), (std::max)(20.0, face.shape.kurtosis))});
     };
     const auto [skewness, kurtosis] = face.shape;
-    switch (which) {
+    switch (unknown) {
         case Unknown::height: face.parameters.rms_height.value = value; break;
         case Unknown::gradient: face.rms_gradient = value; break;
         case Unknown::alpha: face.alpha = value; break;
@@ -232,24 +232,24 @@ FSTIFF_INLINE Face with_value(Face face, Unknown which, double value) {
     return face;
 }
 
-FSTIFF_INLINE Face with_measured(Face face, Unknown which) {
-    std::erase_if(face.priors, [which](const Prior& one) {
-        return one.which == which || (detail::is_of_shape(one.which) && detail::is_of_shape(which));
+FSTIFF_INLINE Face with_measured(Face face, Unknown unknown) {
+    std::erase_if(face.priors, [unknown](const Prior& prior) {
+        return prior.which == unknown || (detail::is_of_shape(prior.which) && detail::is_of_shape(unknown));
     });
-    if (which != Unknown::gradient || !face.gradient_of_islands) return face;
+    if (unknown != Unknown::gradient || !face.gradient_of_islands) return face;
     face.gradient_of_islands = false;  // alpha follows from R then
-    std::erase_if(face.priors, [](const Prior& one) { return one.which == Unknown::alpha; });
+    std::erase_if(face.priors, [](const Prior& prior) { return prior.which == Unknown::alpha; });
     face.alpha.reset();
     fill_spectrum(face);
     return face;
 }
 
-/// Whether one of \p laws depends on \p which of \p face, which is not known.
+/// Whether one of \p laws depends on \p unknown of \p face, which is not known.
 FSTIFF_INLINE bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
-                           Unknown which) {
-    if (which == Unknown::height) return true;
+                           Unknown unknown) {
+    if (unknown == Unknown::height) return true;
     if (std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
-    return !detail::is_of_shape(which) && which != Unknown::hurst &&
+    return !detail::is_of_shape(unknown) && unknown != Unknown::hurst &&
            (face.radius_follows || face.density_follows || (problem.default_peaks && has_isotropic_peaks(face)));
 }
 
@@ -262,26 +262,26 @@ FSTIFF_INLINE Problem with_hardness(Problem problem, double value) {
 }
 
 FSTIFF_INLINE std::vector<FeltPrior> felt_priors(const Problem& problem, const std::vector<const Law*>& laws) {
-    std::vector<FeltPrior> all;
-    if (problem.face.map && problem.face.spectrum_of_map) return all;
+    std::vector<FeltPrior> priors;
+    if (problem.face.map && problem.face.spectrum_of_map) return priors;
     const std::vector<const Face*> faces = rough_faces(problem);
     for (std::size_t i = 0; i < faces.size(); ++i)
-        for (const Prior& one : faces[i]->priors)
-            if (is_felt(problem, laws, *faces[i], one.which)) all.push_back({i, &one});
-    return all;
+        for (const Prior& prior : faces[i]->priors)
+            if (is_felt(problem, laws, *faces[i], prior.which)) priors.push_back({i, &prior});
+    return priors;
 }
 
 FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
-    std::vector<Alternative> all;
+    std::vector<Alternative> alternatives;
     for (const auto& [place, prior] : felt_priors(problem, laws)) {
-        const auto with = [&, i = place, which = prior->which](double value) {
+        const auto variant = [&, i = place, which = prior->which](double value) {
             const Face changed = with_value(*rough_faces(problem)[i], which, value);
             if (problem.faces.empty()) return changed;
             return i == 0 ? sum_of_faces(changed, problem.faces[1]) : sum_of_faces(problem.faces[0], changed);
         };
-        all.push_back({prior->which, with(prior->low), with(prior->high)});
+        alternatives.push_back({prior->which, variant(prior->low), variant(prior->high)});
     }
-    return all;
+    return alternatives;
 }
 
 }  // namespace fstiff::inline v0_1::detail

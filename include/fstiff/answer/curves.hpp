@@ -104,11 +104,11 @@ struct MadeContact {
 /// \throws domain_error where no law answers.
 [[nodiscard]] const Law& law_of_answer(Problem& problem, bool at_separations);
 
-/// What \p request asks of \p problem, by the contacts \p made where they are those of its laws. Next to more than 100
+/// What \p request asks of \p problem, by \p contacts where they are those of its laws. Next to more than 100
 /// points of named laws the answer is at Request::answered alone. No band and no answer where no named law has a state.
 /// \throws domain_error where the model cannot give it.
 [[nodiscard]] Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress = {},
-                               const std::vector<MadeContact>* made = nullptr);
+                               const std::vector<MadeContact>* contacts = nullptr);
 
 }  // namespace fstiff::inline v0_1::detail
 
@@ -127,18 +127,18 @@ enum class Derived {
 /// The value, or an end of its band.
 enum class BandEnd { low, value, high };
 
-/// Whether \p which falls as K rises.
-[[nodiscard]] constexpr bool falls(Derived which) {
-    return which == Derived::reflection || which == Derived::shear_reflection;
+/// Whether \p quantity falls as K rises.
+[[nodiscard]] constexpr bool falls(Derived quantity) {
+    return quantity == Derived::reflection || quantity == Derived::shear_reflection;
 }
-/// Whether \p problem has what \p which takes in addition to K.
-[[nodiscard]] bool can_derive(Derived which, const Problem& problem);
-/// \p which at the state \p i of \p curve, whose K is that of \p state: of an end of the band another one. The loss of
+/// Whether \p problem has what \p quantity needs in addition to K.
+[[nodiscard]] bool can_derive(Derived quantity, const Problem& problem);
+/// \p quantity at the state \p i of \p curve with the K of \p state, which differs at an end of the band. The loss of
 /// yielded spots has two limits, the ends; its value is their mean in logarithms.
-[[nodiscard]] Estimate<double> derived(Derived which, const Problem& problem, const LawCurve& curve, std::size_t i,
+[[nodiscard]] Estimate<double> derived(Derived quantity, const Problem& problem, const LawCurve& curve, std::size_t i,
                                        const ContactState<double>& state, BandEnd end);
 /// Conductance of the gap at \p separation [m], with the radiation [W/(m^2 K)].
-[[nodiscard]] double conductance_of_gap(const Conduction& by, double separation);
+[[nodiscard]] double conductance_of_gap(const Conduction& conduction, double separation);
 
 }  // namespace fstiff::inline v0_1::detail
 
@@ -162,10 +162,10 @@ struct NextMeasurement {
     std::optional<Unknown> which{};  ///< none: the same measurement of four times the length or the area
     double factor = 0;               ///< high over low of the band once it finds what is assumed now
 };
-/// Of the band of \p answer at its state \p at; none where nothing narrows that factor by a twentieth.
+/// Of the band of \p answer at its state \p i; none where nothing narrows that factor by a twentieth.
 [[nodiscard]] std::optional<NextMeasurement> next_measurement(const Problem& problem, const Request& request,
                                                               const LawCurve& answer, const AnswerFacts& facts,
-                                                              std::size_t at);
+                                                              std::size_t i);
 
 }  // namespace fstiff::inline v0_1::detail
 
@@ -293,8 +293,8 @@ private:
     [[nodiscard]] double in_piece(std::size_t i, double x) const {
         const auto [x0, y0] = points_[i];
         const auto [x1, y1] = points_[i + 1];
-        const double h = x1 - x0, t = (x - x0) / h, all = y1 - y0, left = h * slopes_[i], right = h * slopes_[i + 1];
-        return y0 + t * (left + t * (3 * all - 2 * left - right + t * (left + right - 2 * all)));
+        const double h = x1 - x0, t = (x - x0) / h, rise = y1 - y0, left = h * slopes_[i], right = h * slopes_[i + 1];
+        return y0 + t * (left + t * (3 * rise - 2 * left - right + t * (left + right - 2 * rise)));
     }
 
     std::vector<std::pair<double, double>> points_;

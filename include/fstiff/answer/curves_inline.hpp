@@ -125,24 +125,24 @@ FSTIFF_INLINE bool has_states(const std::vector<LawCurve>& curves) {
 
 /// The curves of \p request, whose laws are named, with their bands.
 FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Quantity quantities,
-                              const ProgressHook& progress, const std::vector<MadeContact>* made,
+                              const ProgressHook& progress, const std::vector<MadeContact>* contacts,
                               std::vector<LawCurve>& curves, std::size_t& failed) {
     std::size_t count = 0;
     for (const Law* law : request.laws) count += law->has_peaks ? peaks_of(*law, problem).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves
     if (progress)
-        of_all = [&](std::string_view what, std::size_t done, std::size_t all) {
-            progress(what, curves.size() * all + done, count * all);
+        of_all = [&](std::string_view part, std::size_t done, std::size_t total) {
+            progress(part, curves.size() * total + done, count * total);
         };
     const std::optional<double> slope = gradient(problem);
     if (request.parallel && request.samples > 0 && problem.face.map) make_contacts(problem, request);
-    if (made)
-        for (const auto& [curve, contact] : *made)
+    if (contacts)
+        for (const auto& [curve, contact] : *contacts)
             curves.push_back(curve_of(problem, request, curve, *contact, quantities, of_all));
     else
-        for_each_contact(problem, request.laws, {}, [&](const ContactOfLaw& of) {
-            curves.push_back(
-                curve_of(problem, request, {of.law, of.theta, of.r, slope}, *of.make(), quantities, of_all));
+        for_each_contact(problem, request.laws, {}, [&](const ContactOfLaw& recipe) {
+            curves.push_back(curve_of(problem, request, {recipe.law, recipe.theta, recipe.r, slope}, *recipe.make(),
+                                      quantities, of_all));
         });
     if (detail::has(quantities, Quantity::stiffness) && request.samples > 0 &&
         (problem.face.has_errors() || problem.hardness_range) && has_states(curves))
@@ -151,17 +151,17 @@ FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Qu
 
 /// The answer of \p request, which names no law.
 FSTIFF_INLINE void add_answer(Problem problem, Request request, const ProgressHook& progress,
-                              const std::vector<MadeContact>* made, Curves& all) {
+                              const std::vector<MadeContact>* contacts, Curves& result) {
     request.laws = {&law_of_answer(problem, request.at_separations)};
     std::vector<LawCurve> curves;
-    add_curves(problem, request, of_answer, progress, made, curves, all.failed);
-    all.answer = std::move(curves.front());
-    all.facts = make_answer(problem, request, *all.answer, progress);
+    add_curves(problem, request, of_answer, progress, contacts, curves, result.failed);
+    result.answer = std::move(curves.front());
+    result.facts = make_answer(problem, request, *result.answer, progress);
 }
 
 /// The answer next to laws that are named. A band costs more than a curve: of many points it is of those that are
 /// answered.
-FSTIFF_INLINE void add_answer_to_named(const Problem& problem, Request request, Curves& all) {
+FSTIFF_INLINE void add_answer_to_named(const Problem& problem, Request request, Curves& result) {
     constexpr std::size_t many = 100;
     std::vector<std::size_t> places;
     if (request.points.size() > many) {
@@ -173,23 +173,23 @@ FSTIFF_INLINE void add_answer_to_named(const Problem& problem, Request request, 
         for (std::size_t i = 0; i < places.size(); ++i) request.answered.push_back(i);
     }
     request.checked = false;
-    const std::size_t failed = all.failed;
+    const std::size_t failed = result.failed;
     try {
-        add_answer(problem, std::move(request), {}, nullptr, all);
+        add_answer(problem, std::move(request), {}, nullptr, result);
     } catch (const domain_error& error) {
-        all.answer.reset();
-        all.no_answer = error.what();
+        result.answer.reset();
+        result.no_answer = error.what();
     }
-    all.failed = failed;  // of the laws that are named
-    if (places.empty() || !all.answer) return;
-    for (std::size_t& place : all.answer->places) place = places[place];
-    for (MissedPoint& missed : all.answer->missed) missed.place = places[missed.place];
+    result.failed = failed;  // of the laws that are named
+    if (places.empty() || !result.answer) return;
+    for (std::size_t& place : result.answer->places) place = places[place];
+    for (MissedPoint& missed : result.answer->missed) missed.place = places[missed.place];
 }
 
 FSTIFF_INLINE std::optional<std::size_t> LawCurve::state_at(std::size_t place) const {
-    const auto found = std::lower_bound(places.begin(), places.end(), place);
-    if (found == places.end() || *found != place) return std::nullopt;
-    return static_cast<std::size_t>(found - places.begin());
+    const auto match = std::lower_bound(places.begin(), places.end(), place);
+    if (match == places.end() || *match != place) return std::nullopt;
+    return static_cast<std::size_t>(match - places.begin());
 }
 
 FSTIFF_INLINE void seat(const Request& request, const AnyContact& contact, LawCurve& curve) {
@@ -204,8 +204,8 @@ FSTIFF_INLINE std::vector<MadeContact> contacts_of(const Problem& problem, const
                                                    const ProgressHook& progress) {
     std::vector<MadeContact> contacts;
     const std::optional<double> slope = gradient(problem);
-    for_each_contact(problem, laws, progress, [&](const ContactOfLaw& of) {
-        contacts.push_back({{of.law, of.theta, of.r, slope}, of.make()});
+    for_each_contact(problem, laws, progress, [&](const ContactOfLaw& recipe) {
+        contacts.push_back({{recipe.law, recipe.theta, recipe.r, slope}, recipe.make()});
     });
     return contacts;
 }
@@ -221,15 +221,15 @@ FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
 }
 
 FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,
-                               const std::vector<MadeContact>* made) {
-    Curves all;
+                               const std::vector<MadeContact>* contacts) {
+    Curves result;
     if (request.laws.empty()) {
-        add_answer(problem, request, progress, made, all);
-        return all;
+        add_answer(problem, request, progress, contacts, result);
+        return result;
     }
-    add_curves(problem, request, request.quantities, progress, made, all.named, all.failed);
-    if (request.answers && has_states(all.named)) add_answer_to_named(problem, request, all);
-    return all;
+    add_curves(problem, request, request.quantities, progress, contacts, result.named, result.failed);
+    if (request.answers && has_states(result.named)) add_answer_to_named(problem, request, result);
+    return result;
 }
 
 }  // namespace fstiff::inline v0_1::detail

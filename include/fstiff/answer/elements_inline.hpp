@@ -126,12 +126,12 @@ FSTIFF_INLINE CauseSpread<double> scatter_of_shifts(const Problem& problem, cons
 FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size_t i, LawCurve& curve,
                              AnswerReason& reason) {
     ContactState<double>& from = curve.states[i];
-    const auto take = [&](Estimate<double> ContactState<double>::*which) {
-        Estimate<double>& one = from.*which;
-        const Estimate<double>& other = to.state.*which;
-        if (!(to.weight < 1 && one.value > 0 && other.value > 0)) return void(one = other);
-        one.value *= std::pow(other.value / one.value, to.weight);
-        one.error = std::lerp(one.error, other.error, to.weight);
+    const auto take = [&](Estimate<double> ContactState<double>::*member) {
+        Estimate<double>& estimate = from.*member;
+        const Estimate<double>& other = to.state.*member;
+        if (!(to.weight < 1 && estimate.value > 0 && other.value > 0)) return void(estimate = other);
+        estimate.value *= std::pow(other.value / estimate.value, to.weight);
+        estimate.error = std::lerp(estimate.error, other.error, to.weight);
     };
     const bool scatters = is_map_itself(problem) && problem.face.map->maps.size() > 1;  // by scatter_of_shifts()
     const double grid = scatters ? 0 : to.state.stiffness.error / to.state.stiffness.value;
@@ -154,9 +154,8 @@ FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& state
                                   std::vector<SampledBand<double>>& bands) {
     std::vector<std::size_t> order(states.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
-        return states[one].pressure.value < states[other].pressure.value;
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return states[i].pressure.value < states[j].pressure.value; });
     for (std::size_t k = 1; k < order.size(); ++k)
         bands[order[k]].high = (std::max)(bands[order[k]].high, bands[order[k - 1]].high);
     for (std::size_t k = order.size(); k > 1; --k)
@@ -195,18 +194,18 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
             put(Cause::contacts, detail::scatter_of_contacts(*reason.contacts));
         put(Cause::long_waves, {-longer.growth, 0});
         put(Cause::law, law_error(problem, curve.law->which, reason, 0));
-        const Solved& at = of_place[curve.places[i]];
-        if (at.weight > 0) hand_over(problem, at, i, curve, reason);
+        const Solved& solved = of_place[curve.places[i]];
+        if (solved.weight > 0) hand_over(problem, solved, i, curve, reason);
         if (facts.of_map_itself && problem.face.map->maps.size() > 1)
             put(Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
         const double K = curve.states[i].stiffness.value;
         double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more
         loading = facts.flows ? (std::min)(loading, K) : K;
         if (facts.flows && loading > 0) reason.loading_stiffness = loading;
-        const auto whole = detail::band_of(reason.causes);
+        const auto total = detail::band_of(reason.causes);
         constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
-        bands.push_back({K * std::exp(whole.low), K, (std::min)(most, K * std::exp(whole.high))});
-        curve.by.push_back(at.weight >= 0.5 ? &find_law(LawName::boundary_elements) : curve.law);
+        bands.push_back({K * std::exp(total.low), K, (std::min)(most, K * std::exp(total.high))});
+        curve.by.push_back(solved.weight >= 0.5 ? &find_law(LawName::boundary_elements) : curve.law);
     }
     make_ends_rise(curve.states, bands);
     curve.band = std::move(bands);

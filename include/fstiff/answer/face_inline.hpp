@@ -23,8 +23,8 @@ namespace fstiff::inline v0_1::detail {
 FSTIFF_INLINE SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const SpectrumShells<double>& b) {
     SpectrumShells<double> sum{a.shells, std::hypot(a.rms_height, b.rms_height)};
     sum.shells.insert(sum.shells.end(), b.shells.begin(), b.shells.end());
-    std::stable_sort(sum.shells.begin(), sum.shells.end(), [](const auto& one, const auto& other) {
-        return one.q2_h2 * other.q_h2 < other.q2_h2 * one.q_h2;
+    std::stable_sort(sum.shells.begin(), sum.shells.end(), [](const auto& left, const auto& right) {
+        return left.q2_h2 * right.q_h2 < right.q2_h2 * left.q_h2;
     });
     return sum;
 }
@@ -44,8 +44,8 @@ FSTIFF_INLINE Roughness<double> Face::roughness() const {
             parameters.max_peak_height.value};
 }
 
-FSTIFF_INLINE std::optional<double> Face::value(Parameter which) const {
-    const Measurement<double>* known = parameters.find(which);
+FSTIFF_INLINE std::optional<double> Face::value(Parameter parameter) const {
+    const Measurement<double>* known = parameters.find(parameter);
     return known ? std::optional(known->value) : std::nullopt;
 }
 
@@ -57,11 +57,11 @@ FSTIFF_INLINE bool Face::has_measured_errors() const {
                                              });
 }
 
-FSTIFF_INLINE void Face::write(Parameter which, double value) {
+FSTIFF_INLINE void Face::write(Parameter parameter, double value) {
     write([&](Face& face) {
-        face.parameters.set(which, {value, 0});
-        if (which == Parameter::rms_height) face.parameters.long_end = {};
-        const std::size_t i = detail::index_of(which);
+        face.parameters.set(parameter, {value, 0});
+        if (parameter == Parameter::rms_height) face.parameters.long_end = {};
+        const std::size_t i = detail::index_of(parameter);
         for (std::size_t j = 0; j < detail::surface_parameter_count; ++j)
             face.parameters.correlation[i][j] = face.parameters.correlation[j][i] = i == j ? 1 : 0;
     });
@@ -72,8 +72,8 @@ FSTIFF_INLINE void Face::draw(const std::array<double, detail::surface_parameter
         if (auto* known = parameters.find(row.parameter)) known->value = drawn[detail::index_of(row.parameter)];
 }
 
-FSTIFF_INLINE bool Face::is_open(Unknown which) const {
-    return std::any_of(priors.begin(), priors.end(), [&](const Prior& one) { return one.which == which; });
+FSTIFF_INLINE bool Face::is_open(Unknown unknown) const {
+    return std::any_of(priors.begin(), priors.end(), [&](const Prior& prior) { return prior.which == unknown; });
 }
 
 FSTIFF_INLINE void Face::follow() {
@@ -95,35 +95,36 @@ FSTIFF_INLINE void Face::follow() {
     if (density_follows) parameters.peak_density.value = detail::peak_density_of(moments);
 }
 
-FSTIFF_INLINE void Face::set_shape(const HeightShape<double>& of) {
-    shape = of;
-    bearing = bearing_of_shape(of);
+FSTIFF_INLINE void Face::set_shape(const HeightShape<double>& height_shape) {
+    shape = height_shape;
+    bearing = bearing_of_shape(height_shape);
 }
 
 FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r) {
-    using enum ImplausibleGradient::Of;
-    std::vector<ImplausibleGradient> all;
+    using enum ImplausibleGradient::Source;
+    std::vector<ImplausibleGradient> gradients;
     const bool as_measured = face.measured && face.measured->heights && face.rms_gradient &&
                              face.measured->rms_gradient.value == *face.rms_gradient;
-    if (face.has_own_gradient()) all.push_back({as_measured ? measured : given, *face.rms_gradient});
+    if (face.has_own_gradient()) gradients.push_back({as_measured ? measured : given, *face.rms_gradient});
     if (face.has_radius_and_density() && !is_as_measured(face)) {
         const auto [of_density, of_height] = detail::implied_gradients(face.roughness(), r);
-        all.push_back({peaks, of_density});
-        if (!face.has_own_gradient()) all.push_back({height, of_height});
+        gradients.push_back({peaks, of_density});
+        if (!face.has_own_gradient()) gradients.push_back({height, of_height});
     }
-    for (const ImplausibleGradient& one : all)
-        if (!detail::is_plausible_gradient(one.value)) return one;
+    for (const ImplausibleGradient& gradient : gradients)
+        if (!detail::is_plausible_gradient(gradient.value)) return gradient;
     return std::nullopt;
 }
 
 FSTIFF_INLINE SpectralMoments<double> spectral_moments(const Face& face) {
-    const Roughness<double> of = face.roughness();
+    const Roughness<double> peaks = face.roughness();
     if (face.rms_gradient && face.alpha)
-        return detail::moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
-    SpectralMoments<double> moments{of.rms_height * of.rms_height, 0, 0};
-    if (face.has_radius_and_density()) moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
+        return detail::moments_of_gradient(peaks.rms_height, *face.rms_gradient, *face.alpha);
+    SpectralMoments<double> moments{peaks.rms_height * peaks.rms_height, 0, 0};
+    if (face.has_radius_and_density())
+        moments = moments_of_peaks(peaks.rms_height, peaks.peak_radius, peaks.peak_density);
     if (face.rms_gradient) moments.m2 = *face.rms_gradient * *face.rms_gradient / 2;
-    if (face.alpha) moments.m2 = of.rms_height * std::sqrt(moments.m4 / *face.alpha);
+    if (face.alpha) moments.m2 = peaks.rms_height * std::sqrt(moments.m4 / *face.alpha);
     return moments;
 }
 
@@ -139,96 +140,96 @@ FSTIFF_INLINE bool has_isotropic_peaks(const Face& face) {
 
 FSTIFF_INLINE Eigen::Index missing_points(const MapOfSurface& map) {
     Eigen::Index missing = 0;
-    for (const auto& one : map.maps) missing += one->size() - one->present();
+    for (const auto& part : map.maps) missing += part->size() - part->present();
     return missing;
 }
 
 /// The summits of \p map; where none is above its eight neighbours, because the highest points are equal, one of these.
 FSTIFF_INLINE Summits<double> summits_or_highest(const HeightMap<double>& map) {
-    Summits<double> found = summits_of(map);
-    if (!found.summits.empty() || map.rows() < 5 || map.columns() < 5) return found;
+    Summits<double> result = summits_of(map);
+    if (!result.summits.empty() || map.rows() < 5 || map.columns() < 5) return result;
     Eigen::Index j = 0, i = 0;
     const auto inner = map.heights.block(1, 1, map.rows() - 2, map.columns() - 2);
     inner.isNaN().select(-std::numeric_limits<double>::infinity(), inner).maxCoeff(&j, &i);
     ++j, ++i;
-    if (map.heights.block(j - 1, i - 1, 3, 3).isNaN().any()) return found;
+    if (map.heights.block(j - 1, i - 1, 3, 3).isNaN().any()) return result;
     auto top = detail::top_of(detail::shape_by_differences<double>(map.heights, j, i), map.dx, map.dy, 1.0);
-    if (!(top.min_curvature > detail::min_curvature_ratio<double> * top.max_curvature)) return found;
+    if (!(top.min_curvature > detail::min_curvature_ratio<double> * top.max_curvature)) return result;
     const MapHeights<double> heights(map);
-    top.height += (heights.of(map.heights(j, i)) - heights.mean) * heights.unit;
+    top.height += (heights.in_units(map.heights(j, i)) - heights.mean) * heights.unit;
     top.x += static_cast<double>(i) * map.dx, top.y += static_cast<double>(j) * map.dy;
-    found.summits.push_back(top);
-    return found;
+    result.summits.push_back(top);
+    return result;
 }
 
 FSTIFF_INLINE std::shared_ptr<const MapOfSurface> map_of_surface(
     std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
-    MapOfSurface of;
-    of.maps = std::move(maps);
+    MapOfSurface result;
+    result.maps = std::move(maps);
     double area = 0;
-    bool whole = true;
-    for (const auto& map : of.maps) {
-        of.summits.push_back(detail::with_hertz_factors(summits_or_highest(*map)));
-        const double rms = of.summits.back().rms_height;
-        of.mean_square_height += map->area() * rms * rms;
+    bool complete = true;
+    for (const auto& map : result.maps) {
+        result.summits.push_back(detail::with_hertz_factors(summits_or_highest(*map)));
+        const double rms = result.summits.back().rms_height;
+        result.mean_square_height += map->area() * rms * rms;
         area += map->area();
-        whole = whole && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
+        complete = complete && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
     }
-    of.mean_square_height /= area;
-    if (whole)
-        of.spectra = std::make_shared<const SpectraOfMaps>([maps = of.maps, area](Edges edges) {
+    result.mean_square_height /= area;
+    if (complete)
+        result.spectra = std::make_shared<const SpectraOfMaps>([maps = result.maps, area](Edges edges) {
             SpectrumShells<double> sum;
             for (const auto& map : maps)
                 sum = sum_of_spectra(sum, detail::scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
             return sum;
         });
-    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
-    return std::make_shared<const MapOfSurface>(std::move(of));
+    result.bearings = std::make_shared<const BearingsOfMaps>(result.maps, result.summits);
+    return std::make_shared<const MapOfSurface>(std::move(result));
 }
 
 FSTIFF_INLINE std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
-    for (const auto& one : upper.map->maps)
+    for (const auto& map : upper.map->maps)
         for (const auto& other : lower.map->maps)
-            if (std::string why = detail::no_sum_of(*one, *other); !why.empty()) return why;
+            if (std::string why = detail::no_sum_of(*map, *other); !why.empty()) return why;
     return "";
 }
 
-/// The map that \p found has in a contact: with all of its short waves, unless a lambda_s was given.
-FSTIFF_INLINE std::shared_ptr<const HeightMap<double>> map_of_contact(const Surface<double>& found) {
-    const auto& [cut_offs, map] = std::tie(found.cut_offs, found.map);
+/// The map of \p surface in a contact: with all of its short waves, unless a lambda_s was given.
+FSTIFF_INLINE std::shared_ptr<const HeightMap<double>> map_of_contact(const Surface<double>& surface) {
+    const auto& [cut_offs, map] = std::tie(surface.cut_offs, surface.map);
     if (cut_offs.why_s != LambdaSReason::by_table || !map->unfiltered) return {map, &map->map};
     if (!cut_offs.lambda_c) return map->unfiltered;
     if (cut_offs.filter == CutOffFilter::robust) return {map, &map->map};
     return std::make_shared<const HeightMap<double>>(detail::gaussian_high_pass(*map->unfiltered, *cut_offs.lambda_c));
 }
 
-/// \p found as the contact sees it, with the maps of \p shared, where there are any, in place of its own.
-FSTIFF_INLINE Face face_as_found(const Surface<double>& found,
+/// \p surface as the contact sees it, with the maps of \p shared, where there are any, in place of its own.
+FSTIFF_INLINE Face face_as_found(const Surface<double>& surface,
                                  const std::shared_ptr<const MapOfSurface>& shared = nullptr) {
     Face face;
-    face.parameters = found;
+    face.parameters = surface;
     face.parameters.profile_fit.reset(), face.parameters.map_fit.reset(), face.parameters.islands.reset();
     if (!face.has_peaks()) face.parameters.r.reset(), face.parameters.theta.reset();
-    face.widest_band = found.widest_band;
-    face.lambda_s = found.cut_offs.lambda_s;
-    face.heights = found.heights;
-    if (found.heights) {
-        face.rms_gradient = found.rms_gradient.value;
-        face.alpha = found.heights->moments.bandwidth();
-        face.set_shape(detail::counted_shape(*found.heights, found.shape_share));
+    face.widest_band = surface.widest_band;
+    face.lambda_s = surface.cut_offs.lambda_s;
+    face.heights = surface.heights;
+    if (surface.heights) {
+        face.rms_gradient = surface.rms_gradient.value;
+        face.alpha = surface.heights->moments.bandwidth();
+        face.set_shape(detail::counted_shape(*surface.heights, surface.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
-    if (found.map) maps.push_back(map_of_contact(found));
-    for (const Surface<double>& part : found.parts)
+    if (surface.map) maps.push_back(map_of_contact(surface));
+    for (const Surface<double>& part : surface.parts)
         if (part.map) maps.push_back(map_of_contact(part));
-    if (found.map && maps.front().get() != &found.map->map) face.filtered = {found.map, &found.map->map};
+    if (surface.map && maps.front().get() != &surface.map->map) face.filtered = {surface.map, &surface.map->map};
     if (shared)
         face.map = shared;
     else if (!maps.empty())
         face.map = map_of_surface(std::move(maps));
-    const bool has_all_waves = found.cut_offs.why_s == LambdaSReason::by_table;  // K does not depend on lambda_s
-    for (const Surface<double>& neighbour : found.neighbours) {
+    const bool has_all_waves = surface.cut_offs.why_s == LambdaSReason::by_table;  // K does not depend on lambda_s
+    for (const Surface<double>& neighbour : surface.neighbours) {
         face.neighbours.push_back(face_as_found(neighbour, has_all_waves ? face.map : nullptr));
         SurfaceParameters<double>& other = face.neighbours.back().parameters;
         if (!other.r) other.r = face.parameters.r, other.theta = face.parameters.theta;
@@ -242,12 +243,12 @@ FSTIFF_INLINE Face face_of(std::shared_ptr<const Surface<double>> measured) {
     return face;
 }
 
-/// The sum of two faces with the parameters \p of, without maps, neighbours and what was measured.
+/// The sum of two faces with the parameters \p parameters, without maps, neighbours and measurements.
 FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const SpectralMoments<double>& a,
-                            const SpectralMoments<double>& b, SurfaceParameters<double> of) {
+                            const SpectralMoments<double>& b, SurfaceParameters<double> parameters) {
     const SpectralMoments<double> sum = a + b;
     Face face;
-    face.parameters = std::move(of);
+    face.parameters = std::move(parameters);
     if (upper.rms_gradient || lower.rms_gradient) {
         face.rms_gradient = std::sqrt(2 * sum.m2);
         face.gradient_error =
@@ -259,9 +260,9 @@ FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const Spectral
     if (upper.hurst || lower.hurst) face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
     const HeightShape<double> shape = detail::sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
     face.set_shape(detail::counted_shape(shape.skewness, shape.kurtosis, 1.0));
-    for (const Face* one : {&upper, &lower}) {
-        if (!one->parameters.why_no_density.empty()) face.parameters.why_no_density = one->parameters.why_no_density;
-        face.priors.insert(face.priors.end(), one->priors.begin(), one->priors.end());
+    for (const Face* part : {&upper, &lower}) {
+        if (!part->parameters.why_no_density.empty()) face.parameters.why_no_density = part->parameters.why_no_density;
+        face.priors.insert(face.priors.end(), part->priors.begin(), part->priors.end());
     }
     return face;
 }
@@ -279,28 +280,28 @@ FSTIFF_INLINE Face sum_in_order(const Face& upper, const Face& lower, int shifts
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
     for (std::size_t k = 0; k < (std::max)(upper.neighbours.size(), lower.neighbours.size()); ++k) {
-        const auto neighbour = [k](const Face& one) -> const Face& {
-            return one.neighbours.empty() ? one : one.neighbours[(std::min)(k, one.neighbours.size() - 1)];
+        const auto neighbour = [k](const Face& part) -> const Face& {
+            return part.neighbours.empty() ? part : part.neighbours[(std::min)(k, part.neighbours.size() - 1)];
         };
         face.neighbours.push_back(sum_in_order(neighbour(upper), neighbour(lower), shifts, seed));
     }
     if (!no_sum_of_maps(upper, lower).empty()) return face;
-    MapOfSurface of;
+    MapOfSurface sum_map;
     const auto &above = upper.map->maps, &below = lower.map->maps;
     for (std::size_t k = 0; k < static_cast<std::size_t>(shifts); ++k) {  // of several maps each in turn
         HeightMap<double> map =
             detail::random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
-        of.summits.push_back(summits_of(map));
-        of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
+        sum_map.summits.push_back(summits_of(map));
+        sum_map.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }
     if (upper.map->spectra && lower.map->spectra)
-        of.spectra =
+        sum_map.spectra =
             std::make_shared<const SpectraOfMaps>([a = upper.map->spectra, b = lower.map->spectra](Edges edges) {
-                return sum_of_spectra(a->of(edges), b->of(edges));
+                return sum_of_spectra(a->shells(edges), b->shells(edges));
             });
-    of.mean_square_height = upper.map->mean_square_height + lower.map->mean_square_height;
-    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
-    face.map = std::make_shared<const MapOfSurface>(std::move(of));
+    sum_map.mean_square_height = upper.map->mean_square_height + lower.map->mean_square_height;
+    sum_map.bearings = std::make_shared<const BearingsOfMaps>(sum_map.maps, sum_map.summits);
+    face.map = std::make_shared<const MapOfSurface>(std::move(sum_map));
     return face;
 }
 

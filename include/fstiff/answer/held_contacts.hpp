@@ -23,8 +23,8 @@ namespace fstiff::inline v0_1::detail {
 class Model {
 public:
     virtual ~Model() = default;
-    virtual ContactState<double> at_pressure(double pressure, Quantity wanted) const = 0;
-    virtual ContactState<double> at_separation(double separation, Quantity wanted) const = 0;
+    virtual ContactState<double> at_pressure(double pressure, Quantity quantities) const = 0;
+    virtual ContactState<double> at_separation(double separation, Quantity quantities) const = 0;
     virtual LogSlope<double> log_pressure(double eta) const = 0;
     virtual Estimate<double> log_stiffness(double eta) const = 0;
 };
@@ -32,11 +32,11 @@ template <class Contact>
 class ModelOf final : public Model {
 public:
     explicit ModelOf(Contact contact) : contact_(std::move(contact)) {}
-    ContactState<double> at_pressure(double pressure, Quantity wanted) const override {
-        return contact_.at_pressure(pressure, wanted);
+    ContactState<double> at_pressure(double pressure, Quantity quantities) const override {
+        return contact_.at_pressure(pressure, quantities);
     }
-    ContactState<double> at_separation(double separation, Quantity wanted) const override {
-        return contact_.at_separation(separation, wanted);
+    ContactState<double> at_separation(double separation, Quantity quantities) const override {
+        return contact_.at_separation(separation, quantities);
     }
     LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
     Estimate<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
@@ -55,17 +55,17 @@ public:
           has_kinks_(detail::has_kinks(contact)),
           bulk_compliance_(contact.bulk_compliance()),
           interaction_(contact.interaction()) {}
-    ContactState<double> at_pressure(double pressure, Quantity wanted) const {
-        return model_->at_pressure(pressure, wanted);
+    ContactState<double> at_pressure(double pressure, Quantity quantities) const {
+        return model_->at_pressure(pressure, quantities);
     }
-    ContactState<double> at_separation(double separation, Quantity wanted) const {
-        return model_->at_separation(separation, wanted);
+    ContactState<double> at_separation(double separation, Quantity quantities) const {
+        return model_->at_separation(separation, quantities);
     }
-    ContactPoint<double> point_at_pressure(double pressure, Quantity wanted) const {
-        return ContactPoint<double>::of(at_pressure(pressure, wanted));
+    ContactPoint<double> point_at_pressure(double pressure, Quantity quantities) const {
+        return ContactPoint<double>::of(at_pressure(pressure, quantities));
     }
-    ContactPoint<double> point_at_separation(double separation, Quantity wanted) const {
-        return ContactPoint<double>::of(at_separation(separation, wanted));
+    ContactPoint<double> point_at_separation(double separation, Quantity quantities) const {
+        return ContactPoint<double>::of(at_separation(separation, quantities));
     }
     LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
     Estimate<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
@@ -103,12 +103,11 @@ template <class Contact>
 class Holder : public AnyContact {
 public:
     explicit Holder(Contact contact) : contact_(std::move(contact)) {}
-    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
-        return curve_at_pressures(contact_, pressures, wanted);
+    Points at_pressures(std::span<const double> pressures, Quantity quantities) const override {
+        return curve_at_pressures(contact_, pressures, quantities);
     }
-    std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
-                                                     Quantity wanted) const override {
-        return curve_at_separations(contact_, separations, wanted);
+    Points at_separations(std::span<const double> separations, Quantity quantities) const override {
+        return curve_at_separations(contact_, separations, quantities);
     }
     bool has_table() const override { return fstiff::Contact<Contact, double> || is_mean_of_tabulated<Contact>; }
     ContactLaw<double> tabulate(const LawRange<double>& range) const override {
@@ -171,13 +170,13 @@ public:
     using Make = std::unique_ptr<AnyContact> (*)(const ContactInputs&);
     QuickContact(const ContactInputs& inputs, Make make, OfHybrid of_hybrid)
         : inputs_(inputs), make_(make), of_hybrid_(std::move(of_hybrid)) {}
-    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
+    Points at_pressures(std::span<const double> pressures, Quantity quantities) const override {
         std::vector<ContactPoint<double>> points;
         for (const double& p : pressures) {
             const auto hybrid = inputs_.similar->stiffness(inputs_, p);
             const std::optional<double> K = hybrid ? of_hybrid_.stiffness(inputs_, *hybrid, p) : std::nullopt;
             if (!K) {
-                points.push_back(itself().at_pressures(std::span(&p, 1), wanted).front());
+                points.push_back(itself().at_pressures(std::span(&p, 1), quantities).front());
                 continue;
             }
             ContactState<double> state;
@@ -187,14 +186,13 @@ public:
         }
         return points;
     }
-    std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
-                                                     Quantity wanted) const override {
+    Points at_separations(std::span<const double> separations, Quantity quantities) const override {
         std::vector<ContactPoint<double>> points;
         if (!pressure_) pressure_ = of_hybrid_.pressure(inputs_);
         for (const double& d : separations) {
             const double p = pressure_(d).value_or(0);
-            points.push_back(p > 0 ? at_pressures(std::span(&p, 1), wanted).front()
-                                   : itself().at_separations(std::span(&d, 1), wanted).front());
+            points.push_back(p > 0 ? at_pressures(std::span(&p, 1), quantities).front()
+                                   : itself().at_separations(std::span(&d, 1), quantities).front());
         }
         return points;
     }

@@ -62,12 +62,11 @@ struct LawRange;
 /// A contact whose law is known by name only.
 class AnyContact {
 public:
+    using Points = std::vector<ContactPoint<double>>;
     virtual ~AnyContact() = default;
     /// The states under pressures [Pa], and at separations [m]; a point out of reach has that status.
-    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures,
-                                                                         Quantity wanted) const = 0;
-    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
-                                                                           Quantity wanted) const = 0;
+    [[nodiscard]] virtual Points at_pressures(std::span<const double> pressures, Quantity quantities) const = 0;
+    [[nodiscard]] virtual Points at_separations(std::span<const double> separations, Quantity quantities) const = 0;
     /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range depends on
     /// it.
     [[nodiscard]] virtual std::vector<LoadMeans<double>> means_at(std::span<const double> /*etas*/) const { return {}; }
@@ -93,17 +92,17 @@ public:
     using Make = std::function<SpectrumShells<double>(Edges)>;
     explicit SpectraOfMaps(Make make) : make_(std::move(make)) {}
 
-    [[nodiscard]] const SpectrumShells<double>& of(Edges edges) const {
+    [[nodiscard]] const SpectrumShells<double>& shells(Edges edges) const {
         const std::lock_guard lock(guard_);
-        auto& made = made_[static_cast<std::size_t>(edges)];
-        if (!made) made = make_(edges);
-        return *made;
+        auto& spectrum = shells_[static_cast<std::size_t>(edges)];
+        if (!spectrum) spectrum = make_(edges);
+        return *spectrum;
     }
 
 private:
     Make make_;
     mutable std::mutex guard_;
-    mutable std::array<std::optional<SpectrumShells<double>>, 2> made_;
+    mutable std::array<std::optional<SpectrumShells<double>>, 2> shells_;
 };
 
 class BearingsOfMaps {
@@ -120,21 +119,21 @@ public:
     [[nodiscard]] MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;
 
 private:
-    /// What \p all has of \p key, else what \p make makes: without the lock, as that takes long.
-    template <class All, class Make>
-    [[nodiscard]] auto kept(All& all, const typename All::key_type& key, const Make& make) const {
+    /// The value of \p key in \p cache, else that of \p make, which is called without the lock because it takes long.
+    template <class Cache, class Make>
+    [[nodiscard]] auto kept(Cache& cache, const typename Cache::key_type& key, const Make& make) const {
         std::unique_lock lock(guard_);
-        if (const auto found = all.find(key); found != all.end()) return found->second;
+        if (const auto entry = cache.find(key); entry != cache.end()) return entry->second;
         lock.unlock();
-        auto made = make();
+        auto value = make();
         lock.lock();
-        return all.emplace(key, std::move(made)).first->second;
+        return cache.emplace(key, std::move(value)).first->second;
     }
 
     std::vector<std::shared_ptr<const HeightMap<double>>> maps_;
     std::vector<Summits<double>> summits_;  ///< of each map
     mutable std::mutex guard_;
-    mutable std::map<std::tuple<std::size_t, Edges, double, double>, BearingContact<double>> made_;
+    mutable std::map<std::tuple<std::size_t, Edges, double, double>, BearingContact<double>> bearings_;
     mutable std::map<std::tuple<std::size_t, Edges, double, double>, HandOver<double>> hand_overs_;
     mutable std::map<std::tuple<std::size_t, Edges, double>, MapCut<double>> cuts_;
 };
@@ -172,7 +171,7 @@ struct MapOfSurface {
     [[nodiscard]] double rms_height() const { return taller * std::sqrt(mean_square_height); }
     /// Where there are spectra.
     [[nodiscard]] SpectrumShells<double> spectrum(Edges edges = Edges::mirrored) const {
-        return detail::scaled(spectra->of(edges), taller);
+        return detail::scaled(spectra->shells(edges), taller);
     }
 };
 
@@ -211,7 +210,7 @@ struct ContactInputs {
 /// A measured curve and how it is fitted.
 struct FitInputs {
     const std::vector<Observation<double>>& data;
-    const std::vector<Parameter>& wanted;
+    const std::vector<Parameter>& parameters;
     ContactParameters<double> start;
     IdentifyOptions<double> options;
 };

@@ -56,7 +56,7 @@ std::unique_ptr<AnyContact> joint(const ContactInputs& inputs) {
 
 template <LawOfDimension of_dimension>
 Identification<double> fitted(const FitInputs& inputs) {
-    return identify(inputs.data, inputs.wanted, inputs.start, of_dimension, inputs.options);
+    return identify(inputs.data, inputs.parameters, inputs.start, of_dimension, inputs.options);
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
@@ -95,23 +95,23 @@ FSTIFF_INLINE BearingContact<double> crowded(const ContactInputs& inputs, std::s
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
     if (!inputs.options.mutual)
-        return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
-            return SummitContact<double>(of, inputs.effective_modulus);
+        return over_shifts(inputs, [&](const Summits<double>& summits, std::size_t) {
+            return SummitContact<double>(summits, inputs.effective_modulus);
         });
-    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
-        return MutualSummits<double>(of, inputs.effective_modulus, inputs.options.edges);
+    return over_shifts(inputs, [&](const Summits<double>& summits, std::size_t) {
+        return MutualSummits<double>(summits, inputs.effective_modulus, inputs.options.edges);
     });
 }
 
 /// The hybrid law of one shift of a map, and of numbers.
-FSTIFF_INLINE auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
+FSTIFF_INLINE auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& summits, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
-    SummitContact<double> peaks(of, inputs.effective_modulus);
+    SummitContact<double> peaks(summits, inputs.effective_modulus);
     BearingContact<double> crowded_contact = crowded(inputs, shift);
     HandOver<double> hand_over =
         map.bearings
             ->hand_over(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
-            .of(peaks, map.taller);
+            .scaled(peaks, map.taller);
     return HybridContact(std::move(peaks), std::move(crowded_contact), std::move(hand_over));
 }
 /// Calls \p make with hybrid from numbers, with Gaussian heights or a bearing curve.
@@ -137,8 +137,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
         if (!inputs.similar) return hybrid_of_numbers(inputs);
         return std::make_unique<QuickContact<Itself>>(inputs, hybrid_of_numbers, Itself());
     }
-    return over_shifts(inputs,
-                       [&](const Summits<double>& of, std::size_t shift) { return hybrid_of_map(inputs, of, shift); });
+    return over_shifts(inputs, [&](const auto& summits, auto shift) { return hybrid_of_map(inputs, summits, shift); });
 }
 
 /// Yielded peaks, from numbers: the cut of a Gaussian surface.
@@ -178,10 +177,10 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
         if (!inputs.similar) return plastic_of_numbers(inputs);
         return std::make_unique<QuickContact<Flowing>>(inputs, plastic_of_numbers, Flowing{hardness});
     }
-    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
+    return over_shifts(inputs, [&](const Summits<double>& summits, std::size_t shift) {
         const auto cut = inputs.map->bearings->cut(inputs.map->first_bearing + shift, inputs.options.edges,
                                                    inputs.effective_modulus);
-        return PlasticContact(hybrid_of_map(inputs, of, shift), cut.scaled(inputs.map->taller), hardness);
+        return PlasticContact(hybrid_of_map(inputs, summits, shift), cut.scaled(inputs.map->taller), hardness);
     });
 }
 
@@ -215,7 +214,7 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
 class ProportionalToPressure final : public AnyContact {
 public:
     explicit ProportionalToPressure(double rms_height) : rms_height_(rms_height) {}
-    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity) const override {
+    Points at_pressures(std::span<const double> pressures, Quantity) const override {
         std::vector<ContactPoint<double>> points;
         for (const double p : pressures) {
             ContactState<double> state;
@@ -226,7 +225,7 @@ public:
         }
         return points;
     }
-    std::vector<ContactPoint<double>> at_separations(std::span<const double>, Quantity) const override {
+    Points at_separations(std::span<const double>, Quantity) const override {
         throw domain_error("law proportional: gives no separation; give pressures");
     }
 
@@ -239,13 +238,11 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> proportional(const ContactInputs& inpu
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
-    const LawOptions& of = inputs.options;
+    const LawOptions& options = inputs.options;
+    const TruthOptions<double> settings{
+        .points = options.points, .edges = options.edges, .hardness = options.hardness, .progress = inputs.progress};
     std::vector<BoundaryElementContact<double>> of_shifts;
-    for (const auto& map : inputs.map->maps)
-        of_shifts.emplace_back(
-            *map, inputs.effective_modulus,
-            TruthOptions<double>{
-                .points = of.points, .edges = of.edges, .hardness = of.hardness, .progress = inputs.progress});
+    for (const auto& map : inputs.map->maps) of_shifts.emplace_back(*map, inputs.effective_modulus, settings);
     return mean_over(std::move(of_shifts));
 }
 
@@ -386,14 +383,14 @@ FSTIFF_INLINE std::vector<std::string_view> fitted_law_names() {
 }
 
 FSTIFF_INLINE Identification<double> fit_curve(const FitInputs& inputs, const CurveOfParameters<double>& curve) {
-    return detail::identify_by_differences(inputs.data, inputs.wanted, inputs.start, curve, inputs.options);
+    return detail::identify_by_differences(inputs.data, inputs.parameters, inputs.start, curve, inputs.options);
 }
 
 FSTIFF_INLINE const Law& find_law(LawName name) { return of_laws::table[static_cast<std::size_t>(name)]; }
 
 FSTIFF_INLINE const Law* find_law(std::string_view name) {
-    const auto found = detail::find_named<LawName>(name);
-    return found ? &find_law(*found) : nullptr;
+    const auto match = detail::find_named<LawName>(name);
+    return match ? &find_law(*match) : nullptr;
 }
 
 }  // namespace detail

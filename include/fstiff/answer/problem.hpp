@@ -52,7 +52,7 @@ struct Prior {
 
 /// An rms gradient that no surface has, likely for a unit of length.
 struct ImplausibleGradient {
-    enum class Of { measured, given, peaks, height } of;  ///< peaks: R and D_p; height: sigma and R
+    enum class Source { measured, given, peaks, height } source;  ///< peaks: R and D_p; height: sigma and R
     double value;
 };
 
@@ -79,8 +79,8 @@ struct Face {
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured
 
     [[nodiscard]] Roughness<double> roughness() const;
-    /// The parameter \p which, where it is known.
-    [[nodiscard]] std::optional<double> value(Parameter which) const;
+    /// The parameter \p parameter, where it is known.
+    [[nodiscard]] std::optional<double> value(Parameter parameter) const;
     /// D, where it is known.
     [[nodiscard]] std::optional<double> dimension() const { return value(Parameter::fractal_dimension); }
     /// Whether R and D_p are known.
@@ -98,7 +98,7 @@ struct Face {
     [[nodiscard]] bool has_measured_errors() const;
     /// Whether a band can be given: the same, or something is not known.
     [[nodiscard]] bool has_errors() const { return has_measured_errors() || !priors.empty(); }
-    [[nodiscard]] bool is_open(Unknown which) const;
+    [[nodiscard]] bool is_open(Unknown unknown) const;
     /// Whether the rms gradient is more than what R and D_p imply.
     [[nodiscard]] bool has_own_gradient() const { return rms_gradient && !gradient_of_islands; }
 
@@ -115,11 +115,11 @@ struct Face {
     }
     /// \p value without an error in place of what was measured, to which the errors of other parameters have no
     /// relation.
-    void write(Parameter which, double value);
+    void write(Parameter parameter, double value);
     /// The known parameters take the values of \p drawn, in the order of Parameter.
     void draw(const std::array<double, detail::surface_parameter_count>& drawn);
-    /// Takes \p of, which bearing_of_moments() takes, with its bearing curve.
-    void set_shape(const HeightShape<double>& of);
+    /// Sets \p shape and its bearing curve; bearing_of_moments() must accept it.
+    void set_shape(const HeightShape<double>& shape);
     /// Gives R and D_p, where they follow, the values that the other numbers make.
     void follow();
 };
@@ -240,9 +240,9 @@ inline constexpr FaceParameter face_parameters[]{
     {Parameter::r, &JointFace::r, &JointFace::Errors::r},
     {Parameter::theta, &JointFace::theta, &JointFace::Errors::theta}};
 
-/// The face of \p of as the contact has it: what is written counts before what was measured, and that before a prior.
-/// \throws domain_error naming the member of \p of.
-[[nodiscard]] Face face_of(const JointFace& of);
+/// The face of \p spec as the contact has it: what is written counts before what was measured, and that before a prior.
+/// \throws domain_error naming the member of \p spec.
+[[nodiscard]] Face face_of(const JointFace& spec);
 /// \p joint resolved. Two maps have the shifts that a scene has: those of the seed of Request, whatever the draws have.
 /// \throws domain_error naming the member that is out of range.
 [[nodiscard]] Problem problem_of(const Joint& joint, const LawOptions& options);
@@ -319,11 +319,11 @@ namespace fstiff::inline v0_1::detail {
 /// with a prior for each; the shape of the heights too unless \p shape_known. R or D_p that is not known follows.
 void fill_unknown(Face& face, bool shape_known);
 
-/// \p face with \p which at \p value, and with all that follows from it.
-[[nodiscard]] Face with_value(Face face, Unknown which, double value);
+/// \p face with \p unknown at \p value, and with all that follows from it.
+[[nodiscard]] Face with_value(Face face, Unknown unknown, double value);
 
-/// \p face as it is with \p which measured, and found at its middle; skewness and kurtosis come from one measurement.
-[[nodiscard]] Face with_measured(Face face, Unknown which);
+/// \p face as it is with \p unknown measured, and found at its middle; skewness and kurtosis come from one measurement.
+[[nodiscard]] Face with_measured(Face face, Unknown unknown);
 
 /// A number of a face that is not known.
 struct FeltPrior {

@@ -30,9 +30,9 @@ FSTIFF_INLINE std::vector<const Face*> rough_faces(const Problem& problem) {
 }
 
 FSTIFF_INLINE std::vector<const Face*> measured_faces(const Problem& problem) {
-    std::vector<const Face*> all = rough_faces(problem);
-    std::erase_if(all, [](const Face* one) { return !one->measured; });
-    return all;
+    std::vector<const Face*> faces = rough_faces(problem);
+    std::erase_if(faces, [](const Face* face) { return !face->measured; });
+    return faces;
 }
 
 FSTIFF_INLINE bool has_lay(const Problem& problem) {
@@ -44,7 +44,7 @@ FSTIFF_INLINE bool has_lay(const Problem& problem) {
 FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
     const Face& face = problem.face;
     if (face.map && face.spectrum_of_map && face.map->spectra)
-        return face.map->taller * face.map->spectra->of(problem.law_options.edges).rms_gradient();
+        return face.map->taller * face.map->spectra->shells(problem.law_options.edges).rms_gradient();
     if (face.has_own_gradient()) return face.rms_gradient;
     if (face.has_peaks())
         if (const auto of_own = detail::rms_gradient(
@@ -54,7 +54,7 @@ FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
     if (lack_of_spectrum(face) == Lack::nothing) return std::sqrt(2 * spectral_moments(face).m2);
     std::optional<double> of_peaks;
     for (const Peaks& peaks : problem.peaks)
-        if (const auto one = detail::rms_gradient(face.roughness(), peak_density(peaks))) of_peaks = one;
+        if (const auto gradient = detail::rms_gradient(face.roughness(), peak_density(peaks))) of_peaks = gradient;
     return of_peaks;
 }
 
@@ -111,10 +111,10 @@ FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::
     const Body& softer = hardness_of(lower).middle < hardness_of(upper).middle ? lower : upper;
     problem.softer_poisson = softer.elastic.poisson_ratio;
     take_hardness(softer, softer_hardness(upper, lower), problem);
-    for (const Body* one : {&upper, &lower})
-        if (one->yield_strength)
+    for (const Body* body : {&upper, &lower})
+        if (body->yield_strength)
             problem.yield_strength =
-                (std::min)(problem.yield_strength.value_or(*one->yield_strength), *one->yield_strength);
+                (std::min)(problem.yield_strength.value_or(*body->yield_strength), *body->yield_strength);
 }
 
 FSTIFF_INLINE double hardness_of(const Problem& problem) {
@@ -149,8 +149,8 @@ FSTIFF_INLINE Lack lack_of_spectrum(const Face& face) {
     if (!face.has_radius_and_density() && !(face.rms_gradient && face.alpha)) return Lack::moments;
     const SpectralMoments<double> moments = spectral_moments(face);
     const double alpha = moments.bandwidth();
-    for (const double of : {moments.m0, moments.m2, moments.m4, alpha})
-        if (!(of > 0) || !std::isfinite(of)) return Lack::range;
+    for (const double number : {moments.m0, moments.m2, moments.m4, alpha})
+        if (!(number > 0) || !std::isfinite(number)) return Lack::range;
     return alpha > 1.5 ? Lack::nothing : Lack::alpha;
 }
 
@@ -192,11 +192,11 @@ FSTIFF_INLINE std::string reason_of(Lack lack) {
 }
 
 FSTIFF_INLINE const Law& possible_law(LawName law, const Problem& problem) {
-    const Law& one = find_law(law);
-    const std::string name = "law " + std::string(one.name) + ": ";
-    if (one.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
-    if (const Lack lack = lack_of(one, problem); lack != Lack::nothing) throw domain_error(name + reason_of(lack));
-    return one;
+    const Law& row = find_law(law);
+    const std::string name = "law " + std::string(row.name) + ": ";
+    if (row.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
+    if (const Lack lack = lack_of(row, problem); lack != Lack::nothing) throw domain_error(name + reason_of(lack));
+    return row;
 }
 
 FSTIFF_INLINE std::vector<Peaks> peaks_of(const Law& law, const Problem& problem) {
@@ -229,8 +229,8 @@ FSTIFF_INLINE void for_each_contact(const Problem& problem, const std::vector<co
     for (const Law* law : laws) {
         const auto make = [&] { return law->contact(inputs); };
         if (!law->has_peaks) visit({.law = law, .make = make});
-        for (const Peaks& of : peaks_of(*law, problem)) {
-            const PeakDistribution<double> peaks = peak_density(of);
+        for (const Peaks& parameters : peaks_of(*law, problem)) {
+            const PeakDistribution<double> peaks = peak_density(parameters);
             inputs.peaks = &peaks;
             visit({law, peaks.theta(), peaks.r(), make});
         }
@@ -245,20 +245,20 @@ FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request
     if (request.parallel && !law.varies) {
         points.resize(request.points.size());
         detail::run_pieces(request.parallel, points.size(), [&](std::size_t i) {
-            const std::span<const double> one(&request.points[i], 1);
-            points[i] = (request.at_separations ? contact.at_separations(one, quantities)
-                                                : contact.at_pressures(one, quantities))
+            const std::span<const double> point(&request.points[i], 1);
+            points[i] = (request.at_separations ? contact.at_separations(point, quantities)
+                                                : contact.at_pressures(point, quantities))
                             .front();
         });
         return points;
     }
     for (std::span<const double> rest = request.points; !rest.empty();) {
         if (progress) progress("points", request.points.size() - rest.size(), request.points.size());
-        const auto some = rest.first((std::min)(part, rest.size()));
-        const auto more =
-            request.at_separations ? contact.at_separations(some, quantities) : contact.at_pressures(some, quantities);
+        const auto batch = rest.first((std::min)(part, rest.size()));
+        const auto more = request.at_separations ? contact.at_separations(batch, quantities)
+                                                 : contact.at_pressures(batch, quantities);
         points.insert(points.end(), more.begin(), more.end());
-        rest = rest.subspan(some.size());
+        rest = rest.subspan(batch.size());
     }
     return points;
 }

@@ -24,16 +24,16 @@ namespace fstiff::inline v0_1::detail {
 /// through three of its values, and cubics between half e-folds.
 class FallOfSeparation {
 public:
-    explicit FallOfSeparation(const ContactInputs& of) {
-        const BandSpectrum<double> band = band_of_moments(of.moments, of.hurst);
+    explicit FallOfSeparation(const ContactInputs& inputs) {
+        const BandSpectrum<double> band = band_of_moments(inputs.moments, inputs.hurst);
         const auto keep = [&](auto contact) {
             const auto held = std::make_shared<decltype(contact)>(std::move(contact));
-            log_top_ = std::log(0.7 * of.effective_modulus * std::sqrt(2 * of.moments.m2));
+            log_top_ = std::log(0.7 * inputs.effective_modulus * std::sqrt(2 * inputs.moments.m2));
             knots_.push_back({held->separation(std::exp(log_top_)).value, 0});
             rise_ = [held](double log_p) { return std::exp(log_p) / held->stiffness(std::exp(log_p)); };
         };
-        of.bearing ? keep(hybrid_of_band(band, *of.bearing, of.effective_modulus, of.options.gamma))
-                   : keep(hybrid_of_band(band, of.effective_modulus, of.options.gamma));
+        inputs.bearing ? keep(hybrid_of_band(band, *inputs.bearing, inputs.effective_modulus, inputs.options.gamma))
+                       : keep(hybrid_of_band(band, inputs.effective_modulus, inputs.options.gamma));
         knots_.front().rise = rise_(log_top_);
     }
     /// The pressure at \p separation; none above 0.7 E g, and more than 24 e-folds below it.
@@ -45,16 +45,16 @@ public:
             const double from = log_top_ - static_cast<double>(knots_.size() / 2 + 1), rise = rise_(from);
             const double middle = rise_(from + 0.5);
             const Knot half{last.d + (5 * last.rise + 8 * middle - rise) / 24, middle},
-                whole{last.d + (last.rise + 4 * middle + rise) / 6, rise};
-            knots_.insert(knots_.end(), {half, whole});
+                end{last.d + (last.rise + 4 * middle + rise) / 6, rise};
+            knots_.insert(knots_.end(), {half, end});
         }
         std::size_t i = 0;
         while (knots_[i + 1].d < separation) ++i;
         const Knot &a = knots_[i], &b = knots_[i + 1];
         double low = 0, high = 1;
         while (high - low > 1e-9) {
-            const double t = (low + high) / 2, all = b.d - a.d, left = a.rise / 2, right = b.rise / 2;
-            const double d = a.d + t * (left + t * (3 * all - 2 * left - right + t * (left + right - 2 * all)));
+            const double t = (low + high) / 2, rise = b.d - a.d, left = a.rise / 2, right = b.rise / 2;
+            const double d = a.d + t * (left + t * (3 * rise - 2 * left - right + t * (left + right - 2 * rise)));
             (d < separation ? low : high) = t;
         }
         return std::exp(log_top_ - (static_cast<double>(i) + low) / 2);
@@ -127,22 +127,22 @@ private:
     std::optional<double> of_unit(const ContactInputs& inputs, const Call& call) const {
         // the same alpha after rounding is one surface
         const double alpha = std::exp(std::round(std::log(inputs.moments.bandwidth()) * 1e9) / 1e9);
-        Surface& of = surfaces_[std::pair(alpha, inputs.hurst)];
+        Surface& surface = surfaces_[std::pair(alpha, inputs.hurst)];
         const auto band = [&] { return band_of_moments<double>({1, 0.5, alpha / 4}, inputs.hurst); };
         const BearingSlope<double>* const bearing = inputs.bearing;
         try {
             if (!bearing) {
-                if (!of.gaussian) of.gaussian = hybrid_of_band(band(), 1.0, gamma_);
-                return call(*of.gaussian);
+                if (!surface.gaussian) surface.gaussian = hybrid_of_band(band(), 1.0, gamma_);
+                return call(*surface.gaussian);
             }
-            auto found = of.scaled.find(bearing);
-            if (found == of.scaled.end())
-                found =
-                    of.scaled
-                        .emplace(bearing, of.scaled.empty() ? hybrid_of_band(band(), *bearing, 1.0, gamma_)
-                                                            : detail::with_bearing(of.scaled.begin()->second, *bearing))
-                        .first;
-            return call(found->second);
+            auto entry = surface.scaled.find(bearing);
+            if (entry == surface.scaled.end())
+                entry = surface.scaled
+                            .emplace(bearing, surface.scaled.empty()
+                                                  ? hybrid_of_band(band(), *bearing, 1.0, gamma_)
+                                                  : detail::with_bearing(surface.scaled.begin()->second, *bearing))
+                            .first;
+            return call(entry->second);
         } catch (const domain_error&) {
             return std::nullopt;
         }
@@ -172,7 +172,7 @@ FSTIFF_INLINE std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const
 
 FSTIFF_INLINE BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, double modulus,
                                                              double gamma) const {
-    return kept(made_, {index, edges, modulus, gamma}, [&] {
+    return kept(bearings_, {index, edges, modulus, gamma}, [&] {
         GaussianOrder<double> order = detail::gaussian_order(*maps_[index]);
         const PerssonContact<double> gaussian(map_spectrum(order.map, edges), modulus, gamma);
         return BearingContact<double>(gaussian, std::move(order.curve), order.rms_height);

@@ -34,16 +34,17 @@ FSTIFF_INLINE void require_between(std::string_view name, const Given& value, do
 inline constexpr auto given_parameters = std::span(face_parameters).subspan<1>();
 
 /// \throws domain_error where more than one of the numbers called \p names is given.
-FSTIFF_INLINE void require_one(const JointFace& of, std::span<const std::pair<const char*, Given JointFace::*>> names) {
-    const char* found = nullptr;
+FSTIFF_INLINE void require_one(const JointFace& spec,
+                               std::span<const std::pair<const char*, Given JointFace::*>> names) {
+    const char* first = nullptr;
     for (const auto& [name, value] : names)
-        if ((of.*value).has_value()) {
-            if (found) throw domain_error(std::string(name) + ": must not be given with " + found);
-            found = name;
+        if ((spec.*value).has_value()) {
+            if (first) throw domain_error(std::string(name) + ": must not be given with " + first);
+            first = name;
         }
 }
 
-FSTIFF_INLINE void require_numbers(const JointFace& of) {
+FSTIFF_INLINE void require_numbers(const JointFace& spec) {
     using Named = std::pair<const char*, Given JointFace::*>;
     constexpr Named heights[]{{"rms_height", &JointFace::rms_height}, {"mean_height", &JointFace::mean_height}};
     constexpr Named gradients[]{{"rms_gradient", &JointFace::rms_gradient},
@@ -51,55 +52,55 @@ FSTIFF_INLINE void require_numbers(const JointFace& of) {
                                 {"profile_spacing", &JointFace::profile_spacing}};
     constexpr Named lengths[]{{"max_peak_height", &JointFace::max_peak_height},
                               {"fractal_roughness", &JointFace::fractal_roughness}};
-    require_one(of, heights), require_one(of, gradients);
-    for (const std::span<const Named> some : {std::span<const Named>(heights), {gradients}, {lengths}})
-        for (const auto& [name, value] : some) require_between(name, of.*value, 0);
-    require_between("alpha", of.alpha, 1.5);
-    require_between("hurst", of.hurst, 0, 1);
-    require_between("fractal_dimension", of.fractal_dimension, 1, greatest_dimension);
-    for (const auto& [which, value, error] : given_parameters) {
-        const ParameterRow& row = detail::row_of(which);
-        if (of.*value && !detail::parameter_in_range(which, *(of.*value)))
-            detail::refuse(row.key, *(of.*value), row.range());
+    require_one(spec, heights), require_one(spec, gradients);
+    for (const std::span<const Named> group : {std::span<const Named>(heights), {gradients}, {lengths}})
+        for (const auto& [name, value] : group) require_between(name, spec.*value, 0);
+    require_between("alpha", spec.alpha, 1.5);
+    require_between("hurst", spec.hurst, 0, 1);
+    require_between("fractal_dimension", spec.fractal_dimension, 1, greatest_dimension);
+    for (const auto& [parameter, value, error] : given_parameters) {
+        const ParameterRow& row = detail::row_of(parameter);
+        if (spec.*value && !detail::parameter_in_range(parameter, *(spec.*value)))
+            detail::refuse(row.key, *(spec.*value), row.range());
     }
-    if (!of.measured && !of.rms_height && !of.mean_height)
+    if (!spec.measured && !spec.rms_height && !spec.mean_height)
         throw domain_error("rms_height: is missing; a face needs it, mean_height or a measured surface");
-    if (of.skewness.has_value() != of.kurtosis.has_value())
+    if (spec.skewness.has_value() != spec.kurtosis.has_value())
         throw domain_error("skewness: must be given with kurtosis, and kurtosis with it");
-    if (of.skewness && of.bearing) throw domain_error("bearing: must not be given with skewness");
+    if (spec.skewness && spec.bearing) throw domain_error("bearing: must not be given with skewness");
 }
 
 /// \throws domain_error for an error out of range, or of a number that is not there.
-FSTIFF_INLINE void require_errors(const JointFace& of, const Face& face) {
+FSTIFF_INLINE void require_errors(const JointFace& spec, const Face& face) {
     const auto check = [](std::string_view name, const Given& error, bool known) {
         if (!error) return;
         if (!known) throw domain_error("error of " + std::string(name) + ": needs the number");
         require(*error >= 0 && std::isfinite(*error), "error of " + std::string(name), *error,
                 "finite and not negative");
     };
-    check("the height", of.errors.height, true);
-    check("the gradient", of.errors.gradient,
-          of.rms_gradient || of.profile_gradient || of.profile_spacing || (of.measured && face.rms_gradient));
-    for (const auto& [which, value, error] : given_parameters)
-        check(detail::row_of(which).key, of.errors.*error,
-              (of.*value).has_value() || (of.measured && face.parameters.find(which)));
+    check("the height", spec.errors.height, true);
+    check("the gradient", spec.errors.gradient,
+          spec.rms_gradient || spec.profile_gradient || spec.profile_spacing || (spec.measured && face.rms_gradient));
+    for (const auto& [parameter, value, error] : given_parameters)
+        check(detail::row_of(parameter).key, spec.errors.*error,
+              (spec.*value).has_value() || (spec.measured && face.parameters.find(parameter)));
 }
 
 /// A gradient of the range \p range, which is from \p origin.
 FSTIFF_INLINE void take_gradient(const PriorRange& range, Origin origin, Face& face) {
-    face.write([&](Face& one) { one.rms_gradient = range.middle; });
+    face.write([&](Face& f) { f.rms_gradient = range.middle; });
     if (range.low < range.high) face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
 }
 
-/// The height and the gradient of \p of, and the errors that they are given.
-FSTIFF_INLINE void take_height_and_gradient(const JointFace& of, Face& face) {
+/// The height and the gradient of \p spec, and the errors that they are given.
+FSTIFF_INLINE void take_height_and_gradient(const JointFace& spec, Face& face) {
     const ProcessPrior& prior = detail::prior_of(face.process);
-    if (of.rms_height) face.write(Parameter::rms_height, *of.rms_height);
-    if (of.mean_height) {
+    if (spec.rms_height) face.write(Parameter::rms_height, *spec.rms_height);
+    if (spec.mean_height) {
         const PriorRange& ratio = prior.mean_over_rms;
-        face.write(Parameter::rms_height, *of.mean_height / ratio.middle);
-        face.priors.push_back(
-            {Unknown::height, *of.mean_height / ratio.high, *of.mean_height / ratio.low, Origin::mean_height, ratio});
+        face.write(Parameter::rms_height, *spec.mean_height / ratio.middle);
+        face.priors.push_back({Unknown::height, *spec.mean_height / ratio.high, *spec.mean_height / ratio.low,
+                               Origin::mean_height, ratio});
     }
     const PriorRange of_slope = detail::gradient_of_slope(prior);
     const auto times = [](const PriorRange& a, const PriorRange& b) {
@@ -110,80 +111,82 @@ FSTIFF_INLINE void take_height_and_gradient(const JointFace& of, Face& face) {
         return PriorRange{middle * std::exp(-side(&PriorRange::low)), middle,
                           middle * std::exp(side(&PriorRange::high))};
     };
-    if (of.rms_gradient) take_gradient({*of.rms_gradient, *of.rms_gradient, *of.rms_gradient}, Origin::slope, face);
-    if (const Given& slope = of.profile_gradient)
+    if (const Given& slope = spec.rms_gradient) take_gradient({*slope, *slope, *slope}, Origin::slope, face);
+    if (const Given& slope = spec.profile_gradient)
         take_gradient(times({*slope, *slope, *slope}, of_slope), Origin::slope, face);
-    if (of.profile_spacing)
-        take_gradient(times(detail::slope_of_spacing(face.parameters.rms_height.value, *of.profile_spacing), of_slope),
+    if (spec.profile_spacing)
+        take_gradient(times(slope_of_spacing(face.parameters.rms_height.value, *spec.profile_spacing), of_slope),
                       Origin::spacing, face);
 }
 
-/// The errors of \p of in place of those of \p face.
-FSTIFF_INLINE void take_errors(const JointFace& of, Face& face) {
-    require_errors(of, face);
-    for (const auto& [which, value, error] : given_parameters)
-        if (of.errors.*error) face.parameters.find(which)->error = *(of.errors.*error);
+/// The errors of \p spec in place of those of \p face.
+FSTIFF_INLINE void take_errors(const JointFace& spec, Face& face) {
+    require_errors(spec, face);
+    for (const auto& [parameter, value, error] : given_parameters)
+        if (spec.errors.*error) face.parameters.find(parameter)->error = *(spec.errors.*error);
     Measurement<double>& height = face.parameters.rms_height;
-    if (of.errors.height) height.error = *of.errors.height * (height.value / of.mean_height.value_or(height.value));
-    if (of.errors.gradient)
-        face.gradient_error = *of.errors.gradient * (*face.rms_gradient / (of.profile_gradient  ? *of.profile_gradient
-                                                                           : of.profile_spacing ? *of.profile_spacing
-                                                                                                : *face.rms_gradient));
+    if (spec.errors.height)
+        height.error = *spec.errors.height * (height.value / spec.mean_height.value_or(height.value));
+    if (spec.errors.gradient)
+        face.gradient_error =
+            *spec.errors.gradient * (*face.rms_gradient / (spec.profile_gradient  ? *spec.profile_gradient
+                                                           : spec.profile_spacing ? *spec.profile_spacing
+                                                                                  : *face.rms_gradient));
 }
 
-/// The shape of the heights of \p of: of a bearing curve that belongs to its height.
-FSTIFF_INLINE void take_shape(const JointFace& of, Face& face) {
-    if (of.skewness) {
-        const HeightShape<double> shape{*of.skewness, *of.kurtosis};
-        return face.write([&](Face& one) { one.set_shape(shape); });
+/// The shape of the heights of \p spec: of a bearing curve that belongs to its height.
+FSTIFF_INLINE void take_shape(const JointFace& spec, Face& face) {
+    if (spec.skewness) {
+        const HeightShape<double> shape{*spec.skewness, *spec.kurtosis};
+        return face.write([&](Face& f) { f.set_shape(shape); });
     }
-    if (!of.bearing) return;
+    if (!spec.bearing) return;
     const double rms_height = face.parameters.rms_height.value;
-    const auto [mean, variance, skewness, kurtosis] = detail::normal_moments(*of.bearing);
+    const auto [mean, variance, skewness, kurtosis] = detail::normal_moments(*spec.bearing);
     const double rms = std::sqrt(variance);
     if (!(rms > rms_height / 2 && rms < rms_height * 2))  // likely for a unit
         throw domain_error(Refusal{.parameter = "bearing",
                                    .reason = "belongs to an rms height of " + detail::rounded_text(rms, 3) +
                                              " m, and rms_height is " + detail::rounded_text(rms_height, 3) +
                                              " m; both must agree within a factor of 2"});
-    const auto of_rms = std::make_shared<const BearingSlope<double>>(of.bearing->scaled(1 / rms_height));
+    const auto of_rms = std::make_shared<const BearingSlope<double>>(spec.bearing->scaled(1 / rms_height));
     const HeightShape<double> shape = detail::counted_shape(skewness, kurtosis, 1.0);
-    face.write([&](Face& one) { one.shape = shape, one.bearing = of_rms; });
+    face.write([&](Face& f) { f.shape = shape, f.bearing = of_rms; });
 }
 
-FSTIFF_INLINE Face face_of(const JointFace& of) {
-    require_numbers(of);
+FSTIFF_INLINE Face face_of(const JointFace& spec) {
+    require_numbers(spec);
     Face face;
-    if (of.measured) face = face_of(of.measured);
-    face.process = of.process;
-    take_height_and_gradient(of, face);
+    if (spec.measured) face = face_of(spec.measured);
+    face.process = spec.process;
+    take_height_and_gradient(spec, face);
     const auto put = [&](const Given& value, Given Face::*into) {
-        if (value) face.write([&](Face& one) { one.*into = value; });
+        if (value) face.write([&](Face& f) { f.*into = value; });
     };
-    put(of.alpha, &Face::alpha), put(of.hurst, &Face::hurst);
-    const bool has_shape = of.skewness || of.bearing;
-    if (of.rms_height || of.mean_height || of.rms_gradient || of.profile_gradient || of.profile_spacing || of.alpha ||
-        of.hurst || of.peak_radius || of.peak_density || has_shape)
-        face.write([](Face& one) { one.spectrum_of_map = one.spectrum_of_map && !one.map; });
-    if (of.fractal_dimension) face.write([](Face& one) { one.parameters.dimension_window_error = 0; });
-    for (const auto& [which, value, error] : given_parameters)
-        if (of.*value) face.write(which, *(of.*value));
-    face.radius_follows = !of.measured && !of.peak_radius;
-    face.density_follows = !of.measured && !of.peak_density;
-    take_errors(of, face);
-    if (of.max_peak_height) face.write([&](Face& one) { one.parameters.max_peak_height = {*of.max_peak_height, 0}; });
-    if (of.fractal_roughness)
-        face.write([&](Face& one) { one.parameters.fractal_roughness = {*of.fractal_roughness, 0}; });
+    put(spec.alpha, &Face::alpha), put(spec.hurst, &Face::hurst);
+    const bool has_shape = spec.skewness || spec.bearing;
+    if (spec.rms_height || spec.mean_height || spec.rms_gradient || spec.profile_gradient || spec.profile_spacing ||
+        spec.alpha || spec.hurst || spec.peak_radius || spec.peak_density || has_shape)
+        face.write([](Face& f) { f.spectrum_of_map = f.spectrum_of_map && !f.map; });
+    if (spec.fractal_dimension) face.write([](Face& f) { f.parameters.dimension_window_error = 0; });
+    for (const auto& [parameter, value, error] : given_parameters)
+        if (spec.*value) face.write(parameter, *(spec.*value));
+    face.radius_follows = !spec.measured && !spec.peak_radius;
+    face.density_follows = !spec.measured && !spec.peak_density;
+    take_errors(spec, face);
+    if (spec.max_peak_height) face.write([&](Face& f) { f.parameters.max_peak_height = {*spec.max_peak_height, 0}; });
+    if (spec.fractal_roughness)
+        face.write([&](Face& f) { f.parameters.fractal_roughness = {*spec.fractal_roughness, 0}; });
     if (face.parameters.r.has_value() != face.parameters.theta.has_value())
         throw domain_error(Refusal{.parameter = face.parameters.r ? "theta" : "r",
                                    .reason = "is missing; r and theta belong together"});
-    take_shape(of, face);
+    take_shape(spec, face);
     fill_unknown(face, has_shape);
     for (const auto& [follows, name, value] :
          {std::tuple(face.radius_follows, "peak_radius", face.parameters.peak_radius.value),
           std::tuple(face.density_follows, "peak_density", face.parameters.peak_density.value)})
         if (follows && !(value > 0 && std::isfinite(value)))  // 0 counts as not known
-            throw domain_error(Refusal{.parameter = of.alpha ? "alpha" : "rms_height",
+            throw domain_error(Refusal{.parameter = spec.alpha ? "alpha" : "rms_height",
                                        .reason = "makes, with rms_height and rms_gradient, " + std::string(name) +
                                                  " = " + detail::rounded_text(value, 6) +
                                                  ", which must be finite and greater than 0"});
@@ -204,16 +207,15 @@ FSTIFF_INLINE void require_surroundings(const Joint& joint) {
         require_between("frequency", joint.waves->frequency, 0);
         for (const auto& media : {std::optional(joint.waves->longitudinal), joint.waves->shear})
             if (media)
-                for (const double one : {media->incident, media->beyond}) require_between("impedance", one, 0);
+                for (const double f : {media->incident, media->beyond}) require_between("impedance", f, 0);
     }
     require_between("thermal", joint.conduction.thermal, 0);
     require_between("electrical", joint.conduction.electrical, 0);
     if (const auto& gap = joint.conduction.gap)
-        for (const double one : {gap->conductivity, gap->temperature_jump})
-            require(one >= 0 && std::isfinite(one), "gap", one, "finite and not negative");
-    for (const double one :
-         {joint.conduction.radiation, joint.conduction.thermal_film, joint.conduction.electrical_film})
-        require(one >= 0 && std::isfinite(one), "conduction", one, "finite and not negative");
+        for (const double f : {gap->conductivity, gap->temperature_jump})
+            require(f >= 0 && std::isfinite(f), "gap", f, "finite and not negative");
+    for (const double f : {joint.conduction.radiation, joint.conduction.thermal_film, joint.conduction.electrical_film})
+        require(f >= 0 && std::isfinite(f), "conduction", f, "finite and not negative");
     if (!joint.friction) return;
     require_between("coefficient", joint.friction->coefficient, 0, 10);
     require_between("amplitude", joint.friction->amplitude, 0);

@@ -36,10 +36,10 @@ struct ElementPoint {
 /// than a few points of the grid touch, and at pressures beyond the states of \p base.
 FSTIFF_INLINE std::vector<ElementPoint> element_points(const Problem& problem, const Request& request,
                                                        const LawCurve& base, double hardness) {
-    std::vector<ElementPoint> all;
+    std::vector<ElementPoint> points;
     if (!request.solves_map || !is_map(problem.face) ||
         lack_of(find_law(LawName::boundary_elements), problem, request.at_separations) != Lack::nothing)
-        return all;
+        return points;
     const HeightMap<double>& map = *problem.face.map->maps.front();
     const double coarser =
         (std::min)(1.0, problem.law_options.points / static_cast<double>((std::max)(map.rows(), map.columns())));
@@ -47,29 +47,28 @@ FSTIFF_INLINE std::vector<ElementPoint> element_points(const Problem& problem, c
     for (std::size_t i = 0; i < base.states.size(); ++i) {
         const double touching = base.states[i].real_area_fraction.value * size;
         const double weight = touching > 0 ? detail::weight_of_elements(touching) : 1;
-        if (weight > 0) all.push_back({base.places[i], std::log(base.states[i].pressure.value), weight});
+        if (weight > 0) points.push_back({base.places[i], std::log(base.states[i].pressure.value), weight});
     }
     for (const MissedPoint& missed : base.missed)
         if (const double p = request.points[missed.place];
             !request.at_separations && missed.why == Miss::closed && !(hardness > 0 && p >= hardness))
-            all.push_back({missed.place, std::log(p), 1});
-    std::stable_sort(all.begin(), all.end(), [](const ElementPoint& one, const ElementPoint& other) {
-        return one.log_pressure < other.log_pressure;
-    });
-    return all;
+            points.push_back({missed.place, std::log(p), 1});
+    std::stable_sort(points.begin(), points.end(),
+                     [](const ElementPoint& a, const ElementPoint& b) { return a.log_pressure < b.log_pressure; });
+    return points;
 }
 
-/// \p all, or so many of them, at equal steps of ln p, that a curve goes through the others.
-FSTIFF_INLINE std::vector<ElementPoint> solved_points(const std::vector<ElementPoint>& all) {
+/// \p points, or so many of them, at equal steps of ln p, that a curve goes through the others.
+FSTIFF_INLINE std::vector<ElementPoint> solved_points(const std::vector<ElementPoint>& points) {
     constexpr std::size_t most = 60, few = 24;
-    if (all.size() <= most) return all;
-    std::vector<ElementPoint> some;
-    const double first = all.front().log_pressure, step = (all.back().log_pressure - first) / (few - 1);
-    for (const ElementPoint& one : all)
-        if (some.empty() || one.place == all.back().place ||
-            one.log_pressure >= first + (static_cast<double>(some.size()) - 0.5) * step)
-            some.push_back(one);
-    return some;
+    if (points.size() <= most) return points;
+    std::vector<ElementPoint> nodes;
+    const double first = points.front().log_pressure, step = (points.back().log_pressure - first) / (few - 1);
+    for (const ElementPoint& point : points)
+        if (nodes.empty() || point.place == points.back().place ||
+            point.log_pressure >= first + (static_cast<double>(nodes.size()) - 0.5) * step)
+            nodes.push_back(point);
+    return nodes;
 }
 
 /// \p solved of \p nodes at each of \p points between them: ln K, ln of the area, d by cubics over ln p.
@@ -77,34 +76,34 @@ FSTIFF_INLINE void interpolate(const std::vector<ElementPoint>& nodes, const std
                                LawCurve& solved) {
     using State = ContactState<double>;
     const auto through = [&](const auto& value_of) {
-        std::vector<std::pair<double, double>> all;
+        std::vector<std::pair<double, double>> pairs;
         for (std::size_t i = 0; i < nodes.size(); ++i)
-            all.push_back({nodes[i].log_pressure, value_of(solved.states[i])});
-        return RisingCurve(std::move(all));
+            pairs.push_back({nodes[i].log_pressure, value_of(solved.states[i])});
+        return RisingCurve(std::move(pairs));
     };
     constexpr double least = (std::numeric_limits<double>::min)();
-    const auto log_through = [&](Estimate<double> State::*which) {
-        return through([&](const State& state) { return std::log((std::max)((state.*which).value, least)); });
+    const auto log_through = [&](Estimate<double> State::*member) {
+        return through([&](const State& state) { return std::log((std::max)((state.*member).value, least)); });
     };
     const RisingCurve K = log_through(&State::stiffness), area = log_through(&State::real_area_fraction),
                       loading = log_through(&State::loading_stiffness),
-                      error = through([](const State&one) { return one.stiffness.error / one.stiffness.value; }),
-                      gap = through([](const State&one) { return one.separation.value; });
-    LawCurve all{.law = solved.law, .missed = std::move(solved.missed), .seated = std::move(solved.seated)};
+                      error = through([](const State&state) { return state.stiffness.error / state.stiffness.value; }),
+                      gap = through([](const State&state) { return state.separation.value; });
+    LawCurve curve{.law = solved.law, .missed = std::move(solved.missed), .seated = std::move(solved.seated)};
     for (const ElementPoint& point : points) {
         const double x = point.log_pressure;
         if (x < nodes.front().log_pressure || x > nodes.back().log_pressure) continue;
-        State& state = all.states.emplace_back();
+        State& state = curve.states.emplace_back();
         state.pressure.value = std::exp(x);
         state.separation.value = gap.at(x);
         state.stiffness = {std::exp(K.at(x)), 0};
         state.stiffness.error = error.at(x) * state.stiffness.value;
         state.real_area_fraction.value = std::exp(area.at(x));
         state.loading_stiffness.value = (std::min)(std::exp(loading.at(x)), state.stiffness.value);
-        all.places.push_back(point.place);
+        curve.places.push_back(point.place);
     }
-    if (!all.seated.empty()) all.seated.resize(all.states.size(), all.seated.front());
-    solved = std::move(all);
+    if (!curve.seated.empty()) curve.seated.resize(curve.states.size(), curve.seated.front());
+    solved = std::move(curve);
 }
 
 /// K of boundary elements at \p points of \p request, in the order of their pressures; `missed` has those that the
@@ -115,27 +114,27 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
     LawCurve curve{.law = &law};
     if (points.empty()) return curve;
     std::vector<ElementPoint> nodes = solved_points(points);
-    const bool all = nodes.size() == points.size();
-    Request of{.at_separations = request.at_separations, .seating = request.seating, .parallel = request.parallel};
-    for (const ElementPoint& node : nodes) of.points.push_back(request.points[node.place]);
+    const bool complete = nodes.size() == points.size();
+    Request sparse{.at_separations = request.at_separations, .seating = request.seating, .parallel = request.parallel};
+    for (const ElementPoint& node : nodes) sparse.points.push_back(request.points[node.place]);
     Problem flowing = problem;
     flowing.law_options.hardness = hardness;
     std::vector<ElementPoint> reached;
-    for_each_contact(flowing, {&law}, {}, [&](const ContactOfLaw& one) {
-        const auto made = one.make();
-        const auto found = points_of(of, law, *made, Quantity::all, progress);
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            const ContactState<double>& state = found[i].state;
-            if (!found[i].ok()) {
-                curve.missed.push_back({nodes[i].place, Miss::law, found[i].reason});
+    for_each_contact(flowing, {&law}, {}, [&](const ContactOfLaw& recipe) {
+        const auto contact = recipe.make();
+        const auto solved = points_of(sparse, law, *contact, Quantity::all, progress);
+        for (std::size_t i = 0; i < solved.size(); ++i) {
+            const ContactState<double>& state = solved[i].state;
+            if (!solved[i].ok()) {
+                curve.missed.push_back({nodes[i].place, Miss::law, solved[i].reason});
             } else if (is_carried(state.pressure.value, state.real_area_fraction.value, hardness)) {
                 curve.states.push_back(state), curve.places.push_back(nodes[i].place);
                 reached.push_back(nodes[i]);
             }
         }
-        if (request.approach) seat(of, *made, curve);
+        if (request.approach) seat(sparse, *contact, curve);
     });
-    if (!all && reached.size() > 1) interpolate(reached, points, curve);
+    if (!complete && reached.size() > 1) interpolate(reached, points, curve);
     return curve;
 }
 
@@ -151,32 +150,32 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
         places.push_back(count <= most ? k : k * (count - 1) / (most - 1));
         pressures.push_back(solved.states[places.back()].pressure.value);
     }
-    const LawOptions& of = problem.law_options;
-    const TruthOptions<double> how{of.points, of.edges, hardness, false, parallel ? ProgressHook() : progress};
-    std::vector<TruthPoint<double>> found(pressures.size());
+    const TruthOptions<double> settings{problem.law_options.points, problem.law_options.edges, hardness, false,
+                                        parallel ? ProgressHook() : progress};
+    std::vector<TruthPoint<double>> truths(pressures.size());
     if (parallel)
-        detail::run_pieces(parallel, found.size(), [&](std::size_t k) {
-            found[k] = truth(map, problem.effective_modulus, std::span(&pressures[k], 1), how).front();
+        detail::run_pieces(parallel, truths.size(), [&](std::size_t k) {
+            truths[k] = truth(map, problem.effective_modulus, std::span(&pressures[k], 1), settings).front();
         });
     else
-        found = truth(map, problem.effective_modulus, pressures, how);
-    std::vector<double> all(count);
+        truths = truth(map, problem.effective_modulus, pressures, settings);
+    std::vector<double> out(count);
     for (std::size_t k = 0; k < places.size(); ++k) {
-        const double change = std::log(found[k].state.stiffness / solved.states[places[k]].stiffness.value);
-        const bool carried = is_carried(pressures[k], found[k].state.contact_fraction, hardness);
-        all[places[k]] = carried && std::isfinite(change) ? change : 0;
+        const double change = std::log(truths[k].state.stiffness / solved.states[places[k]].stiffness.value);
+        const bool carried = is_carried(pressures[k], truths[k].state.contact_fraction, hardness);
+        out[places[k]] = carried && std::isfinite(change) ? change : 0;
         for (std::size_t i = k > 0 ? places[k - 1] + 1 : places[k]; i < places[k]; ++i) {
             const double p = solved.states[i].pressure.value, from = pressures[k - 1];
-            all[i] = std::lerp(all[places[k - 1]], all[places[k]], std::log(p / from) / std::log(pressures[k] / from));
+            out[i] = std::lerp(out[places[k - 1]], out[places[k]], std::log(p / from) / std::log(pressures[k] / from));
         }
     }
-    return all;
+    return out;
 }
 
 FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
     if (!is_map(face) || !face.filtered || !face.map->spectra) return 0;
     const HeightMap<double>& map = *face.map->maps.front();
-    return detail::white_noise(face.map->spectra->of(edges), map.dx, map.dy);
+    return detail::white_noise(face.map->spectra->shells(edges), map.dx, map.dy);
 }
 
 /// Change of ln K at each state of \p solved once the noise of the map is gone: that of the lambda_s of the tables, as
@@ -186,17 +185,17 @@ FSTIFF_INLINE std::vector<double> without_noise(const Problem& problem, const La
     const Face& face = problem.face;
     const Edges edges = problem.law_options.edges;
     const double noise = solved.states.empty() ? 0 : noise_of(face, edges);
-    std::vector<double> all(solved.states.size());
-    if (!(noise > 0)) return all;
+    std::vector<double> result(solved.states.size());
+    if (!(noise > 0)) return result;
     const HeightMap<double>& map = *face.map->maps.front();
-    const double whole = face.map->spectra->of(edges).rms_gradient(),
+    const double gradient = face.map->spectra->shells(edges).rms_gradient(),
                  kept = map_spectrum(*face.filtered, edges).rms_gradient(),
                  of_noise = detail::gradient_of_noise(noise, map.dx, map.dy),
-                 share = (std::min)(1.0, of_noise * of_noise / ((whole - kept) * (whole + kept)));
-    if (!(share > 0.01)) return all;
-    all = changes(problem, *face.filtered, solved, hardness, parallel, progress);
-    for (double& one : all) one = share * (std::max)(0.0, one);
-    return all;
+                 share = (std::min)(1.0, of_noise * of_noise / ((gradient - kept) * (gradient + kept)));
+    if (!(share > 0.01)) return result;
+    result = changes(problem, *face.filtered, solved, hardness, parallel, progress);
+    for (double& change : result) change = share * (std::max)(0.0, change);
+    return result;
 }
 
 /// Changes of K of \p solved that the filter of a lambda_s that was given, and the removed plane may have caused: the
@@ -205,16 +204,16 @@ FSTIFF_INLINE std::vector<double> without_noise(const Problem& problem, const La
 FSTIFF_INLINE std::vector<CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
                                                            double hardness, const ParallelHook& parallel,
                                                            const ProgressHook& progress) {
-    std::vector<CauseSpread<double>> all(solved.states.size());
+    std::vector<CauseSpread<double>> causes(solved.states.size());
     const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
         const std::vector<double> of_map = changes(problem, map, solved, hardness, parallel, progress);
-        for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t i = 0; i < causes.size(); ++i) {
             const double change = factor * of_map[i];
-            all[i].low = -std::hypot(all[i].low, both_ways ? change : (std::min)(0.0, change));
-            all[i].high = std::hypot(all[i].high, both_ways ? change : (std::max)(0.0, change));
+            causes[i].low = -std::hypot(causes[i].low, both_ways ? change : (std::min)(0.0, change));
+            causes[i].high = std::hypot(causes[i].high, both_ways ? change : (std::max)(0.0, change));
         }
     };
-    if (all.empty() || !problem.face.measured || !problem.face.measured->map) return all;
+    if (causes.empty() || !problem.face.measured || !problem.face.measured->map) return causes;
     for (const Face& other : problem.face.neighbours)
         if (const double ratio = other.lambda_s.value_or(0) / problem.face.lambda_s.value_or(0);
             ratio < 1 && !problem.face.filtered && other.map)
@@ -222,13 +221,13 @@ FSTIFF_INLINE std::vector<CauseSpread<double>> of_cut_offs(const Problem& proble
     const PreparedMap<double>& flat = *problem.face.measured->map;
     const auto [x, y] = flat.tilt;
     const double tilted = std::hypot(x, y) / std::sqrt(12.0) / problem.face.parameters.rms_height.value;
-    if (flat.removed != MapForm::plane || !(tilted > 0)) return all;
+    if (flat.removed != MapForm::plane || !(tilted > 0)) return causes;
     const double share = (std::min)(1.0, problem.face.parameters.long_end.form_share / tilted);
     HeightMap<double> map = *problem.face.map->maps.front();
     map.heights.rowwise() += share * Eigen::ArrayXd::LinSpaced(map.columns(), -x / 2, x / 2).transpose();
     map.heights.colwise() += share * Eigen::ArrayXd::LinSpaced(map.rows(), -y / 2, y / 2);
     widen(map, 1, share < 0.99);
-    return all;
+    return causes;
 }
 
 /// Boundary elements at one point of a request.
@@ -243,15 +242,15 @@ struct Solved {
 /// Gives \p curve the states of \p of_place at points that its law does not reach.
 FSTIFF_INLINE void reach_further(const std::vector<Solved>& of_place, LawCurve& curve) {
     std::vector<MissedPoint> missed;
-    for (MissedPoint& one : curve.missed) {
-        const Solved& solved = of_place[one.place];
+    for (MissedPoint& miss : curve.missed) {
+        const Solved& solved = of_place[miss.place];
         if (!(solved.weight > 0)) {
-            missed.push_back(std::move(one));
+            missed.push_back(std::move(miss));
             continue;
         }
-        const auto at = std::lower_bound(curve.places.begin(), curve.places.end(), one.place) - curve.places.begin();
+        const auto i = std::lower_bound(curve.places.begin(), curve.places.end(), miss.place) - curve.places.begin();
         const auto insert = [&](auto& into, const auto& value, bool known) {
-            if (known) into.insert(into.begin() + at, value);
+            if (known) into.insert(into.begin() + i, value);
         };
         const double K = solved.state.stiffness.value;
         insert(curve.band, SampledBand<double>{K, K, K}, !curve.band.empty());
@@ -259,7 +258,7 @@ FSTIFF_INLINE void reach_further(const std::vector<Solved>& of_place, LawCurve& 
         insert(curve.growth, 0.0, !curve.growth.empty());
         insert(curve.seated, solved.seated.value_or(0), solved.seated && curve.seated.size() == curve.states.size());
         insert(curve.states, solved.state, true);
-        insert(curve.places, one.place, true);
+        insert(curve.places, miss.place, true);
     }
     curve.missed = std::move(missed);
 }
@@ -273,21 +272,21 @@ FSTIFF_INLINE std::vector<Solved> boundary_elements_of(const Problem& problem, c
     const LawCurve elements = solved(problem, request, points, hardness, progress);
     const auto cut_offs = of_cut_offs(problem, elements, hardness, request.parallel, progress);
     const auto quiet = without_noise(problem, elements, hardness, request.parallel, progress);
-    std::vector<Solved> all(request.points.size());
-    for (const ElementPoint& point : points) all[point.place].weight = point.weight;
-    std::vector<char> known(all.size(), 0);
+    std::vector<Solved> solved(request.points.size());
+    for (const ElementPoint& point : points) solved[point.place].weight = point.weight;
+    std::vector<char> known(solved.size(), 0);
     for (std::size_t k = 0; k < elements.states.size(); ++k) {
-        Solved& one = all[elements.places[k]];
+        Solved& entry = solved[elements.places[k]];
         known[elements.places[k]] = 1;
-        one.state = elements.states[k], one.cut_offs = cut_offs[k], one.noise = quiet[k];
-        if (!elements.seated.empty()) one.seated = elements.seated[k];
+        entry.state = elements.states[k], entry.cut_offs = cut_offs[k], entry.noise = quiet[k];
+        if (!elements.seated.empty()) entry.seated = elements.seated[k];
     }
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].weight *= known[i];
+    for (std::size_t i = 0; i < solved.size(); ++i) solved[i].weight *= known[i];
     for (MissedPoint& missed : curve.missed)
         for (const MissedPoint& other : elements.missed)
             if (other.place == missed.place) missed = other;
-    reach_further(all, curve);
-    return all;
+    reach_further(solved, curve);
+    return solved;
 }
 
 }  // namespace fstiff::inline v0_1::detail

@@ -111,11 +111,11 @@ inline constexpr double vickers_pressure = 9.80665e6 / 0.9271838545667874;
 /// Range of the lesser of two independent numbers with the ranges \p a and \p b; the logarithm of each is normal below
 /// and above its middle. A range whose three numbers are equal is a number.
 [[nodiscard]] inline PriorRange softer(const PriorRange& a, const PriorRange& b) {
-    const auto below = [](const PriorRange& one, double x) {  // share of the numbers below x
-        const double end = x < one.middle ? one.low : one.high;
-        return end == one.middle ? (x < one.middle ? 0.0 : 1.0)
-                                 : math::normal_share(math::normal_95<double>.value * std::log(x / one.middle) /
-                                                      std::abs(std::log(end / one.middle)));
+    const auto below = [](const PriorRange& range, double x) {  // share of the numbers below x
+        const double end = x < range.middle ? range.low : range.high;
+        return end == range.middle ? (x < range.middle ? 0.0 : 1.0)
+                                   : math::normal_share(math::normal_95<double>.value * std::log(x / range.middle) /
+                                                        std::abs(std::log(end / range.middle)));
     };
     const auto quantile = [&](double share) {
         double low = std::log((std::min)(a.low, b.low)) - 2, high = std::log((std::min)(a.high, b.high)) + 1e-9;
@@ -125,9 +125,9 @@ inline constexpr double vickers_pressure = 9.80665e6 / 0.9271838545667874;
         }
         return std::exp(high);
     };
-    const auto is_number = [](const PriorRange& one) { return one.low == one.high; };
-    const auto least = [](const PriorRange& one, double x) {
-        return PriorRange{(std::min)(one.low, x), (std::min)(one.middle, x), (std::min)(one.high, x)};
+    const auto is_number = [](const PriorRange& range) { return range.low == range.high; };
+    const auto least = [](const PriorRange& range, double x) {
+        return PriorRange{(std::min)(range.low, x), (std::min)(range.middle, x), (std::min)(range.high, x)};
     };
     if (is_number(a)) return least(b, a.low);
     if (is_number(b)) return least(a, b.low);

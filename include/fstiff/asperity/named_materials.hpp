@@ -142,11 +142,11 @@ inline constexpr std::array<NamedMaterial, 44> named_materials{
     }
 }
 
-/// Whether \p test holds of the name of \p one, or of another name that it has.
+/// Whether \p test holds for the name of \p material or for another of its names.
 template <class Test>
-[[nodiscard]] constexpr bool any_name(const NamedMaterial& one, const Test& test) {
-    if (test(one.name)) return true;
-    for (std::string_view rest = one.other_names; rest.size() > 1;) {
+[[nodiscard]] constexpr bool any_name(const NamedMaterial& material, const Test& test) {
+    if (test(material.name)) return true;
+    for (std::string_view rest = material.other_names; rest.size() > 1;) {
         rest.remove_prefix(1);
         const std::size_t end = rest.find(' ');
         if (test(rest.substr(0, end))) return true;
@@ -161,9 +161,9 @@ namespace fstiff::inline v0_1 {
 
 /// The row of \p name, or nullptr.
 [[nodiscard]] constexpr const NamedMaterial* find_material(std::string_view name) {
-    for (const NamedMaterial& one : detail::named_materials)
-        if (detail::any_name(one, [&](std::string_view other) { return detail::is_same_name(name, other); }))
-            return &one;
+    for (const NamedMaterial& material : detail::named_materials)
+        if (detail::any_name(material, [&](std::string_view other) { return detail::is_same_name(name, other); }))
+            return &material;
     return nullptr;
 }
 
@@ -173,15 +173,15 @@ namespace fstiff::inline v0_1::detail {
 
 /// Materials with a name that \p name or one of its words is, begins, or begins with.
 [[nodiscard]] inline std::vector<std::string_view> near_materials(std::string_view name) {
-    std::vector<std::string_view> found;
+    std::vector<std::string_view> names;
     const auto consider = [&](std::string_view word) {
         const auto is_near = [&](std::string_view other) {
             const std::size_t least = (std::min)(word.size(), other.size());
             return least > 2 && is_same_name(word.substr(0, least), other.substr(0, least));
         };
-        for (const NamedMaterial& one : named_materials)
-            if (any_name(one, is_near) && std::find(found.begin(), found.end(), one.name) == found.end())
-                found.push_back(one.name);
+        for (const NamedMaterial& material : named_materials)
+            if (any_name(material, is_near) && std::find(names.begin(), names.end(), material.name) == names.end())
+                names.push_back(material.name);
     };
     consider(name);
     while (!name.empty()) {
@@ -189,7 +189,7 @@ namespace fstiff::inline v0_1::detail {
         consider(name.substr(0, end + (end + 1 == name.size() ? 1 : 0)));
         name.remove_prefix(end + 1);
     }
-    return found;
+    return names;
 }
 
 }  // namespace fstiff::inline v0_1::detail

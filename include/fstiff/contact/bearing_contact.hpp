@@ -32,14 +32,14 @@ namespace fstiff::inline v0_1::detail {
 template <Real T>
 class PerssonSeparation {
 public:
-    PerssonSeparation(const PerssonContact<T>& of, T rms_height, T furthest)
-        : last_(std::log(2 * of.effective_modulus() * of.rms_gradient())) {
+    PerssonSeparation(const PerssonContact<T>& contact, T rms_height, T furthest)
+        : last_(std::log(2 * contact.effective_modulus() * contact.rms_gradient())) {
         const auto& rule = math::GaussLegendre<T, 4>::get();
         const auto rise = [&](T places) {  // the slope of d times width
             const T p = std::exp(last_ - width * places);
-            return width * p / of.stiffness(p) / rms_height;
+            return width * p / contact.stiffness(p) / rms_height;
         };
-        T d = of.separation(std::exp(last_)).value / rms_height;
+        T d = contact.separation(std::exp(last_)).value / rms_height;
         for (std::size_t k = 0;; ++k) {
             if (k == knots_.size()) knots_.push_back({T(0), rise(T(k))});
             knots_[k].d = d;
@@ -137,8 +137,8 @@ public:
         const T rho = local_scale(pressure), apart = T(1) / 64;
         const T change =
             std::log(local_scale(pressure * (1 + apart)) / local_scale(pressure * (1 - apart))) / (2 * apart);
-        const detail::PerssonStiffness<T> at = gaussian_.stiffness_and_slope(pressure / rho);
-        return {at.stiffness, at.slope * (1 - change) / rho};
+        const detail::PerssonStiffness<T> unscaled = gaussian_.stiffness_and_slope(pressure / rho);
+        return {unscaled.stiffness, unscaled.slope * (1 - change) / rho};
     }
 
     /// rho under \p pressure [Pa]: at p/rho the Gaussian surface is in the same state.
@@ -163,22 +163,23 @@ public:
     }
 
     /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as stiffness.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        if (is_plain()) return gaussian_.at_pressure(pressure, wanted);
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        if (is_plain()) return gaussian_.at_pressure(pressure, quantities);
         ContactState<T> state =
-            gaussian_.at_pressure(pressure / local_scale(pressure), detail::without(wanted, Quantity::separation));
+            gaussian_.at_pressure(pressure / local_scale(pressure), detail::without(quantities, Quantity::separation));
         for (Estimate<T>* e : {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction})
             e->error += 3 * scale_tolerance * e->value;
         state.pressure = {pressure, 0, 0};
-        state.separation = detail::has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        state.separation = detail::has(quantities, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height_;
         return state;
     }
 
     /// The contact at the separation \p separation [m] of the mean planes.
     /// \throws domain_error unless it is positive and its pressure within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return is_plain() ? gaussian_.at_separation(separation, wanted) : this->state_at_separation(separation, wanted);
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return is_plain() ? gaussian_.at_separation(separation, quantities)
+                          : this->state_at_separation(separation, quantities);
     }
 
     /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of
@@ -190,12 +191,12 @@ public:
             return {rho * gaussian_.separation(pressure / rho).value, error_of_separation * rms_height_, 0};
         T d = rho * gaussian_.separation(full / rho).value;
         const T from = std::log(pressure), to = std::log(full);
-        const auto whole = static_cast<int>((to - from) * 4);  // at the same places for every pressure
-        for (int i = 1; i <= whole; ++i)
+        const auto count = static_cast<int>((to - from) * 4);  // at the same places for every pressure
+        for (int i = 1; i <= count; ++i)
             d += panels_.at(static_cast<std::size_t>(i - 1),
                             [&] { return this->template fall_of_separation<4>(to - T(i) / 4, T(1) / 4); });
-        d += this->template fall_of_separation<4>(from, to - T(whole) / 4 - from);
-        return {d, error_of_separation * (d + rms_height_), 4 * (whole + 1)};
+        d += this->template fall_of_separation<4>(from, to - T(count) / 4 - from);
+        return {d, error_of_separation * (d + rms_height_), 4 * (count + 1)};
     }
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
@@ -253,33 +254,33 @@ private:
     detail::Panels<T> panels_{0};             ///< of the separation
 };
 
-/// \p Of is the contact of the Gaussian surface: HybridContact of its peaks and its spectrum.
-template <Real T, Contact<T> Of>
-class ScaledContact : public detail::SlopeContact<ScaledContact<T, Of>, T> {
+/// \p C is the contact of the Gaussian surface: HybridContact of its peaks and its spectrum.
+template <Real T, Contact<T> C>
+class ScaledContact : public detail::SlopeContact<ScaledContact<T, C>, T> {
 public:
-    ScaledContact(Of of, BearingContact<T> bearing) : of_(std::move(of)), bearing_(std::move(bearing)) {}
+    ScaledContact(C g, BearingContact<T> bearing) : gaussian_(std::move(g)), bearing_(std::move(bearing)) {}
 
-    /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as \p Of at p/rho.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        ContactState<T> state =
-            of_.at_pressure(pressure / bearing_.local_scale(pressure), detail::without(wanted, Quantity::separation));
+    /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as \p C at p/rho.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        ContactState<T> state = gaussian_.at_pressure(pressure / bearing_.local_scale(pressure),
+                                                      detail::without(quantities, Quantity::separation));
         state.pressure = {pressure, 0, 0};
-        state.separation = detail::has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        state.separation = detail::has(quantities, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height();
         return state;
     }
     /// The contact at the separation \p separation [m] of the mean planes.
     /// \throws domain_error unless it is positive and its pressure within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return this->state_at_separation(separation, wanted);
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return this->state_at_separation(separation, quantities);
     }
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
     [[nodiscard]] T stiffness(T pressure) const {
         const T scaled = pressure / bearing_.local_scale(pressure);
-        if constexpr (requires { of_.stiffness(scaled); })  // beyond what was compared too
-            return of_.stiffness(scaled);
+        if constexpr (requires { gaussian_.stiffness(scaled); })  // beyond what was compared too
+            return gaussian_.stiffness(scaled);
         else
-            return of_.at_pressure(scaled, Quantity::stiffness).stiffness.value;
+            return gaussian_.at_pressure(scaled, Quantity::stiffness).stiffness.value;
     }
     /// Separation [m] of the mean planes; 0 from the full pressure on. \throws domain_error as at_pressure.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
@@ -287,12 +288,12 @@ public:
         const T to = std::log(full_pressure()), from = std::log(pressure);
         const T error = T(1e-4) * rms_height();
         if (from >= to) return {T(0), error, 0};
-        const auto whole = static_cast<int>((to - from) * 2);  // at the same places for every pressure
-        T d = this->template fall_of_separation<8>(from, to - T(whole) / 2 - from);
-        for (int i = 1; i <= whole; ++i)
+        const auto count = static_cast<int>((to - from) * 2);  // at the same places for every pressure
+        T d = this->template fall_of_separation<8>(from, to - T(count) / 2 - from);
+        for (int i = 1; i <= count; ++i)
             d += panels_.at(static_cast<std::size_t>(i - 1),
                             [&] { return this->template fall_of_separation<8>(to - T(i) / 2, T(1) / 2); });
-        return {d, error, 8 * (whole + 1)};
+        return {d, error, 8 * (count + 1)};
     }
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
     /// \throws domain_error unless 0 < eta and its pressure is within reach.
@@ -306,17 +307,17 @@ public:
 
     [[nodiscard]] T full_pressure() const { return bearing_.full_pressure(); }
     [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
-    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(of_) || bearing_.has_kinks(); }
-    [[nodiscard]] const Of& gaussian() const { return of_; }
+    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(gaussian_) || bearing_.has_kinks(); }
+    [[nodiscard]] const C& gaussian() const { return gaussian_; }
     [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
 
 private:
-    Of of_;
+    C gaussian_;
     BearingContact<T> bearing_;
     detail::Panels<T> panels_{80};  ///< of the separation, of half an e-fold
 };
 
-template <class Of, class Bearing>
-ScaledContact(Of, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<Of>().rms_height())>, Of>;
+template <class C, class Bearing>
+ScaledContact(C, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<C>().rms_height())>, C>;
 
 }  // namespace fstiff::inline v0_1

@@ -79,48 +79,48 @@ public:
         };
         const T most = options_.hardness > T(0) ? std::log(options_.hardness) - T(1e-6) : std::log(T(1e3) * modulus_);
         const T guess = std::log(modulus_ * rms_height_ / std::sqrt(area_)) - 3 * separation / rms_height_;
-        const auto found = math::newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
-        if (!found.converged())
+        const auto solution = math::newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
+        if (!solution.converged())
             return ContactPoint<T>::out_of_reach("separation = " + detail::shortest_text(separation) +
                                                  ": must be that of some pressure (m)");
-        return point_at_pressure(std::exp(found.root));
+        return point_at_pressure(std::exp(solution.root));
     }
     /// \throws domain_error where there is no point.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return detail::state_or_throw(point_at_pressure(pressure, wanted));
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        return detail::state_or_throw(point_at_pressure(pressure, quantities));
     }
     /// \throws domain_error where there is no point.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return detail::state_or_throw(point_at_separation(separation, wanted));
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return detail::state_or_throw(point_at_separation(separation, quantities));
     }
     [[nodiscard]] T rms_height() const { return rms_height_; }  ///< of the map before it is made coarser [m]
 
 private:
     [[nodiscard]] ContactState<T> state_of(const TruthPoint<T>& solved) const {
-        const BoundaryElementState<T>& found = solved.state;
+        const BoundaryElementState<T>& elements = solved.state;
         ContactState<T> state;
-        state.pressure = {found.pressure, 0, 0};
-        state.separation = {found.mean_gap, solved.gap_error, found.iterations};
-        state.eta = found.mean_gap / rms_height_;
-        state.stiffness = {found.stiffness, solved.stiffness_error, found.iterations};
-        state.loading_stiffness = {loading_stiffness_of(found), solved.stiffness_error, found.iterations};
-        state.real_area_fraction = {found.contact_fraction, 0, 0};
-        state.contact_density = {static_cast<T>(found.spots) / area_, 0, 0};
+        state.pressure = {elements.pressure, 0, 0};
+        state.separation = {elements.mean_gap, solved.gap_error, elements.iterations};
+        state.eta = elements.mean_gap / rms_height_;
+        state.stiffness = {elements.stiffness, solved.stiffness_error, elements.iterations};
+        state.loading_stiffness = {loading_stiffness_of(elements), solved.stiffness_error, elements.iterations};
+        state.real_area_fraction = {elements.contact_fraction, 0, 0};
+        state.contact_density = {static_cast<T>(elements.spots) / area_, 0, 0};
         return state;
     }
 
     /// -dp/dd: of few points below H, which come and go one by one, over 3 % of the pressure to either side.
-    [[nodiscard]] T loading_stiffness_of(const BoundaryElementState<T>& at) const {
-        const T few = (std::max)(T(200), T(0.03) * at.contact_fraction * T(map_.heights.size()));
+    [[nodiscard]] T loading_stiffness_of(const BoundaryElementState<T>& state) const {
+        const T few = (std::max)(T(200), T(0.03) * state.contact_fraction * T(map_.heights.size()));
         constexpr T apart = T(1.03);
-        const T above = apart * at.pressure, below = at.pressure / apart;
-        const bool flows = at.loading_stiffness < at.stiffness;
-        if (!flows || T(at.below_hardness) >= few || !(above < options_.hardness)) return at.loading_stiffness;
+        const T above = apart * state.pressure, below = state.pressure / apart;
+        const bool flows = state.loading_stiffness < state.stiffness;
+        if (!flows || T(state.below_hardness) >= few || !(above < options_.hardness)) return state.loading_stiffness;
         TruthOptions<T> one_grid = options_;
         one_grid.grid_error = false, one_grid.progress = {};
-        const auto both = truth(map_, modulus_, std::array{below, above}, one_grid);
-        const T slope = (above - below) / (both[0].state.mean_gap - both[1].state.mean_gap);
-        return std::clamp(slope, T(0), at.stiffness);
+        const auto truths = truth(map_, modulus_, std::array{below, above}, one_grid);
+        const T slope = (above - below) / (truths[0].state.mean_gap - truths[1].state.mean_gap);
+        return std::clamp(slope, T(0), state.stiffness);
     }
 
     T modulus_, rms_height_, area_;

@@ -34,9 +34,9 @@ namespace detail {
 /// True if every value and error of \p state may be doubled: the tangential stiffness is up to 4/3 of K.
 template <Real T>
 [[nodiscard]] bool in_range(const ContactState<T>& state) {
-    for (const Estimate<T>* one : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,
-                                   &state.contact_density, &state.loading_stiffness})
-        if (!std::isfinite(2 * one->value) || !std::isfinite(2 * one->error)) return false;
+    for (const Estimate<T>* estimate : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,
+                                        &state.contact_density, &state.loading_stiffness})
+        if (!std::isfinite(2 * estimate->value) || !std::isfinite(2 * estimate->error)) return false;
     return true;
 }
 
@@ -84,9 +84,8 @@ inline constexpr int min_eta = -1000;  ///< separations that are searched for a 
 template <Real T>
 struct EtaSearch {
     Estimate<T> eta;
-    bool found = true;
-    T log_lowest{},
-        log_highest{};  ///< if not found: the least and the greatest log f there is, less the one looked for
+    bool exists = true;
+    T log_lowest{}, log_highest{};  ///< if not found: the least and the greatest log f, less the one looked for
 };
 
 /// A state, or the refusal of one.
@@ -136,23 +135,23 @@ template <Real T, class F>
 EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
     using Limits = std::numeric_limits<T>;
     const T rounding = Limits::epsilon() * (1 + std::abs(target));  // of the logarithms that are compared
-    LogSlope<T> at = log_slope(T(0), true);
-    const T at_zero = at.log - target;
-    const T guess = at_zero > 0 ? std::sqrt(at.slope * at.slope + 2 * at_zero) + at.slope
+    LogSlope<T> tangent = log_slope(T(0), true);
+    const T at_zero = tangent.log - target;
+    const T guess = at_zero > 0 ? std::sqrt(tangent.slope * tangent.slope + 2 * at_zero) + tangent.slope
                                 : -std::cbrt(std::exp((std::min)(-2 * at_zero, T(60)))) + 1;
     const T last_rough = T(0.05), close = std::sqrt(Limits::epsilon());  // the next step is its square or less
     bool rough = true;
     T x = guess, last_x = 0;
     for (int i = 0; i < 12 && x >= min_eta && x <= highest; ++i) {
-        const T last_slope = at.slope;
-        at = log_slope(x, rough);
-        const T newton = (target - at.log) / at.slope;
-        const T bend = x != last_x ? (at.slope - last_slope) / (x - last_x) * newton / (2 * at.slope) : T(0);
+        const T last_slope = tangent.slope;
+        tangent = log_slope(x, rough);
+        const T newton = (target - tangent.log) / tangent.slope;
+        const T bend = x != last_x ? (tangent.slope - last_slope) / (x - last_x) * newton / (2 * tangent.slope) : T(0);
         const T step = std::abs(bend) < T(0.5) ? newton / (1 + bend) : newton;
         last_x = x;
         x += step;
         if (!rough && std::abs(step) <= close)
-            return {{x, step * step + (at.error + rounding) / -at.slope + Limits::epsilon() * std::abs(x)}};
+            return {{x, step * step + (tangent.error + rounding) / -tangent.slope + Limits::epsilon() * std::abs(x)}};
         if (std::abs(step) <= last_rough) rough = false;
     }
 
@@ -161,11 +160,11 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
         return std::pair(f.log - target, f.slope);
     };
     // no closer than the rounding of the logarithms
-    const auto found = math::newton_bracketed(residual, T(min_eta), highest, guess, 16 * rounding);
-    if (!found.converged())
+    const auto solution = math::newton_bracketed(residual, T(min_eta), highest, guess, 16 * rounding);
+    if (!solution.converged())
         return {{}, false, log_slope(highest, false).log - target, log_slope(T(min_eta), false).log - target};
-    at = log_slope(found.root, false);
-    return {{found.root, found.error + (at.error + rounding) / -at.slope}};
+    tangent = log_slope(solution.root, false);
+    return {{solution.root, solution.error + (tangent.error + rounding) / -tangent.slope}};
 }
 
 /// The reason why \p search, for the logarithm of \p pressure, found no eta.
@@ -200,14 +199,14 @@ namespace detail {
 
 /// Contact with a point at each pressure.
 template <class C, class T>
-concept HasPressures = Real<T> && requires(const C& contact, T pressure, Quantity wanted) {
-    { contact.point_at_pressure(pressure, wanted) } -> std::same_as<ContactPoint<T>>;
+concept HasPressures = Real<T> && requires(const C& contact, T pressure, Quantity quantities) {
+    { contact.point_at_pressure(pressure, quantities) } -> std::same_as<ContactPoint<T>>;
 };
 
 /// Contact with a point at each separation.
 template <class C, class T>
-concept HasSeparations = Real<T> && requires(const C& contact, T separation, Quantity wanted) {
-    { contact.point_at_separation(separation, wanted) } -> std::same_as<ContactPoint<T>>;
+concept HasSeparations = Real<T> && requires(const C& contact, T separation, Quantity quantities) {
+    { contact.point_at_separation(separation, quantities) } -> std::same_as<ContactPoint<T>>;
 };
 
 }  // namespace detail
@@ -216,12 +215,12 @@ concept HasSeparations = Real<T> && requires(const C& contact, T separation, Qua
 /// \throws domain_error for a pressure that is not finite and greater than 0.
 template <class Pressures, detail::HasPressures<typename Pressures::value_type> Contact>
 [[nodiscard]] auto curve_at_pressures(const Contact& contact, const Pressures& pressures,
-                                      Quantity wanted = Quantity::all) {
+                                      Quantity quantities = Quantity::all) {
     using T = typename Pressures::value_type;
     for (const T pressure : pressures) detail::require_positive("pressure", pressure);
     std::vector<ContactPoint<T>> curve;
     curve.reserve(pressures.size());
-    for (const T pressure : pressures) curve.push_back(contact.point_at_pressure(pressure, wanted));
+    for (const T pressure : pressures) curve.push_back(contact.point_at_pressure(pressure, quantities));
     return curve;
 }
 
@@ -229,13 +228,13 @@ template <class Pressures, detail::HasPressures<typename Pressures::value_type> 
 /// \throws domain_error for a separation that is not finite.
 template <class Separations, detail::HasSeparations<typename Separations::value_type> Contact>
 [[nodiscard]] auto curve_at_separations(const Contact& contact, const Separations& separations,
-                                        Quantity wanted = Quantity::all) {
+                                        Quantity quantities = Quantity::all) {
     using T = typename Separations::value_type;
     for (const T separation : separations)
         detail::require(std::isfinite(separation), "separation", separation, "finite (m)");
     std::vector<ContactPoint<T>> curve;
     curve.reserve(separations.size());
-    for (const T separation : separations) curve.push_back(contact.point_at_separation(separation, wanted));
+    for (const T separation : separations) curve.push_back(contact.point_at_separation(separation, quantities));
     return curve;
 }
 

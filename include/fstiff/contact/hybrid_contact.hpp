@@ -67,10 +67,10 @@ public:
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive and within the reach of both laws: at most 0.75 E g.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         crowded_.require_compared(pressure);
-        const bool stiff = detail::has(wanted, Quantity::stiffness | Quantity::loading_stiffness);
-        const Quantity of_peaks = stiff ? wanted | Quantity::stiffness : wanted;
+        const bool stiff = detail::has(quantities, Quantity::stiffness | Quantity::loading_stiffness);
+        const Quantity of_peaks = stiff ? quantities | Quantity::stiffness : quantities;
         ContactState<T> state = peaks_.at_pressure(pressure, of_peaks);
         if (stiff) {
             const T share = state.stiffness.error / state.stiffness.value;
@@ -80,17 +80,17 @@ public:
             state.stiffness =
                 state.loading_stiffness = {K, (share + 80 * std::numeric_limits<T>::epsilon()) * K, evaluations};
         }
-        if (!detail::has(wanted, Quantity::stiffness)) state.stiffness = {};
-        if (!detail::has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = {};
-        state.separation = detail::has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        if (!detail::has(quantities, Quantity::stiffness)) state.stiffness = {};
+        if (!detail::has(quantities, Quantity::loading_stiffness)) state.loading_stiffness = {};
+        state.separation = detail::has(quantities, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height();
         return state;
     }
 
     /// The contact at the separation \p separation [m] of the mean planes.
     /// \throws domain_error unless it is positive and its pressure within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return this->state_at_separation(separation, wanted);
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return this->state_at_separation(separation, quantities);
     }
 
     /// Separation [m] of the mean planes under \p pressure [Pa]; 0 from 2 E g on. \throws domain_error as stiffness.
@@ -99,10 +99,10 @@ public:
         const T above = log_end() - std::log(pressure);
         if (above <= 0) return {T(0), rms_height() * std::numeric_limits<T>::epsilon(), 0};
         const T width = width_of_panel();
-        const auto whole = static_cast<std::size_t>(above / width);
+        const auto panels = static_cast<std::size_t>(above / width);
         T d = 0;
-        for (std::size_t i = 0; i < whole; ++i) d += panel(i);
-        d += panel(std::log(pressure), log_end() - T(whole) * width - std::log(pressure));
+        for (std::size_t i = 0; i < panels; ++i) d += panel(i);
+        d += panel(std::log(pressure), log_end() - T(panels) * width - std::log(pressure));
         return {d, (error_share() + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
     }
 
@@ -112,10 +112,10 @@ public:
         detail::require(eta > 0 && std::isfinite(eta), "eta", eta,
                         "finite and greater than 0 (separation over rms height)");
         const T width = width_of_panel();
-        std::size_t whole = 0;
+        std::size_t panels = 0;
         T d = 0;
-        while (T(whole) * width < e_folds && (d += panel(whole)) <= eta * rms_height()) ++whole;
-        const T high = log_end() - T(whole) * width, low = high - (T(whole) * width < e_folds ? width : T(500));
+        while (T(panels) * width < e_folds && (d += panel(panels)) <= eta * rms_height()) ++panels;
+        const T high = log_end() - T(panels) * width, low = high - (T(panels) * width < e_folds ? width : T(500));
         return this->searched_log_pressure(eta, low, high, high - width / 2, "within the reach of the laws");
     }
 
@@ -194,10 +194,10 @@ public:
         return peaks() * std::exp(log_ratio(-beyond / std::numbers::ln2_v<T>));
     }
 
-    /// That of a surface \p factor times as high, of \p peaks, with the same ratios; its crowded contact has the same K
-    /// under \p factor times the pressure.
+    /// Hand-over for a surface \p factor times as high, with \p peaks and the same ratios; its crowded contact has the
+    /// same K at \p factor times the pressure.
     template <class Peaks>
-    [[nodiscard]] HandOver of(const Peaks& peaks, T factor) const {
+    [[nodiscard]] HandOver scaled(const Peaks& peaks, T factor) const {
         HandOver other = *this;
         other.log_pressure_ += std::log(factor);
         other.find_jump(peaks);
@@ -231,14 +231,14 @@ private:
 
 namespace fstiff::inline v0_1::detail {
 
-/// That of a map with the summits \p of and the crowded contact \p crowded. \throws domain_error as SummitContact.
+/// Hand-over for a map with \p summits and the crowded contact \p crowded. \throws domain_error as SummitContact.
 template <Real T>
-[[nodiscard]] HandOver<T> hand_over_of(const Summits<T>& of, const BearingContact<T>& crowded,
+[[nodiscard]] HandOver<T> hand_over_of(const Summits<T>& summits, const BearingContact<T>& crowded,
                                        Edges edges = Edges::mirrored) {
     constexpr T most_area = T(0.06), most_contacts = T(1200);
     const T modulus = crowded.effective_modulus();
-    const SummitContact<T> alone(of, modulus);
-    const MutualSummits<T> mutual(of, modulus, edges);
+    const SummitContact<T> alone(summits, modulus);
+    const MutualSummits<T> mutual(summits, modulus, edges);
     const auto is_beyond = [&](T log_pressure) {
         const T p = std::exp(log_pressure);
         return crowded.at_pressure(p, Quantity::real_area_fraction).real_area_fraction.value > most_area ||

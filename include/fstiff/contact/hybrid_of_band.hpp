@@ -67,15 +67,15 @@ public:
           most_(hills_.at_separation(-900 * hills_.rms_height(), Quantity::pressure).pressure.value) {}
 
     /// The hills under the nominal pressure \p pressure [Pa]. \throws domain_error as RoughContact.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        ContactState<T> state = hills_.at_pressure((std::min)(pressure, most_), wanted);
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        ContactState<T> state = hills_.at_pressure((std::min)(pressure, most_), quantities);
         if (pressure > most_) state.pressure.value = pressure;
-        return of_whole_band(state, pressure, wanted);
+        return of_whole_band(state, pressure, quantities);
     }
     /// The hills at the separation \p separation [m] of the mean planes. \throws domain_error as RoughContact.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        const ContactState<T> state = hills_.at_separation(separation, wanted | Quantity::pressure);
-        return of_whole_band(state, state.pressure.value, wanted);
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        const ContactState<T> state = hills_.at_separation(separation, quantities | Quantity::pressure);
+        return of_whole_band(state, state.pressure.value, quantities);
     }
     /// log(p/Pa) and its slope against eta. \throws domain_error as RoughContact.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const { return hills_.log_pressure(eta); }
@@ -91,11 +91,11 @@ public:
     [[nodiscard]] const RoughContact<T, HertzLaw<T>>& summits() const { return summits_; }
 
 private:
-    [[nodiscard]] ContactState<T> of_whole_band(ContactState<T> state, T pressure, Quantity wanted) const {
+    [[nodiscard]] ContactState<T> of_whole_band(ContactState<T> state, T pressure, Quantity quantities) const {
         const T share = real_area_fraction(pressure);
-        if (detail::has(wanted, Quantity::real_area_fraction))
+        if (detail::has(quantities, Quantity::real_area_fraction))
             state.real_area_fraction = {share, 8 * std::numeric_limits<T>::epsilon() * share, 0};
-        if (detail::has(wanted, Quantity::contact_density))
+        if (detail::has(quantities, Quantity::contact_density))
             state.contact_density = summits_.at_pressure(pressure, Quantity::contact_density).contact_density;
         return state;
     }
@@ -232,8 +232,8 @@ private:
 
     [[nodiscard]] Node& node_at(int bend, int tenths) const {
         const std::lock_guard lock(guard_);
-        const auto [found, is_new] = nodes_.try_emplace(std::pair(bend, tenths));
-        Node& node = found->second;
+        const auto [entry, is_new] = nodes_.try_emplace(std::pair(bend, tenths));
+        Node& node = entry->second;
         if (!is_new) return node;
         node.log_value = std::vector<std::atomic<T>>(highest_pressure + 1);
         for (auto& value : node.log_value) value = std::numeric_limits<T>::infinity();

@@ -75,11 +75,11 @@ namespace detail {
 /// A contact in the scalar T with states at a pressure [Pa] and at a separation [m], by exception or with a status, as
 /// curves, bands and means over shifts need it.
 template <class C, class T>
-concept HasStates = requires(const C& contact, T x, Quantity wanted) {
-    { contact.at_pressure(x, wanted) } -> std::same_as<ContactState<T>>;
-    { contact.at_separation(x, wanted) } -> std::same_as<ContactState<T>>;
-    { contact.point_at_pressure(x, wanted) } -> std::same_as<ContactPoint<T>>;
-    { contact.point_at_separation(x, wanted) } -> std::same_as<ContactPoint<T>>;
+concept HasStates = requires(const C& contact, T x, Quantity quantities) {
+    { contact.at_pressure(x, quantities) } -> std::same_as<ContactState<T>>;
+    { contact.at_separation(x, quantities) } -> std::same_as<ContactState<T>>;
+    { contact.point_at_pressure(x, quantities) } -> std::same_as<ContactPoint<T>>;
+    { contact.point_at_separation(x, quantities) } -> std::same_as<ContactPoint<T>>;
     { contact.rms_height() } -> std::convertible_to<T>;
 };
 

@@ -94,10 +94,10 @@ S persson_distance(S y, const PerssonEnergy<S>& energy) {
         for (std::size_t i = 0; i < 32; ++i) sum += rule.weight[i] * f((a + b) / 2 + (b - a) / 2 * rule.node[i]);
         return (b - a) / 2 * sum;
     };
-    const auto whole = [&energy](S s) { return persson_kernel(s, energy) / s; };
-    if (y >= 1) return integral(y, y + (std::min)(S(6), 45 / y), whole);
+    const auto kernel = [&energy](S s) { return persson_kernel(s, energy) / s; };
+    if (y >= 1) return integral(y, y + (std::min)(S(6), 45 / y), kernel);
     const auto without_pole = [&energy](S s) { return (persson_kernel(s, energy) - energy.gamma) / s; };
-    return integral(S(1), S(7), whole) + integral(y, S(1), without_pole) - energy.gamma * std::log(y);
+    return integral(S(1), S(7), kernel) + integral(y, S(1), without_pole) - energy.gamma * std::log(y);
 }
 
 /// K and its slope at one pressure.
@@ -125,19 +125,19 @@ public:
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive and at most largest_compared_pressure().
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         require_compared(pressure);
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};
-        if (detail::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
+        if (detail::has(quantities, Quantity::stiffness | Quantity::loading_stiffness)) {
             const T K = stiffness(pressure);
             state.stiffness = {K, error_of_K * K, nodes()};
-            if (detail::has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
-            if (!detail::has(wanted, Quantity::stiffness)) state.stiffness = {};
+            if (detail::has(quantities, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
+            if (!detail::has(quantities, Quantity::stiffness)) state.stiffness = {};
         }
-        if (detail::has(wanted, Quantity::separation)) state.separation = separation(pressure);
+        if (detail::has(quantities, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height_;
-        if (detail::has(wanted, Quantity::real_area_fraction)) {
+        if (detail::has(quantities, Quantity::real_area_fraction)) {
             const T share = real_area_fraction(pressure);
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }
@@ -146,8 +146,8 @@ public:
 
     /// The contact at the separation \p separation [m] of the mean planes.
     /// \throws domain_error unless it is positive and its pressure is within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return this->state_at_separation(separation, wanted);
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return this->state_at_separation(separation, quantities);
     }
 
     /// K [Pa/m] of the theory under \p pressure [Pa], compared with boundary elements or not.

@@ -100,7 +100,7 @@ public:
           gaussian_(gaussian_cut(map, effective_modulus, edges)),
           last_(-math::normal_quantile(T(1.5) / static_cast<T>(points_.count()))),
           log_ratio_(static_cast<std::size_t>(2 * last_ / step) + 2) {
-        for (auto& at : log_ratio_) at.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
+        for (auto& ratio : log_ratio_) ratio.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
     }
     [[nodiscard]] T ratio(T share) const {
         const T place = (last_ - std::clamp(-math::normal_quantile(share), -last_, last_)) / step;
@@ -181,48 +181,49 @@ public:
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive, less than H, and within the reach of the elastic contact.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         detail::require_positive("pressure", pressure);
         detail::require(pressure < hardness_, "pressure", pressure,
                         "less than the hardness (Pa): all has flowed there");
         const T share = pressure / hardness_;
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};
-        const bool area = detail::has(wanted, Quantity::real_area_fraction);
+        const bool area = detail::has(quantities, Quantity::real_area_fraction);
         const ContactState<T> elastic = elastic_.at_pressure(
             pressure, area ? Quantity::stiffness | Quantity::real_area_fraction : Quantity::stiffness);
-        if (detail::has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
+        if (detail::has(quantities, Quantity::stiffness | Quantity::loading_stiffness)) {
             const Estimate<T>& alone = elastic.stiffness;
-            const detail::Yielded<T> of = detail::yielded(share, cut_.stiffness(share), alone.value);
-            const T K = of.stiffness, loading = 1 / compliance(share, of), error = alone.error / alone.value + T(1e-9);
-            if (detail::has(wanted, Quantity::stiffness)) state.stiffness = {K, error * K, alone.evaluations};
-            if (detail::has(wanted, Quantity::loading_stiffness))
+            const detail::Yielded<T> yield = detail::yielded(share, cut_.stiffness(share), alone.value);
+            const T K = yield.stiffness, loading = 1 / compliance(share, yield),
+                    error = alone.error / alone.value + T(1e-9);
+            if (detail::has(quantities, Quantity::stiffness)) state.stiffness = {K, error * K, alone.evaluations};
+            if (detail::has(quantities, Quantity::loading_stiffness))
                 state.loading_stiffness = {loading, error * loading, alone.evaluations};
         }
         if (area) {
             const T of_elastic = elastic.real_area_fraction.value;
             const T alone = of_elastic < T(1) ? -std::log1p(-of_elastic) : std::numeric_limits<T>::infinity();
-            const T whole = -std::expm1(-std::hypot(std::log1p(-share), alone));
-            state.real_area_fraction = {whole, elastic.real_area_fraction.error, 0};
+            const T fraction = -std::expm1(-std::hypot(std::log1p(-share), alone));
+            state.real_area_fraction = {fraction, elastic.real_area_fraction.error, 0};
         }
-        if (detail::has(wanted, Quantity::separation)) state.separation = separation(pressure);
+        if (detail::has(quantities, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height();
         return state;
     }
 
     /// The contact on loading at the separation \p separation [m] of the mean planes, which may be negative.
     /// \throws domain_error unless its pressure is within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return this->state_at_separation(separation, wanted);
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return this->state_at_separation(separation, quantities);
     }
 
     /// Separation [m] of the mean planes on loading under \p pressure [Pa] < H.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         const T u = std::log(pressure / (hardness_ - pressure)), width = width_of_panel(), side = u < 0 ? -1 : 1;
-        const auto whole = static_cast<std::size_t>(std::abs(u) / width);
+        const auto panels = static_cast<std::size_t>(std::abs(u) / width);
         T fall = 0;
-        for (std::size_t i = 0; i < whole; ++i) fall += panel(side, i);
-        fall += side * fall_between(side * T(whole) * width, u);
+        for (std::size_t i = 0; i < panels; ++i) fall += panel(side, i);
+        fall += side * fall_between(side * T(panels) * width, u);
         const T d = at_half() - side * fall;
         return {d, error_share() * (std::abs(d) + rms_height()), 16};
     }
@@ -233,19 +234,19 @@ public:
         detail::require(std::isfinite(eta), "eta", eta, "finite (separation over rms height)");
         const T width = width_of_panel(), start = at_half(), side = eta * rms_height() > start ? -1 : 1;
         const T target = std::abs(eta * rms_height() - start);
-        std::size_t whole = 0;
+        std::size_t n = 0;
         T fall = 0;
-        for (T next; T(whole) * width < furthest && (next = fall + panel(side, whole)) <= target; ++whole) fall = next;
-        detail::require(T(whole) * width < furthest, "eta", eta, "within the reach of the laws");
-        const T from = side * T(whole) * width, to = from + side * width;
+        for (T next; T(n) * width < furthest && (next = fall + panel(side, n)) <= target; ++n) fall = next;
+        detail::require(T(n) * width < furthest, "eta", eta, "within the reach of the laws");
+        const T from = side * T(n) * width, to = from + side * width;
         const auto residual = [&](T u) {
             return std::pair(side * fall_between(from, u) + fall - target, side * fall_at(u));
         };
-        const auto found = math::newton_bracketed(residual, (std::min)(from, to), (std::max)(from, to), (from + to) / 2,
-                                                  64 * std::numeric_limits<T>::epsilon() * (1 + std::abs(from)));
-        detail::require(found.converged(), "eta", eta, "within the reach of the laws");
-        const T slope = -rms_height() / (1 + std::exp(found.root)) / fall_at(found.root);
-        return {std::log(hardness_) - std::log1p(std::exp(-found.root)), slope, found.error - error_share() * slope};
+        const auto u = math::newton_bracketed(residual, (std::min)(from, to), (std::max)(from, to), (from + to) / 2,
+                                              64 * std::numeric_limits<T>::epsilon() * (1 + std::abs(from)));
+        detail::require(u.converged(), "eta", eta, "within the reach of the laws");
+        const T slope = -rms_height() / (1 + std::exp(u.root)) / fall_at(u.root);
+        return {std::log(hardness_) - std::log1p(std::exp(-u.root)), slope, u.error - error_share() * slope};
     }
 
     /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
@@ -272,8 +273,8 @@ private:
             p < elastic_.full_pressure() ? elastic_.stiffness(p) : std::numeric_limits<T>::infinity());
     }
     /// -dd/dp [m/Pa] on loading.
-    [[nodiscard]] T compliance(T share, const detail::Yielded<T>& of) const {
-        return 1 / of.stiffness + (of.flow > 0 ? of.flow * cut_.level(share).second / hardness_ : T(0));
+    [[nodiscard]] T compliance(T share, const detail::Yielded<T>& yield) const {
+        return 1 / yield.stiffness + (yield.flow > 0 ? yield.flow * cut_.level(share).second / hardness_ : T(0));
     }
     /// -dd/du [m] where u = ln(p/(H - p)).
     [[nodiscard]] T fall_at(T u) const {

@@ -94,7 +94,7 @@ public:
         options.interaction.validate();
         detail::require_positive("effective_modulus", effective_modulus);
         if constexpr (detail::PowerLaw<Law, T>)
-            pressure_unit_ = scales_.of(effective_modulus * static_cast<T>(law.load_factor()), Law::load_powers);
+            pressure_unit_ = scales_.unit(effective_modulus * static_cast<T>(law.load_factor()), Law::load_powers);
         else
             pressure_unit_ = effective_modulus * (surface.peak_density * surface.rms_height * surface.rms_height);
         if (options.interaction.reading != InteractionReading::none)
@@ -103,22 +103,22 @@ public:
 
     /// The contact at the separation \p separation of the mean planes [m]; with interaction as_printed, of the planes
     /// that give the pressure (eta_old). \throws domain_error for a separation outside its range.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return state_at_separation(separation, wanted).value();
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return state_at_separation(separation, quantities).value();
     }
     /// The same with a status: a separation outside the range is out_of_reach. Does not throw.
-    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return state_at_separation(separation, wanted).point();
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return state_at_separation(separation, quantities).point();
     }
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive and within the reach of the model, which the message gives.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return state_at_pressure(pressure, wanted).value();
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        return state_at_pressure(pressure, quantities).value();
     }
     /// The same with a status: out_of_reach beyond the model. \throws domain_error unless positive.
-    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return state_at_pressure(pressure, wanted).point();
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        return state_at_pressure(pressure, quantities).point();
     }
 
     /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
@@ -167,7 +167,7 @@ private:
 
     using Outcome = detail::StateOrRefusal<T>;
 
-    [[nodiscard]] Outcome state_at_separation(T separation, Quantity wanted) const {
+    [[nodiscard]] Outcome state_at_separation(T separation, Quantity quantities) const {
         const T eta = separation / scales_.rms_height;
         if (!(eta >= detail::min_eta && eta <= T(1e6))) {
             const T rms = scales_.rms_height;
@@ -179,21 +179,21 @@ private:
         }
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {
-                ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
+                ContactState<T> state = compliant(at_eta(effective_eta(eta), quantities | for_compliance), quantities);
                 state.separation = {separation, 0, 0};
-                if (!detail::has(wanted, Quantity::pressure)) state.pressure = {};
+                if (!detail::has(quantities, Quantity::pressure)) state.pressure = {};
                 return {state, {}};
             }
             case InteractionReading::as_printed:
-                return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, wanted);
+                return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, quantities);
             case InteractionReading::none: break;
         }
-        ContactState<T> state = at_eta({eta, 0}, wanted);
+        ContactState<T> state = at_eta({eta, 0}, quantities);
         state.separation = {separation, 0, 0};
         return {state, {}};
     }
 
-    [[nodiscard]] Outcome state_at_pressure(T pressure, Quantity wanted) const {
+    [[nodiscard]] Outcome state_at_pressure(T pressure, Quantity quantities) const {
         detail::require_positive("pressure", pressure);
         if constexpr (requires { law_.pressure_limit(); })  // of a plastic law, at which all of the area is in contact
             if (!(pressure < static_cast<T>(law_.pressure_limit())))
@@ -203,17 +203,17 @@ private:
         Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
         const auto search = detail::eta_of(std::log(pressure / pressure_unit_), max_eta(),
                                            [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
-        if (!search.found) return {{}, detail::unreachable_pressure(pressure, search)};
+        if (!search.exists) return {{}, detail::unreachable_pressure(pressure, search)};
         if (options_.interaction.reading == InteractionReading::as_printed)
-            return printed(search.eta.value, {pressure, 0, 0}, wanted);
+            return printed(search.eta.value, {pressure, 0, 0}, quantities);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
-        ContactState<T> state = at_eta(search.eta, interacting ? wanted | for_compliance : wanted);
+        ContactState<T> state = at_eta(search.eta, interacting ? quantities | for_compliance : quantities);
         state.pressure = {pressure, 0, state.pressure.evaluations};
-        return {interacting ? compliant(state, wanted) : state, {}};
+        return {interacting ? compliant(state, quantities) : state, {}};
     }
 
-    detail::LawSums<T> sums(T eta, Quantity wanted) const {
-        return Integrator(law_, peaks_, scales_, wanted, options_.integrals.relative_tolerance)(eta);
+    detail::LawSums<T> sums(T eta, Quantity quantities) const {
+        return Integrator(law_, peaks_, scales_, quantities, options_.integrals.relative_tolerance)(eta);
     }
 
     /// Logarithm of the load over pressure_unit_, and its slope.
@@ -238,8 +238,8 @@ private:
 
     /// State without interaction; the error of eta enters by the slope |d log J/d eta| <= |d log J[0,0]/d eta|, about
     /// eta + 1.
-    ContactState<T> at_eta(const Estimate<T>& eta, Quantity wanted) const {
-        const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
+    ContactState<T> at_eta(const Estimate<T>& eta, Quantity quantities) const {
+        const detail::LawSums<T> j = unscaled(sums(eta.value, quantities), eta.value);
         const T relative = eta.error * (2 + (std::max)(eta.value, T(0)));
         const auto with_eta = [relative](Estimate<T> sum) {
             sum.error += (relative + 4 * std::numeric_limits<T>::epsilon()) * std::abs(sum.value);
@@ -254,15 +254,15 @@ private:
     /// Adds the compliance L/E of the bulk in series: the planes approach by p L/E more, and -dp/dd is smaller by 1 +
     /// (-dp/dd) L/E. A K that is a constant times it (of FractalLaw, whose factor thus multiplies the bulk too) shrinks
     /// with it; any other K is itself in series with the bulk.
-    ContactState<T> compliant(ContactState<T> state, Quantity wanted) const {
+    ContactState<T> compliant(ContactState<T> state, Quantity quantities) const {
         const T sink = state.pressure.value * bulk_compliance_;
         state.separation.value -= sink;
         state.separation.error +=
             state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
-        const auto in_series = [&](Quantity quantity, Estimate<T>& k, T with) {
-            const T share = 1 / (1 + with * bulk_compliance_);
-            k = detail::has(wanted, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations}
-                                              : Estimate<T>{};
+        const auto in_series = [&](Quantity quantity, Estimate<T>& k, T inner) {
+            const T share = 1 / (1 + inner * bulk_compliance_);
+            k = detail::has(quantities, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations}
+                                                  : Estimate<T>{};
         };
         const T slope = state.loading_stiffness.value;
         in_series(Quantity::stiffness, state.stiffness, stiffness_follows_slope ? slope : state.stiffness.value);
@@ -270,13 +270,13 @@ private:
         return state;
     }
 
-    Outcome printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
+    Outcome printed(T eta_old, const Estimate<T>& pressure, Quantity quantities) const {
         const T eta_new = eta_old - pressure.value * bulk_compliance_ / scales_.rms_height;
         if (!(eta_new >= detail::min_eta))
             return {{},
                     detail::refusal_of("eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))")};
-        ContactState<T> state =
-            at_eta({eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, wanted);
+        ContactState<T> state = at_eta(
+            {eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, quantities);
         state.pressure = pressure;
         return {state, {}};
     }
@@ -287,14 +287,14 @@ private:
         const T rough = options_.integrals.relative_tolerance * options_.integrals.relative_tolerance;
         const T highest =
             (std::min)(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, (std::max)(eta, T(1e6)));
-        const auto found = math::newton_bracketed(
+        const auto solution = math::newton_bracketed(
             [&](T x) {
                 const auto j = unscaled(sums(x, slope_quantities), x);
                 return std::pair(x - shift * j.load.value - eta, 1 + shift * j.loading.value * scales_.rms_height);
             },
             eta, highest, eta + (highest - eta) / 4,
             (std::max)(4 * std::numeric_limits<T>::epsilon(), rough) * (1 + std::abs(eta)));
-        return {found.root, found.error};
+        return {solution.root, solution.error};
     }
 
     Roughness<T> surface_;

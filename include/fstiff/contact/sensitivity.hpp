@@ -156,7 +156,7 @@ LogDerivatives<T> log_derivatives(const PeakDistribution<T>& peaks, T eta) {
 /// The same for peaks of one radius: closed.
 template <class Law, Real T>
 LogDerivatives<T> log_derivatives(const SingleRadius<T>& peaks, T eta) {
-    const auto one = [&]<int twice>() -> typename LogDerivatives<T>::One {
+    const auto d = [&]<int twice>() -> typename LogDerivatives<T>::One {
         const auto [value, log_scale] = peaks.template scaled_height_moment<twice>(eta);
         T lower{};
         if constexpr (twice == 0)
@@ -165,7 +165,7 @@ LogDerivatives<T> log_derivatives(const SingleRadius<T>& peaks, T eta) {
             lower = peaks.template scaled_height_moment<twice - 2>(eta).first;
         return {std::log(value) + log_scale, -lower_factor<twice, T> * lower / value, T(0), T(0)};
     };
-    return {one.template operator()<Law::stiffness_powers.omega>(), one.template operator()<Law::load_powers.omega>()};
+    return {d.template operator()<Law::stiffness_powers.omega>(), d.template operator()<Law::load_powers.omega>()};
 }
 
 /// d ln K/dz and d ln p/dz at constant eta for every parameter z, each times z where z is a scale.
@@ -197,7 +197,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
                                rms_curvature(surface, peaks, scale)};
     constexpr HalfPowers load = Law::load_powers, stiffness = Law::stiffness_powers;
     Exponents<T> out;
-    const T unit = scales.of(scales.effective_modulus * static_cast<T>(contact.law().stiffness_factor()), stiffness);
+    const T unit = scales.unit(scales.effective_modulus * static_cast<T>(contact.law().stiffness_factor()), stiffness);
     out.k = unit * std::exp(j.stiffness.log);
     out.eta = {j.stiffness.eta, j.load.eta};
     out.rms_height = {T(stiffness.omega) / 2, T(load.omega) / 2};
@@ -219,7 +219,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
 template <Real T, class Law, class Peaks>
 requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     using Pair = typename Exponents<T>::Pair;
-    const auto logs = [](const auto& at, T x) { return Pair{at.log_stiffness(x).value, at.log_pressure(x).log}; };
+    const auto logs = [](const auto& sums, T x) { return Pair{sums.log_stiffness(x).value, sums.log_pressure(x).log}; };
     // \p f of z at a distance; the formula errs by h^6, rounding and the integrals by their errors over h
     const auto slopes = [](T h, const auto& f) -> Pair {
         Pair sum{};
@@ -232,7 +232,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
         }
         return sum;
     };
-    const auto with = [&](const Roughness<T>& surface, const Peaks& peaks) {
+    const auto model = [&](const Roughness<T>& surface, const Peaks& peaks) {
         RoughContactOptions<T> options = contact.options();
         options.interaction = {};
         return RoughContact<T, Law, Peaks>(surface, peaks, contact.law(), contact.effective_modulus(), options);
@@ -242,7 +242,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
         return slopes(T(0.02), [&](T x) {
             Roughness<T> moved = surface;
             moved.*scale *= 1 + x;
-            return logs(with(moved, contact.peaks()), eta);
+            return logs(model(moved, contact.peaks()), eta);
         });
     };
     Exponents<T> out;
@@ -255,9 +255,9 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
     if constexpr (std::same_as<Peaks, PeakDistribution<T>>) {
         const T r = contact.peaks().r(), theta = contact.peaks().theta();
         out.r =
-            slopes(T(0.03) * (std::min)(r, 1 - r), [&](T x) { return logs(with(surface, Peaks(r + x, theta)), eta); });
+            slopes(T(0.03) * (std::min)(r, 1 - r), [&](T x) { return logs(model(surface, Peaks(r + x, theta)), eta); });
         out.theta = slopes(T(0.03) * (std::min)(theta, std::numbers::pi_v<T> / 2 - theta),
-                           [&](T x) { return logs(with(surface, Peaks(r, theta + x)), eta); });
+                           [&](T x) { return logs(model(surface, Peaks(r, theta + x)), eta); });
     }
     return out;
 }
@@ -273,22 +273,22 @@ template <Real T, class Law, class Peaks>
     detail::require(reading != InteractionReading::as_printed, "interaction", T(2),
                     "none or effective_separation for a derivative");
     const T eta = contact.at_pressure(pressure, Quantity::pressure).eta;
-    const detail::Exponents<T> of = detail::exponents(contact, eta);
-    const T k = of.k, modulus = contact.effective_modulus();
-    const T follow = of.eta.stiffness / of.eta.load;  // d ln K / d ln p along the curve
+    const detail::Exponents<T> exponents = detail::exponents(contact, eta);
+    const T k = exponents.k, modulus = contact.effective_modulus();
+    const T follow = exponents.eta.stiffness / exponents.eta.load;  // d ln K / d ln p along the curve
     const auto at_constant_pressure = [&](const typename detail::Exponents<T>::Pair& z) {
         return k * (z.stiffness - follow * z.load);
     };
     Sensitivity<T> out;
     out.stiffness = k;
     out.pressure = k * follow / pressure;
-    out.rms_height = at_constant_pressure(of.rms_height) / contact.surface().rms_height;
-    out.peak_radius = at_constant_pressure(of.peak_radius) / contact.surface().peak_radius;
+    out.rms_height = at_constant_pressure(exponents.rms_height) / contact.surface().rms_height;
+    out.peak_radius = at_constant_pressure(exponents.peak_radius) / contact.surface().peak_radius;
     out.peak_density = at_constant_pressure({T(1), T(1)}) / contact.surface().peak_density;
     out.effective_modulus = at_constant_pressure({T(1), T(1)}) / modulus;
-    out.fractal_dimension = at_constant_pressure(of.fractal_dimension);
-    out.r = at_constant_pressure(of.r);
-    out.theta = at_constant_pressure(of.theta);
+    out.fractal_dimension = at_constant_pressure(exponents.fractal_dimension);
+    out.r = at_constant_pressure(exponents.r);
+    out.theta = at_constant_pressure(exponents.theta);
     if (reading == InteractionReading::none) return out;
     T ratio = 1;
     if constexpr (RoughContact<T, Law, Peaks>::stiffness_follows_slope) ratio = contact.stiffness_over_slope();
@@ -301,7 +301,7 @@ template <Real T, class Law, class Peaks>
     const T of_bulk = out.stiffness * out.stiffness * compliance;
     out.effective_modulus += of_bulk / modulus;
     if constexpr (RoughContact<T, Law, Peaks>::stiffness_follows_slope)
-        out.fractal_dimension += of_bulk * (of.fractal_dimension.stiffness - of.fractal_dimension.load);
+        out.fractal_dimension += of_bulk * (exponents.fractal_dimension.stiffness - exponents.fractal_dimension.load);
     return out;
 }
 

@@ -23,7 +23,7 @@ template <Real T>
 class Panels {
 public:
     explicit Panels(std::size_t most) : known_(std::make_shared<std::vector<std::atomic<T>>>(most)) {
-        for (auto& one : *known_) one.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
+        for (auto& panel : *known_) panel.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
     }
     /// The integral over panel \p i, which \p integral computes.
     template <class Integral>
@@ -43,14 +43,14 @@ template <class Derived, Real T>
 class SlopeContact {
 public:
     /// at_pressure with a status: out_of_reach beyond the model. \throws domain_error unless positive.
-    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         require_positive("pressure", pressure);
-        return point([&] { return self().at_pressure(pressure, wanted); });
+        return point([&] { return self().at_pressure(pressure, quantities); });
     }
     /// at_separation with a status. \throws domain_error unless finite.
-    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity wanted = Quantity::all) const {
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity quantities = Quantity::all) const {
         require(std::isfinite(separation), "separation", separation, "finite (m)");
-        return point([&] { return self().at_separation(separation, wanted); });
+        return point([&] { return self().at_separation(separation, quantities); });
     }
     /// log(K/(Pa/m)) at eta, the separation over the rms height. \throws domain_error as log_pressure.
     [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
@@ -84,23 +84,23 @@ protected:
             const T p = std::exp(log_p);
             return std::pair(self().separation(p).value - eta * rms, -p / self().stiffness(p));
         };
-        const auto found = math::newton_bracketed(residual, low, high, guess, tolerance);
-        require(found.converged(), "eta", eta, reach);
-        const T p = std::exp(found.root), per_height = self().stiffness(p) / p;
-        return {found.root, -per_height * rms, found.error + self().separation(p).error * per_height};
+        const auto solution = math::newton_bracketed(residual, low, high, guess, tolerance);
+        require(solution.converged(), "eta", eta, reach);
+        const T p = std::exp(solution.root), per_height = self().stiffness(p) / p;
+        return {solution.root, -per_height * rms, solution.error + self().separation(p).error * per_height};
     }
 
     /// The state at the pressure that \p separation has; the error of the pressure enters every value.
-    [[nodiscard]] ContactState<T> state_at_separation(T separation, Quantity wanted) const {
+    [[nodiscard]] ContactState<T> state_at_separation(T separation, Quantity quantities) const {
         const T eta = separation / self().rms_height();
         const LogSlope<T> p = self().log_pressure(eta);
         const T pressure = std::exp(p.log);
-        ContactState<T> state = self().at_pressure(pressure, wanted);
+        ContactState<T> state = self().at_pressure(pressure, quantities);
         for (Estimate<T>* e :
              {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
             e->error += 2 * p.error * e->value;
         state.pressure =
-            detail::has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
+            detail::has(quantities, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
         state.separation = {separation, 0, 0};
         state.eta = eta;
         return state;

@@ -30,12 +30,12 @@ namespace detail {
 /// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from
 /// them, need not find these again. \throws domain_error for curvatures that are not positive.
 template <Real T>
-[[nodiscard]] Summits<T> with_hertz_factors(Summits<T> of) {
-    for (Summit<T>& one : of.summits) {
-        const EllipticHertz<T> hertz = elliptic_hertz(one.max_curvature, one.min_curvature);
-        one.load_factor = hertz.load_factor, one.area_factor = hertz.area_factor;
+[[nodiscard]] Summits<T> with_hertz_factors(Summits<T> summits) {
+    for (Summit<T>& summit : summits.summits) {
+        const EllipticHertz<T> hertz = elliptic_hertz(summit.max_curvature, summit.min_curvature);
+        summit.load_factor = hertz.load_factor, summit.area_factor = hertz.area_factor;
     }
-    return of;
+    return summits;
 }
 
 }  // namespace detail
@@ -47,30 +47,30 @@ class SummitContact : public detail::SlopeContact<SummitContact<T>, T> {
 
 public:
     /// \throws domain_error for no summits and a modulus that is not finite and positive.
-    SummitContact(const Summits<T>& of, std::type_identity_t<T> effective_modulus)
-        : modulus_(effective_modulus), area_(of.area), rms_height_(of.rms_height) {
+    SummitContact(const Summits<T>& summits, std::type_identity_t<T> effective_modulus)
+        : modulus_(effective_modulus), area_(summits.area), rms_height_(summits.rms_height) {
         detail::require_positive("effective_modulus", effective_modulus);
-        detail::require_positive("rms_height", of.rms_height);
-        detail::require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
-        for (const Summit<T>& one : of.summits) {
-            height_.push_back(one.height);
-            const bool found = one.load_factor > 0;
-            const auto hertz = found ? detail::EllipticHertz<T>{one.load_factor, one.area_factor, T(0)}
-                                     : detail::elliptic_hertz(one.max_curvature, one.min_curvature);
+        detail::require_positive("rms_height", summits.rms_height);
+        detail::require(!summits.summits.empty(), "summits", summits.summits.size(), "at least 1");
+        for (const Summit<T>& summit : summits.summits) {
+            height_.push_back(summit.height);
+            const bool known = summit.load_factor > 0;
+            const auto hertz = known ? detail::EllipticHertz<T>{summit.load_factor, summit.area_factor, T(0)}
+                                     : detail::elliptic_hertz(summit.max_curvature, summit.min_curvature);
             load_factor_.push_back(hertz.load_factor);
             area_factor_.push_back(hertz.area_factor);
         }
     }
 
     /// \throws domain_error for a separation at which no summit touches.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
         if (!(separation < height_[0]))
             detail::refuse("separation", separation, "less than the height of the highest summit (m)");
-        return state(separation, 0, wanted);
+        return state(separation, 0, quantities);
     }
 
     /// \throws domain_error unless the pressure [Pa] is finite and positive.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         detail::require_positive("pressure", pressure);
         // p^(2/3) is nearly linear in d
         const T target = std::cbrt(pressure) * std::cbrt(pressure), top = height_[0];
@@ -82,14 +82,14 @@ public:
             return std::pair(root * root - target,
                              -2 * j.stiffness / (3 * (std::max)(root, (std::numeric_limits<T>::min)())));
         };
-        const auto found =
+        const auto solution =
             math::newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
                                    4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
-        detail::require(found.converged(), "pressure", pressure,
+        detail::require(solution.converged(), "pressure", pressure,
                         "within the range of numbers for the scales of this map");
-        ContactState<T> at = state(found.root, found.error, wanted);
-        at.pressure = {pressure, 0, static_cast<int>(at.pressure.evaluations)};
-        return at;
+        ContactState<T> result = state(solution.root, solution.error, quantities);
+        result.pressure = {pressure, 0, static_cast<int>(result.pressure.evaluations)};
+        return result;
     }
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error as at_separation.
@@ -125,23 +125,23 @@ private:
                 per_area * (Values(area_factor_.data(), n) * omega).sum(), per_area * T(n)};
     }
 
-    [[nodiscard]] ContactState<T> state(T d, T error, Quantity wanted) const {
+    [[nodiscard]] ContactState<T> state(T d, T error, Quantity quantities) const {
         const Sums j = sums(d);
         const T relative = rounding + error * j.stiffness / j.load;
         const auto given = [&](Quantity quantity, T value) {
-            return detail::has(wanted, quantity)
+            return detail::has(quantities, quantity)
                        ? Estimate<T>{value, relative * value, static_cast<int>(height_.size())}
                        : Estimate<T>{};
         };
-        ContactState<T> at;
-        at.eta = d / rms_height_;
-        at.separation = {d, error, 0};
-        at.pressure = given(Quantity::pressure, j.load);
-        at.stiffness = given(Quantity::stiffness, j.stiffness);
-        at.loading_stiffness = given(Quantity::loading_stiffness, j.stiffness);
-        at.real_area_fraction = given(Quantity::real_area_fraction, j.area);
-        at.contact_density = given(Quantity::contact_density, j.count);
-        return at;
+        ContactState<T> result;
+        result.eta = d / rms_height_;
+        result.separation = {d, error, 0};
+        result.pressure = given(Quantity::pressure, j.load);
+        result.stiffness = given(Quantity::stiffness, j.stiffness);
+        result.loading_stiffness = given(Quantity::loading_stiffness, j.stiffness);
+        result.real_area_fraction = given(Quantity::real_area_fraction, j.area);
+        result.contact_density = given(Quantity::contact_density, j.count);
+        return result;
     }
 
     T modulus_, area_, rms_height_;

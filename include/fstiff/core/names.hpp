@@ -98,7 +98,7 @@ template <NamedEnum Enum>
 /// The value whose word is \p text. \throws domain_error with \p parameter, \p text and the words that are allowed.
 template <detail::NamedEnum Enum>
 [[nodiscard]] Enum parse(std::string_view text, std::string_view parameter) {
-    if (const auto found = detail::find_named<Enum>(text)) return *found;
+    if (const auto match = detail::find_named<Enum>(text)) return *match;
     detail::refuse(parameter, "\"" + std::string(text) + "\"", "one of " + detail::choices_text<Enum>());
 }
 

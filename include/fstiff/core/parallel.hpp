@@ -17,10 +17,10 @@
 
 namespace fstiff::inline v0_1 {
 
-/// Called with the name of the part that runs and how much of it is done: \p done of \p all, done < all; from the
+/// Called with the name of the part that runs and how much of it is done: \p done of \p total, done < total; from the
 /// thread that computes, a few hundred times or more. An exception from it ends the computation and reaches the caller.
-/// Empty: not called. Where one part ends and the next begins, \p what changes or \p done falls.
-using ProgressHook = std::function<void(std::string_view what, std::size_t done, std::size_t all)>;
+/// Empty: not called. Where one part ends and the next begins, \p part changes or \p done falls.
+using ProgressHook = std::function<void(std::string_view part, std::size_t done, std::size_t total)>;
 
 /// One piece of work by its index. It does not throw.
 using Piece = std::function<void(std::size_t index)>;
@@ -46,8 +46,8 @@ void run_pieces(const ParallelHook& hook, std::size_t count, const Call& call) {
             thrown[i] = std::current_exception();
         }
     });
-    for (const std::exception_ptr& one : thrown)
-        if (one) std::rethrow_exception(one);
+    for (const std::exception_ptr& exception : thrown)
+        if (exception) std::rethrow_exception(exception);
 }
 
 }  // namespace detail

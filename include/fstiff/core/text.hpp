@@ -83,31 +83,31 @@ template <Real T>
 std::from_chars_result read_by_strtod(const char* first, const char* last, T& value, bool hexadecimal) {
     const auto is_digit = [&](char c) { return hexadecimal ? is_hexadecimal_digit(c) : is_decimal_digit(c); };
     std::string copy;
-    const char* at = first;
-    if (*at == '-') copy += *at++;
+    const char* next = first;
+    if (*next == '-') copy += *next++;
     if (hexadecimal) copy += "0x";
     bool is_zero = true;
     const auto take_digits = [&] {
-        for (; at != last && is_digit(*at); ++at) {
-            is_zero = is_zero && *at == '0';
-            copy += *at;
+        for (; next != last && is_digit(*next); ++next) {
+            is_zero = is_zero && *next == '0';
+            copy += *next;
         }
     };
     take_digits();
-    if (at != last && *at == '.') {
+    if (next != last && *next == '.') {
         char sample[16];  // "0,5"
         const int length = std::snprintf(sample, sizeof sample, "%.1f", 0.5);
         copy.append(sample + 1, static_cast<std::size_t>(length - 2));
-        ++at;
+        ++next;
         take_digits();
     }
-    if (at != last && (*at | 0x20) == (hexadecimal ? 'p' : 'e')) {
-        const char* exponent = at + 1;
+    if (next != last && (*next | 0x20) == (hexadecimal ? 'p' : 'e')) {
+        const char* exponent = next + 1;
         if (exponent != last && (*exponent == '+' || *exponent == '-')) ++exponent;
         if (exponent != last && is_decimal_digit(*exponent)) {
             while (exponent != last && is_decimal_digit(*exponent)) ++exponent;
-            copy.append(at, exponent);
-            at = exponent;
+            copy.append(next, exponent);
+            next = exponent;
         }
     }
     T read;
@@ -116,9 +116,9 @@ std::from_chars_result read_by_strtod(const char* first, const char* last, T& va
     else
         read = std::strtod(copy.c_str(), nullptr);
     if ((read == 0 && !is_zero) || std::abs(read) > (std::numeric_limits<T>::max)())
-        return {at, std::errc::result_out_of_range};
+        return {next, std::errc::result_out_of_range};
     value = read;
-    return {at, std::errc()};
+    return {next, std::errc()};
 }
 #endif
 

@@ -80,28 +80,28 @@ public:
     [[nodiscard]] Field pressures() const { return p_ * modulus_; }
 
 private:
-    struct Found {
+    struct Solution {
         T value;  ///< of u on the contact
         T residual;
         int iterations;
     };
     /// The contact from that on the coarser grid.
-    Found approach(T nominal, T tolerance);
+    Solution approach(T nominal, T tolerance);
     /// The contact from the pressures that there are.
-    Found solve(T nominal, T tolerance);
+    Solution solve(T nominal, T tolerance);
     /// Sets and conjugate gradients for p of the mean \p nominal (over E); with more than \p most iterations given up.
-    Found solve_sets(T nominal, T tolerance, int most);
+    Solution solve_sets(T nominal, T tolerance, int most);
     /// Lets points leave and join the set of those between 0 and H. \return true if none did.
     [[nodiscard]] bool is_set_kept(detail::SetGradients<T>& gradients, T nominal);
     /// Puts p between 0 and H, and scales those in between to the mean \p nominal. \return false if they cannot.
     [[nodiscard]] bool bound(T nominal);
     /// The same by projected gradients with the step of Barzilai and Borwein, where sets go round in circles.
-    Found solve_cut(T nominal, T tolerance);
-    [[nodiscard]] BoundaryElementState<T> state(T pressure, const Found& found) const;
+    Solution solve_cut(T nominal, T tolerance);
+    [[nodiscard]] BoundaryElementState<T> state(T pressure, const Solution& solution) const;
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
     static void project(Field& p, T nominal, T hard);
     /// Conjugate gradients for t on the points of the contact with p below \p most: value is 1/K.
-    [[nodiscard]] Found held(T most) const;
+    [[nodiscard]] Solution held(T most) const;
     /// H over E; infinite: elastic.
     [[nodiscard]] T hard() const {
         return options_.hardness > 0 ? options_.hardness / modulus_ : std::numeric_limits<T>::infinity();
@@ -170,7 +170,7 @@ BoundaryElementState<T> BoundaryElements<T>::on_coarser_grid() {
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::approach(T nominal, T tolerance) {
+typename BoundaryElements<T>::Solution BoundaryElements<T>::approach(T nominal, T tolerance) {
     const Eigen::Index rows = height_.rows(), columns = height_.cols();
     if (coarser_.empty()) {
         p_ = Field::Ones(rows, columns);
@@ -186,20 +186,20 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::approach(T nominal, T t
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal, T tolerance) {
+typename BoundaryElements<T>::Solution BoundaryElements<T>::solve(T nominal, T tolerance) {
     p_ *= nominal / p_.mean();
     u_ = p_;
     compliance_.deflect(u_);
     if (!(options_.hardness > 0)) return solve_sets(nominal, tolerance, options_.max_iterations);
-    const Found rough = solve_cut(nominal, (std::max)(tolerance, rough_tolerance));
+    const Solution rough = solve_cut(nominal, (std::max)(tolerance, rough_tolerance));
     if (rough.residual <= tolerance) return rough;
-    Found found = solve_sets(nominal, tolerance, most_of_cut);
-    found.iterations += rough.iterations;
-    return found.residual <= tolerance ? found : solve_cut(nominal, tolerance);
+    Solution solution = solve_sets(nominal, tolerance, most_of_cut);
+    solution.iterations += rough.iterations;
+    return solution.residual <= tolerance ? solution : solve_cut(nominal, tolerance);
 }
 
 template <Real T>
-BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& found) const {
+BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Solution& solution) const {
     BoundaryElementState<T> state;
     state.pressure = pressure;
     const auto contact = p_ > T(0);
@@ -207,15 +207,15 @@ BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& foun
     state.contact_fraction = T(count) / T(p_.size());
     state.below_hardness = (contact && p_ < hard()).count();
     state.max_pressure = p_.maxCoeff() * modulus_;
-    state.mean_gap = -found.value;  // the mean of u and h is 0
-    state.residual = found.residual;
-    state.iterations = found.iterations;
-    state.converged = found.residual <= options_.tolerance;
+    state.mean_gap = -solution.value;  // the mean of u and h is 0
+    state.residual = solution.residual;
+    state.iterations = solution.iterations;
+    state.converged = solution.residual <= options_.tolerance;
     state.spots = count_spots();
     if (count == p_.size()) {
         state.stiffness = std::numeric_limits<T>::infinity();
     } else {
-        const Found unit = held(std::numeric_limits<T>::infinity());
+        const Solution unit = held(std::numeric_limits<T>::infinity());
         state.stiffness = state.loading_stiffness = modulus_ / unit.value;
         if (state.below_hardness < count)
             state.loading_stiffness = state.below_hardness > 0 ? modulus_ / held(hard()).value : T(0);
@@ -226,7 +226,7 @@ BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& foun
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T tolerance, int most) {
+typename BoundaryElements<T>::Solution BoundaryElements<T>::solve_sets(T nominal, T tolerance, int most) {
     const T total = nominal * T(p_.size());
     detail::SetGradients<T> gradients(compliance_, inverse_, height_);
     gradients.start(detail::points_of<T>((p_ < hard()).select(p_, T(0))), u_);
@@ -256,12 +256,12 @@ bool BoundaryElements<T>::is_set_kept(detail::SetGradients<T>& gradients, T nomi
     const T level = gradients.level();
     const auto is_inside = [&](Eigen::Index k) { return p_.data()[k] > 0 && p_.data()[k] < hard(); };
     std::vector<Eigen::Index> joined, next;
-    auto on = points.begin();
+    auto member = points.begin();
     bool bounded = false;
     for (Eigen::Index k = 0; k < p_.size(); ++k) {
         const T gap = u_.data()[k] - height_.data()[k];
-        if (on != points.end() && *on == k) {
-            ++on;
+        if (member != points.end() && *member == k) {
+            ++member;
             bounded = bounded || !is_inside(k);
         } else if (p_.data()[k] > 0 ? gap > level : gap < level) {
             joined.push_back(k);
@@ -298,7 +298,7 @@ bool BoundaryElements<T>::bound(T nominal) {
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal, T tolerance) {
+typename BoundaryElements<T>::Solution BoundaryElements<T>::solve_cut(T nominal, T tolerance) {
     const T hard = this->hard();
     project(p_, nominal, hard);
     u_ = p_;
@@ -352,11 +352,11 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::held(T most) const {
-    const Field start = (p_ < most).select(p_, T(0)), on = (start > T(0)).template cast<T>();
-    const detail::HeldContact<T> found =
-        detail::held_together(compliance_, inverse_, on, start, held_tolerance, options_.max_iterations);
-    return {found.compliance, found.residual, found.iterations};
+typename BoundaryElements<T>::Solution BoundaryElements<T>::held(T most) const {
+    const Field start = (p_ < most).select(p_, T(0)), mask = (start > T(0)).template cast<T>();
+    const detail::HeldContact<T> contact =
+        detail::held_together(compliance_, inverse_, mask, start, held_tolerance, options_.max_iterations);
+    return {contact.compliance, contact.residual, contact.iterations};
 }
 
 template <Real T>

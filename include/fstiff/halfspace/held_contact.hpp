@@ -138,15 +138,15 @@ template <Real T>
 /// held_together, with the inverse of \p compliance.
 template <Real T>
 [[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse,
-                                           const GridField<T>& on, const GridField<T>& start, T tolerance,
+                                           const GridField<T>& mask, const GridField<T>& start, T tolerance,
                                            int max_iterations) {
     using Field = GridField<T>;
     // start over its mean has the mean 1; corrections of mean 0 take u to one value on the set
     Field t = start / start.mean(), u = t;
     compliance.deflect(u);
-    const Field flat = Field::Zero(on.rows(), on.cols());
+    const Field flat = Field::Zero(mask.rows(), mask.cols());
     SetGradients<T> gradients(compliance, inverse, flat);
-    gradients.start(points_of(on), u);
+    gradients.start(points_of(mask), u);
     HeldContact<T> held;
     for (;; ++held.iterations) {
         const T level = gradients.level();  // of the start it may be below 0
@@ -157,13 +157,13 @@ template <Real T>
     return held;
 }
 
-/// Result for the points where \p on is 1 (others 0), from the pressures \p start on them, which are not 0 altogether.
+/// Result for the points where \p mask is 1 (others 0), from the pressures \p start on them, not all 0.
 template <Real T>
-[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, const GridField<T>& on,
+[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, const GridField<T>& mask,
                                            const GridField<T>& start, T tolerance = T(1e-6),
                                            int max_iterations = 2000) {
     WaveFactors<float> inverse = compliance.inverse();
-    return held_together(compliance, inverse, on, start, tolerance, max_iterations);
+    return held_together(compliance, inverse, mask, start, tolerance, max_iterations);
 }
 
 /// The highest points of one map, held together at one share of the area after another.
@@ -194,10 +194,10 @@ public:
         const T points = share * static_cast<T>(order_.size());
         const auto count =
             static_cast<std::size_t>(std::clamp(std::round(points), T(1), static_cast<T>(order_.size() - 1)));
-        GridField<T> on = GridField<T>::Zero(rows_, static_cast<Eigen::Index>(order_.size()) / rows_);
-        for (std::size_t i = 0; i < count; ++i) on.data()[order_[i]] = 1;
+        GridField<T> mask = GridField<T>::Zero(rows_, static_cast<Eigen::Index>(order_.size()) / rows_);
+        for (std::size_t i = 0; i < count; ++i) mask.data()[order_[i]] = 1;
         SurfaceCompliance<T> compliance = compliance_;
-        return modulus_ / held_together<T>(compliance, on, on, tolerance).compliance * (points / static_cast<T>(count));
+        return modulus_ / held_together<T>(compliance, mask, mask, tolerance).compliance * (points / T(count));
     }
 
 private:

@@ -120,8 +120,8 @@ private:
               cell.height / T(cells(cell.height)), cell.edges,
               [a = T(Split::reach) / range_](T q) { return q > end_over_a * a ? T(0) : std::erfc(q / (2 * a)); },
               [](T phase) {
-                  const T one = transform_of_window(T(0)) / transform_of_window(phase);
-                  return one * one;
+                  const T factor = transform_of_window(T(0)) / transform_of_window(phase);
+                  return factor * factor;
               }) {
         grid_.resize(cells(cell.height), cells(cell.width));
         margined_.resize(grid_.rows(), grid_.cols() + 2 * margin);
@@ -160,10 +160,10 @@ private:
         constexpr std::size_t count = 48;
         const auto& rule = math::GaussLegendre<T, count>::get();
         static const auto weight = [&] {
-            std::array<T, count> of;
+            std::array<T, count> result;
             for (std::size_t i = 0; i < count; ++i)
-                of[i] = T(window) / 2 * rule.weight[i] * window_at(T(window) / 2 * rule.node[i]);
-            return of;
+                result[i] = T(window) / 2 * rule.weight[i] * window_at(T(window) / 2 * rule.node[i]);
+            return result;
         }();
         T sum = 0;
         for (std::size_t i = 0; i < count; ++i) sum += weight[i] * std::cos(phase * (T(window) / 2 * rule.node[i]));
@@ -178,21 +178,21 @@ private:
     }
 
     void make_windows(const Values& x, const Values& y, const Cell& cell) {
-        const T whole = transform_of_window(T(0));
+        const T total = transform_of_window(T(0));
         // centres of the cells lie at half steps; a point on one is the same window whatever its rounding
         const T half = T(window) / 2 + 64 * std::numeric_limits<T>::epsilon() * T(grid_.rows() + grid_.cols());
-        const auto first_of = [half](T at) { return static_cast<Eigen::Index>(std::ceil(at - half)); };
+        const auto first_of = [half](T place) { return static_cast<Eigen::Index>(std::ceil(place - half)); };
         for (Eigen::Index i = 0; i < x.size(); ++i) {
             const T right = x[i] / cell.width * T(grid_.cols()) - T(0.5),
                     down = y[i] / cell.height * T(grid_.rows()) - T(0.5);
-            Window one;
-            one.first = first_of(right) + margin;
+            Window patch;
+            patch.first = first_of(right) + margin;
             for (int k = 0; k < window; ++k) {
-                one.row[static_cast<std::size_t>(k)] = wrapped(first_of(down) + k, grid_.rows(), cell.edges);
-                one.along_x[k] = window_at(T(first_of(right) + k) - right) / whole;
-                one.along_y[k] = window_at(T(first_of(down) + k) - down) / whole;
+                patch.row[static_cast<std::size_t>(k)] = wrapped(first_of(down) + k, grid_.rows(), cell.edges);
+                patch.along_x[k] = window_at(T(first_of(right) + k) - right) / total;
+                patch.along_y[k] = window_at(T(first_of(down) + k) - down) / total;
             }
-            windows_.push_back(one);
+            windows_.push_back(patch);
         }
         for (Eigen::Index k = 0; k < margin; ++k) {
             beyond_.push_back({k, wrapped(k - margin, grid_.cols(), cell.edges)});
@@ -204,11 +204,11 @@ private:
     void spread(const Values& force) {
         margined_.setZero();
         for (std::size_t i = 0; i < windows_.size(); ++i) {
-            const Window& one = windows_[i];
-            const Eigen::Array<T, 1, window> share = per_cell_ * force[static_cast<Eigen::Index>(i)] * one.along_x;
+            const Window& patch = windows_[i];
+            const Eigen::Array<T, 1, window> share = per_cell_ * force[static_cast<Eigen::Index>(i)] * patch.along_x;
             for (int k = 0; k < window; ++k)
-                margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first) +=
-                    one.along_y[k] * share;
+                margined_.row(patch.row[static_cast<std::size_t>(k)]).template segment<window>(patch.first) +=
+                    patch.along_y[k] * share;
         }
         grid_ = margined_.middleCols(margin, grid_.cols());
         for (const auto& [outside, inside] : beyond_) grid_.col(inside) += margined_.col(outside);
@@ -219,28 +219,28 @@ private:
         margined_.middleCols(margin, grid_.cols()) = grid_;
         for (const auto& [outside, inside] : beyond_) margined_.col(outside) = grid_.col(inside);
         for (std::size_t i = 0; i < windows_.size(); ++i) {
-            const Window& one = windows_[i];
+            const Window& patch = windows_[i];
             Eigen::Array<T, 1, window> sum = Eigen::Array<T, 1, window>::Zero();
             for (int k = 0; k < window; ++k)
-                sum += one.along_y[k] *
-                       margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first);
-            u[static_cast<Eigen::Index>(i)] += (sum * one.along_x).sum();
+                sum += patch.along_y[k] *
+                       margined_.row(patch.row[static_cast<std::size_t>(k)]).template segment<window>(patch.first);
+            u[static_cast<Eigen::Index>(i)] += (sum * patch.along_x).sum();
         }
     }
 
     /// The pairs of a point and an image of a point within r_c.
     void make_pairs(const Values& x, const Values& y, const Cell& cell) {
         std::vector<Image> images;
-        const auto places = [&](T at, T side) {
-            return cell.edges == Edges::periodic ? std::array<T, 3>{at, at - side, at + side}
-                                                 : std::array<T, 3>{at, -at, 2 * side - at};
+        const auto places = [&](T place, T side) {
+            return cell.edges == Edges::periodic ? std::array<T, 3>{place, place - side, place + side}
+                                                 : std::array<T, 3>{place, -place, 2 * side - place};
         };
         for (Eigen::Index i = 0; i < x.size(); ++i)
             for (const T u : places(x[i], cell.width))
                 for (const T v : places(y[i], cell.height))
                     if (u > -range_ && u < cell.width + range_ && v > -range_ && v < cell.height + range_)
                         images.push_back({u, v, i});
-        const auto left = [](const Image& one, const Image& other) { return one.x < other.x; };
+        const auto left = [](const Image& a, const Image& b) { return a.x < b.x; };
         std::sort(images.begin(), images.end(), left);
         const T a = T(Split::reach) / range_;
         start_.push_back(0);

@@ -94,10 +94,10 @@ public:
     /// The inverse of deflect() over the stiffness of the stiffest wave, the mean left out, in single precision: a
     /// preconditioner.
     [[nodiscard]] WaveFactors<float> inverse() const {
-        const GridField<T>& of = compliance_.factors();
+        const GridField<T>& factors = compliance_.factors();
         const auto softness = [](T value) { return value > 0 ? value : std::numeric_limits<T>::infinity(); };
-        const T least = of.unaryExpr(softness).minCoeff();
-        return {(least / of.unaryExpr(softness)).template cast<float>(), edges_};
+        const T least = factors.unaryExpr(softness).minCoeff();
+        return {(least / factors.unaryExpr(softness)).template cast<float>(), edges_};
     }
 
 private:

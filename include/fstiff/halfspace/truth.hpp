@@ -62,8 +62,8 @@ template <Real T>
 template <Real T, class Pressures>
 [[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                                                const Pressures& pressures, const TruthOptions<T>& options = {}) {
-    const BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
-    BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, how);
+    const BoundaryElementOptions<T> settings{.edges = options.edges, .hardness = options.hardness};
+    BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, settings);
     std::vector<TruthPoint<T>> points;
     for (const T pressure : pressures) {
         if (options.progress) options.progress("pressures", points.size(), std::size(pressures));

@@ -96,12 +96,12 @@ void add_outlier(const Identification<T>& fit, std::vector<FitFinding<T>>& findi
 
 template <Real T>
 void add_far_from_start(const Identification<T>& fit, std::vector<FitFinding<T>>& findings) {
-    for (const auto& one : fit.parameters) {
-        const T start = fit.start[one.parameter];
-        if (row_of(one.parameter).variation == Variation::log && start > T(0) &&
-            !(one.value < 30 * start && start < 30 * one.value))
+    for (const auto& p : fit.parameters) {
+        const T start = fit.start[p.parameter];
+        if (row_of(p.parameter).variation == Variation::log && start > T(0) &&
+            !(p.value < 30 * start && start < 30 * p.value))
             findings.push_back(
-                {.concern = FitConcern::far_from_start, .parameters = {one.parameter}, .value = one.value / start});
+                {.concern = FitConcern::far_from_start, .parameters = {p.parameter}, .value = p.value / start});
     }
 }
 
@@ -114,8 +114,8 @@ template <Real T>
     std::vector<FitFinding<T>> findings;
     if (fit.status == math::FitStatus::singular) {
         FitFinding<T> unseen{.concern = FitConcern::singular};
-        for (const auto& one : fit.parameters)
-            if (one.null_share > T(0.02)) unseen.parameters.push_back(one.parameter);
+        for (const auto& p : fit.parameters)
+            if (p.null_share > T(0.02)) unseen.parameters.push_back(p.parameter);
         return {unseen};
     }
     if (fit.status == math::FitStatus::not_converged) findings.push_back({.concern = FitConcern::not_converged});
@@ -128,22 +128,22 @@ template <Real T>
     detail::add_far_from_start(fit, findings);
     const bool has_errors = fit.covariance.size() > 0;
     if (!has_errors && fit.status != math::FitStatus::at_bound) findings.push_back({.concern = FitConcern::no_errors});
-    for (const auto& one : fit.parameters) {
-        if (one.at_bound)
-            findings.push_back({.concern = FitConcern::at_bound, .parameters = {one.parameter}});
-        else if (detail::row_of(one.parameter).variation == detail::Variation::log && has_errors &&
-                 !(one.high < 100 * one.low))
+    for (const auto& p : fit.parameters) {
+        if (p.at_bound)
+            findings.push_back({.concern = FitConcern::at_bound, .parameters = {p.parameter}});
+        else if (detail::row_of(p.parameter).variation == detail::Variation::log && has_errors &&
+                 !(p.high < 100 * p.low))
             findings.push_back(
-                {.concern = FitConcern::unresolved, .parameters = {one.parameter}, .value = one.high / one.low});
+                {.concern = FitConcern::unresolved, .parameters = {p.parameter}, .value = p.high / p.low});
     }
     for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k)
             if (std::abs(fit.correlation(i, k)) > T(0.99)) {
-                const auto which = [&](Eigen::Index index) {
+                const auto parameter = [&](Eigen::Index index) {
                     return fit.parameters[static_cast<std::size_t>(index)].parameter;
                 };
                 findings.push_back({.concern = FitConcern::correlated,
-                                    .parameters = {which(k), which(i)},
+                                    .parameters = {parameter(k), parameter(i)},
                                     .value = fit.correlation(i, k)});
             }
     return findings;

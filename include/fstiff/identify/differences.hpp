@@ -35,10 +35,10 @@ public:
     static constexpr T step = T(0.004);
 
     /// The objects of the arguments must live as long.
-    DifferenceModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+    DifferenceModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& parameters,
                     const ContactParameters<T>& start, const CurveOfParameters<T>& curve,
                     const std::optional<Wave<T>>& wave)
-        : Problem(data, wanted, start, wave), curve_(curve) {}
+        : Problem(data, parameters, start, wave), curve_(curve) {}
 
     /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within reach
     [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
@@ -46,7 +46,7 @@ public:
         try {
             const std::vector<T> stiffness = stiffness_at(u, 0);
             std::vector<std::vector<T>> slopes;
-            for (std::size_t k = 0; k < this->wanted().size(); ++k) slopes.push_back(slopes_by(u, k));
+            for (std::size_t k = 0; k < this->parameters().size(); ++k) slopes.push_back(slopes_by(u, k));
             for (std::size_t i = 0; i < stiffness.size(); ++i)
                 this->put(
                     i, stiffness[i], [&](std::size_t k) { return slopes[k][i]; }, residuals, jacobian);
@@ -61,16 +61,16 @@ private:
     [[nodiscard]] std::vector<T> stiffness_at(const Vector& u, T more) const {
         const ContactParameters<T> x = this->parameters_at(u);
         std::vector<T> pressures;
-        for (const auto& one : this->data()) pressures.push_back((one.pressure + x.offset) * (1 + more));
+        for (const auto& point : this->data()) pressures.push_back((point.pressure + x.offset) * (1 + more));
         return curve_(x, pressures);
     }
     /// dK/du of the variable \p k at all points.
     [[nodiscard]] std::vector<T> slopes_by(const Vector& u, std::size_t k) const {
-        const bool offset = this->wanted()[k] == Parameter::offset;
-        const auto moved = [&](T by) {
-            Vector there = u;
-            if (!offset) there(static_cast<Eigen::Index>(k)) += by;
-            return stiffness_at(there, offset ? by : T(0));
+        const bool offset = this->parameters()[k] == Parameter::offset;
+        const auto moved = [&](T shift) {
+            Vector shifted = u;
+            if (!offset) shifted(static_cast<Eigen::Index>(k)) += shift;
+            return stiffness_at(shifted, offset ? shift : T(0));
         };
         const std::vector<T> up = moved(step), down = moved(-step), far_up = moved(2 * step),
                              far_down = moved(-2 * step);
@@ -85,17 +85,17 @@ private:
     const CurveOfParameters<T>& curve_;
 };
 
-/// Fits \p wanted of \p curve to \p data, from \p start. \p options.contact is not used.
+/// Fits \p parameters of \p curve to \p data, from \p start. \p options.contact is not used.
 /// \throws domain_error for data or starting values that no model has, and for fewer points than parameters.
 template <Real T>
 [[nodiscard]] Identification<T> identify_by_differences(const std::vector<Observation<T>>& data,
-                                                        const std::vector<Parameter>& wanted,
+                                                        const std::vector<Parameter>& parameters,
                                                         const ContactParameters<T>& start,
                                                         const CurveOfParameters<T>& curve,
                                                         IdentifyOptions<T> options = {}) {
     options.search.singular_value = (std::max)(options.search.singular_value, T(1e-5));
     options.search.residual_floor = (std::max)(options.search.residual_floor, T(1e-8));
-    DifferenceModel<T> model(data, wanted, start, curve, options.wave);
+    DifferenceModel<T> model(data, parameters, start, curve, options.wave);
     return fit_of(model, start, options.search);
 }
 

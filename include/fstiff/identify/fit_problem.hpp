@@ -100,14 +100,14 @@ void require_observations(const std::vector<Observation<T>>& data, bool is_refle
     }
 }
 
-/// \throws domain_error naming the first of \p wanted that no fit can start from, or that is named twice.
+/// \throws domain_error naming the first of \p parameters that no fit can start from, or that is named twice.
 template <Real T>
-void require_start(const std::vector<Parameter>& wanted, const ContactParameters<T>& start) {
-    for (const Parameter each : wanted) {
-        const T x = start[each];
-        require(ParameterScale<T>(each).inside(x), name_of(each), x, detail::row_of(each).starting_range());
-        if (std::count(wanted.begin(), wanted.end(), each) > 1)
-            throw domain_error(Refusal{.parameter = name_of(each), .reason = "is fitted twice; must be named once"});
+void require_start(const std::vector<Parameter>& parameters, const ContactParameters<T>& start) {
+    for (const Parameter p : parameters) {
+        const T x = start[p];
+        require(ParameterScale<T>(p).inside(x), name_of(p), x, detail::row_of(p).starting_range());
+        if (std::count(parameters.begin(), parameters.end(), p) > 1)
+            throw domain_error(Refusal{.parameter = name_of(p), .reason = "is fitted twice; must be named once"});
     }
 }
 
@@ -119,46 +119,46 @@ public:
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
     /// The objects of the arguments must live as long.
-    CurveProblem(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+    CurveProblem(const std::vector<Observation<T>>& data, const std::vector<Parameter>& parameters,
                  const ContactParameters<T>& start, const std::optional<Wave<T>>& wave)
         : data_(data),
-          wanted_(wanted),
+          parameters_(parameters),
           start_(start),
           wave_(wave),
           // an error that is NaN or negative does not mean "unknown"
           errors_known_(std::any_of(data.begin(), data.end(), [](const auto& o) { return o.error != 0; })),
           values_(data.size()) {
         require_observations(data, wave.has_value(), errors_known_);
-        require_start(wanted, start);
+        require_start(parameters, start);
     }
 
     [[nodiscard]] ContactParameters<T> parameters_at(const Vector& u) const {
         ContactParameters<T> x = start_;
-        for (std::size_t i = 0; i < wanted_.size(); ++i)
-            x[wanted_[i]] = ParameterScale<T>(wanted_[i]).value(u(static_cast<Eigen::Index>(i)));
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
+            x[parameters_[i]] = ParameterScale<T>(parameters_[i]).value(u(static_cast<Eigen::Index>(i)));
         return x;
     }
     [[nodiscard]] Vector start() const {
-        Vector u(static_cast<Eigen::Index>(wanted_.size()));
-        for (std::size_t i = 0; i < wanted_.size(); ++i)
-            u(static_cast<Eigen::Index>(i)) = ParameterScale<T>(wanted_[i]).variable(start_[wanted_[i]]);
+        Vector u(static_cast<Eigen::Index>(parameters_.size()));
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
+            u(static_cast<Eigen::Index>(i)) = ParameterScale<T>(parameters_[i]).variable(start_[parameters_[i]]);
         return u;
     }
     /// Model at the last point within its reach.
     [[nodiscard]] const std::vector<T>& values() const { return values_; }
     [[nodiscard]] const std::vector<Observation<T>>& data() const { return data_; }
-    [[nodiscard]] const std::vector<Parameter>& wanted() const { return wanted_; }
+    [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
     [[nodiscard]] bool errors_known() const { return errors_known_; }
 
 protected:
     /// True if a model can have the parameters \p x at all; beyond a thousand times the start it only takes time.
     [[nodiscard]] bool can_have(const ContactParameters<T>& x) const {
-        for (const Parameter each : wanted_) {
-            const bool log = detail::row_of(each).variation == Variation::log,
-                       distant = log && std::abs(std::log(x[each] / start_[each])) > 7;
-            if (distant || !ParameterScale<T>(each).inside(x[each])) return false;
+        for (const Parameter parameter : parameters_) {
+            const bool log = detail::row_of(parameter).variation == Variation::log,
+                       distant = log && std::abs(std::log(x[parameter] / start_[parameter])) > 7;
+            if (distant || !ParameterScale<T>(parameter).inside(x[parameter])) return false;
         }
-        return std::all_of(data_.begin(), data_.end(), [&](const auto& one) { return one.pressure + x.offset > 0; });
+        return std::all_of(data_.begin(), data_.end(), [&](const auto& d) { return d.pressure + x.offset > 0; });
     }
     /// Row \p i of the residuals and their slopes, of K and \p slope(k), dK by the fitted variable k.
     template <class Slope>
@@ -173,13 +173,13 @@ protected:
         const auto row = static_cast<Eigen::Index>(i);
         values_[i] = value;
         residuals(row) = (value - data_[i].value) / error;
-        for (std::size_t k = 0; k < wanted_.size(); ++k)
+        for (std::size_t k = 0; k < parameters_.size(); ++k)
             jacobian(row, static_cast<Eigen::Index>(k)) = slope(k) * chain / error;
     }
 
 private:
     const std::vector<Observation<T>>& data_;
-    const std::vector<Parameter>& wanted_;
+    const std::vector<Parameter>& parameters_;
     const ContactParameters<T>& start_;
     const std::optional<Wave<T>>& wave_;
     bool errors_known_;
@@ -193,13 +193,13 @@ public:
     using typename CurveProblem<T>::Vector, typename CurveProblem<T>::Matrix;
 
     /// The objects of the arguments must live as long.
-    CurveModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+    CurveModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& parameters,
                const ContactParameters<T>& start, const MakeLaw& law, const std::optional<Wave<T>>& wave,
                const RoughContactOptions<T>& contact)
-        : CurveProblem<T>(data, wanted, start, wave), law_(law), contact_(contact) {
+        : CurveProblem<T>(data, parameters, start, wave), law_(law), contact_(contact) {
         using Law = decltype(law(start.fractal_dimension));
         if constexpr (!DimensionalLaw<Law, T>)
-            require(std::count(wanted.begin(), wanted.end(), Parameter::fractal_dimension) == 0,
+            require(std::count(parameters.begin(), parameters.end(), Parameter::fractal_dimension) == 0,
                     name_of(Parameter::fractal_dimension), start.fractal_dimension,
                     "fixed: this law has no members log_load_slope() and log_stiffness_slope()");
     }
@@ -215,8 +215,8 @@ public:
             for (std::size_t i = 0; i < this->data().size(); ++i) {
                 const Sensitivity<T> s = sensitivity(contact, this->data()[i].pressure + x.offset);
                 const auto slope = [&](std::size_t k) {
-                    const Parameter each = this->wanted()[k];
-                    return slope_of(s, each) * ParameterScale<T>(each).slope(x[each]);
+                    const Parameter parameter = this->parameters()[k];
+                    return slope_of(s, parameter) * ParameterScale<T>(parameter).slope(x[parameter]);
                 };
                 this->put(i, s.stiffness, slope, residuals, jacobian);
             }

@@ -49,7 +49,7 @@ struct Identification {
     math::FitStatus status{};
     std::vector<IdentifiedParameter<T>> parameters;                ///< in the order asked for
     ContactParameters<T> start{};                                  ///< start of the search
-    ContactParameters<T> all{};                                    ///< fitted and fixed
+    ContactParameters<T> optimum{};                                ///< fitted and fixed
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular or at_bound
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation;  ///< empty when singular or at_bound
     std::vector<T> model;                                          ///< at each observation
@@ -85,11 +85,11 @@ bool is_at_bound(Parameter parameter, T x, T step, T deviation) {
 /// Index of the parameter that the data do not determine, although they would if it were alone or may be anywhere in
 /// its range: that of the largest \p deviation; -1 without one.
 template <Real T, class Vector, class Matrix>
-Eigen::Index lost_parameter(const std::vector<Parameter>& wanted, const Vector& deviation, const Matrix& jacobian,
+Eigen::Index lost_parameter(const std::vector<Parameter>& parameters, const Vector& deviation, const Matrix& jacobian,
                             T scale) {
     Eigen::Index lost = -1;
     for (Eigen::Index i = 0; i < deviation.size(); ++i) {
-        const Variation kind = row_of(wanted[static_cast<std::size_t>(i)]).variation;
+        const Variation kind = row_of(parameters[static_cast<std::size_t>(i)]).variation;
         const bool alone = scale <= useless_error<T> * jacobian.col(i).norm();
         if ((kind == Variation::between || (kind == Variation::log && alone)) &&
             deviation(i) > (lost < 0 ? useless_error<T> : deviation(lost)))
@@ -106,8 +106,8 @@ public:
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
     /// \p out has the values of \p fit already, and whether errors are known.
-    FitSummary(const std::vector<Parameter>& wanted, math::LeastSquaresFit<T>& fit, Identification<T>& out)
-        : wanted_(wanted), fit_(fit), out_(out), count_(static_cast<Eigen::Index>(wanted.size())) {}
+    FitSummary(const std::vector<Parameter>& parameters, math::LeastSquaresFit<T>& fit, Identification<T>& out)
+        : parameters_(parameters), fit_(fit), out_(out), count_(static_cast<Eigen::Index>(parameters.size())) {}
 
     /// \p residuals and \p jacobian at the end of the search.
     void fill(const Vector& residuals, const Matrix& jacobian) {
@@ -115,7 +115,7 @@ public:
         judge(residuals, jacobian);
         out_.status = fit_.status;
         if (has_errors()) correlate();
-        for (std::size_t i = 0; i < wanted_.size(); ++i) out_.parameters.push_back(parameter(i));
+        for (std::size_t i = 0; i < parameters_.size(); ++i) out_.parameters.push_back(parameter(i));
         if (has_errors())
             for (Eigen::Index i = 0; i < count_; ++i)
                 for (Eigen::Index k = 0; k < count_; ++k) out_.covariance(i, k) *= slope_at(i) * slope_at(k);
@@ -126,8 +126,8 @@ private:
         return fit_.covariance.size() > 0 && (out_.errors_known || out_.degrees_of_freedom > 0);
     }
     [[nodiscard]] T slope_at(Eigen::Index i) const {
-        const Parameter each = wanted_[static_cast<std::size_t>(i)];
-        return ParameterScale<T>(each).slope(out_.all[each]);
+        const Parameter parameter = parameters_[static_cast<std::size_t>(i)];
+        return ParameterScale<T>(parameter).slope(out_.optimum[parameter]);
     }
 
     /// Errors that are not known are such that chi^2 = degrees_of_freedom.
@@ -150,13 +150,13 @@ private:
         if (fit_.covariance.size() > 0) deviation_ = fit_.covariance.diagonal().cwiseSqrt() * scale_;
         const bool at_rest = fit_.status == math::FitStatus::converged;
         if (at_rest) step = -(fit_.covariance * (jacobian.transpose() * residuals));
-        at_bound_.resize(wanted_.size());
-        for (std::size_t i = 0; i < wanted_.size(); ++i) {
+        at_bound_.resize(parameters_.size());
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
             const auto index = static_cast<Eigen::Index>(i);
-            at_bound_[i] =
-                is_at_bound(wanted_[i], out_.all[wanted_[i]], step(index), at_rest ? deviation_(index) : T(0));
+            at_bound_[i] = is_at_bound(parameters_[i], out_.optimum[parameters_[i]], step(index),
+                                       at_rest ? deviation_(index) : T(0));
         }
-        const Eigen::Index lost = at_rest ? lost_parameter(wanted_, deviation_, jacobian, scale_) : -1;
+        const Eigen::Index lost = at_rest ? lost_parameter(parameters_, deviation_, jacobian, scale_) : -1;
         const bool ended = std::count(at_bound_.begin(), at_bound_.end(), true) > 0;
         if (!ended && lost < 0) return;
         fit_.status = ended ? math::FitStatus::at_bound : math::FitStatus::singular;
@@ -178,24 +178,24 @@ private:
 
     [[nodiscard]] IdentifiedParameter<T> parameter(std::size_t i) const {
         const auto index = static_cast<Eigen::Index>(i);
-        const ParameterScale<T> fitted(wanted_[i]);
-        IdentifiedParameter<T> found;
-        found.parameter = wanted_[i];
-        found.at_bound = at_bound_[i];
-        found.value = found.low = found.high = out_.all[wanted_[i]];
+        const ParameterScale<T> fitted(parameters_[i]);
+        IdentifiedParameter<T> result;
+        result.parameter = parameters_[i];
+        result.at_bound = at_bound_[i];
+        result.value = result.low = result.high = out_.optimum[parameters_[i]];
         if (fit_.null_direction.size() > 0)
-            found.null_share = std::abs(fit_.null_direction(index)) / fit_.null_direction.cwiseAbs().maxCoeff();
+            result.null_share = std::abs(fit_.null_direction(index)) / fit_.null_direction.cwiseAbs().maxCoeff();
         if (has_errors()) {
             const T factor =
                 math::student_quantile(math::normal_975<T>, out_.errors_known ? 0 : out_.degrees_of_freedom);
-            found.standard_error = deviation_(index) * fitted.slope(found.value);
-            found.low = fitted.value(fit_.parameters(index) - factor * deviation_(index));
-            found.high = fitted.value(fit_.parameters(index) + factor * deviation_(index));
+            result.standard_error = deviation_(index) * fitted.slope(result.value);
+            result.low = fitted.value(fit_.parameters(index) - factor * deviation_(index));
+            result.high = fitted.value(fit_.parameters(index) + factor * deviation_(index));
         }
-        return found;
+        return result;
     }
 
-    const std::vector<Parameter>& wanted_;
+    const std::vector<Parameter>& parameters_;
     math::LeastSquaresFit<T>& fit_;
     Identification<T>& out_;
     Eigen::Index count_;
@@ -223,25 +223,25 @@ template <Real T, class Model>
     out.errors_known = model.errors_known();
     out.evaluations = fit.evaluations;
     out.start = start;
-    out.all = model.parameters_at(fit.parameters);
+    out.optimum = model.parameters_at(fit.parameters);
     typename FitSummary<T>::Vector residuals(points);
     typename FitSummary<T>::Matrix jacobian(points, fit.parameters.size());
     static_cast<void>(model(fit.parameters, residuals, jacobian));  // at the end, not at the last trial
     out.model = model.values();
-    FitSummary<T>(model.wanted(), fit, out).fill(residuals, jacobian);
+    FitSummary<T>(model.parameters(), fit, out).fill(residuals, jacobian);
     return out;
 }
 
 }  // namespace detail
 
-/// Fits parameters of a contact to \p data, from \p start. \p wanted lists them. \p law(D) makes the asperity law,
+/// Fits parameters of a contact to \p data, from \p start. \p parameters lists them. \p law(D) makes the asperity law,
 /// such as [](T dimension) { return FractalLaw<T>(dimension); }. \throws domain_error for data or starting values that
 /// no model has, fewer points than parameters, and a D to be fitted where the law is no DimensionalLaw.
 template <Real T, class MakeLaw>
-[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
-                                         const ContactParameters<T>& start, const MakeLaw& law,
-                                         const IdentifyOptions<T>& options = {}) {
-    detail::CurveModel<T, MakeLaw> model(data, wanted, start, law, options.wave, options.contact);
+[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data,
+                                         const std::vector<Parameter>& parameters, const ContactParameters<T>& start,
+                                         const MakeLaw& law, const IdentifyOptions<T>& options = {}) {
+    detail::CurveModel<T, MakeLaw> model(data, parameters, start, law, options.wave, options.contact);
     return detail::fit_of(model, start, options.search);
 }
 

@@ -37,9 +37,9 @@ public:
         std::array<T, capacity> value;
         std::array<T, 4 * capacity> cosine;  // cos(pi m / (2 points))
         for (std::size_t m = 0; m <= points; ++m) {
-            const T one = m == points ? T(0) : std::cos(std::numbers::pi_v<T> * T(m) / (2 * T(points)));
-            cosine[m] = cosine[(4 * points - m) % (4 * points)] = one;
-            cosine[2 * points - m] = cosine[2 * points + m] = -one;
+            const T node = m == points ? T(0) : std::cos(std::numbers::pi_v<T> * T(m) / (2 * T(points)));
+            cosine[m] = cosine[(4 * points - m) % (4 * points)] = node;
+            cosine[2 * points - m] = cosine[2 * points + m] = -node;
         }
         for (std::size_t k = 0; k < points; ++k) value[k] = f(middle_ + half_ * cosine[2 * k + 1]);
         for (std::size_t j = 0; j < points; ++j) {
@@ -106,14 +106,14 @@ public:
 
     [[nodiscard]] std::size_t size() const { return sections_.size(); }
 
-    [[nodiscard]] T operator()(T x) const { return at(x)(x); }
+    [[nodiscard]] T operator()(T x) const { return section(x)(x); }
     /// Values at \p x, which rise or fall.
     template <int N>
     [[nodiscard]] Lanes<T, N> operator()(const Lanes<T, N>& x) const {
-        std::array<T, std::size_t{N}> one;
-        x.store(one.data());
-        const auto [least, greatest] = std::minmax(one.front(), one.back());
-        const ChebyshevSeries<T>*series = &at(least), *const last = &at(greatest);
+        std::array<T, std::size_t{N}> lanes;
+        x.store(lanes.data());
+        const auto [least, greatest] = std::minmax(lanes.front(), lanes.back());
+        const ChebyshevSeries<T>*series = &section(least), *const last = &section(greatest);
         auto value = (*series)(x);
         while (series != last) {
             const auto end = Lanes<T, N>::all(series->end());
@@ -151,10 +151,10 @@ private:
         add(a, (a + b) / 2, points, f, error, halvings - 1);
         add((a + b) / 2, b, points, f, error, halvings - 1);
     }
-    [[nodiscard]] const ChebyshevSeries<T>& at(T x) const {
-        const auto found = std::partition_point(sections_.begin(), sections_.end() - 1,
-                                                [x](const auto& one) { return one.end() < x; });
-        return *found;
+    [[nodiscard]] const ChebyshevSeries<T>& section(T x) const {
+        const auto match = std::partition_point(sections_.begin(), sections_.end() - 1,
+                                                [x](const auto& section) { return section.end() < x; });
+        return *match;
     }
 
     std::vector<ChebyshevSeries<T>> sections_;
@@ -175,11 +175,11 @@ public:
 
     /// Coefficients of s^0 ... s^(N-1).
     [[nodiscard]] Lanes<T, N> fit(const Lanes<T, N>& value) const {
-        std::array<T, size> one;
-        value.store(one.data());
+        std::array<T, size> lanes;
+        value.store(lanes.data());
         auto sum = Lanes<T, N>::all(0);
         for (std::size_t k = 0; k < size; ++k)
-            sum = multiply_add(Lanes<T, N>::load(inverse_[k].data()), Lanes<T, N>::all(one[k]), sum);
+            sum = multiply_add(Lanes<T, N>::load(inverse_[k].data()), Lanes<T, N>::all(lanes[k]), sum);
         return sum;
     }
 

@@ -70,8 +70,8 @@ public:
             Index pivot = k;
             T square = -1;
             for (Index j = k; j < columns; ++j) {
-                const T here = dot(&qr_(k, j), &qr_(k, j), left);
-                if (here > square) square = here, pivot = j;
+                const T norm = dot(&qr_(k, j), &qr_(k, j), left);
+                if (norm > square) square = norm, pivot = j;
             }
             const T length = std::sqrt(square);
             if (k == 0) longest = length;

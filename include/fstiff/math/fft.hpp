@@ -254,12 +254,12 @@ private:
             const V c = V::all(b.real()), s = V::all(b.imag());
             return {a.re * c - a.im * s, a.re * s + a.im * c};
         }
-        EIGEN_ALWAYS_INLINE static Complex load(const Planes& from, std::size_t at) {
-            return {V::load(from.re + at), V::load(from.im + at)};
+        EIGEN_ALWAYS_INLINE static Complex load(const Planes& from, std::size_t offset) {
+            return {V::load(from.re + offset), V::load(from.im + offset)};
         }
-        EIGEN_ALWAYS_INLINE void store(const Planes& to, std::size_t at) const {
-            re.store(to.re + at);
-            im.store(to.im + at);
+        EIGEN_ALWAYS_INLINE void store(const Planes& to, std::size_t offset) const {
+            re.store(to.re + offset);
+            im.store(to.im + offset);
         }
     };
 
@@ -269,13 +269,13 @@ private:
         std::vector<std::complex<T>> phase;  ///< exp(-2 pi i q k/M') at q (factor - 1) + k - 1
         std::vector<std::complex<T>> root;   ///< exp(-2 pi i k/factor)
 
-        Stage(std::size_t of, std::size_t points) : factor(of), parts(points / of) {
+        Stage(std::size_t radix, std::size_t points) : factor(radix), parts(points / radix) {
             for (std::size_t q = 0; q < parts; ++q)
                 for (std::size_t k = 1; k < factor; ++k) phase.push_back(turn(q * k, points));
             for (std::size_t k = 0; k < factor; ++k) root.push_back(turn(k, factor));
         }
-        [[nodiscard]] static std::complex<T> turn(std::size_t part, std::size_t whole) {
-            return std::polar(T(1), -2 * std::numbers::pi_v<T> * T(part) / T(whole));
+        [[nodiscard]] static std::complex<T> turn(std::size_t part, std::size_t points) {
+            return std::polar(T(1), -2 * std::numbers::pi_v<T> * T(part) / T(points));
         }
     };
 
@@ -312,15 +312,15 @@ private:
         for (std::size_t q = 0; q < stage.parts; ++q)
             for (std::size_t in = q * run, out = p * q * run; in < (q + 1) * run; in += lanes, out += lanes) {
                 const Complex first = Complex::load(from, in);
-                Complex all = first;
+                Complex total = first;
                 for (std::size_t j = 1; j <= half; ++j) {
                     const Complex a = Complex::load(from, in + j * apart);
                     const Complex b = Complex::load(from, in + (p - j) * apart);
                     plus[j] = a + b;
                     minus[j] = a - b;
-                    all = all + plus[j];
+                    total = total + plus[j];
                 }
-                all.store(to, out);
+                total.store(to, out);
                 for (std::size_t k = 1; k <= half; ++k) {
                     Complex sum = first, difference{V::all(0), V::all(0)};
                     for (std::size_t j = 1; j <= half; ++j) {

@@ -60,9 +60,9 @@ EIGEN_ALWAYS_INLINE Lanes<double, 4> moment_polynomials(std::int64_t piece, doub
     using V = Lanes<double, 8>;  // even and odd powers side by side
     const double* c = MomentTable::main + piece * MomentTable::terms * 4;
     const V square = V::all(s * s);
-    V both = V::load_aligned(c + terms * 4 - 8);
-    for (int n = terms - 4; n >= 0; n -= 2) both = multiply_add(both, square, V::load_aligned(c + n * 4));
-    return both.fold(s);
+    V pair = V::load_aligned(c + terms * 4 - 8);
+    for (int n = terms - 4; n >= 0; n -= 2) pair = multiply_add(pair, square, V::load_aligned(c + n * 4));
+    return pair.fold(s);
 }
 
 /// The four moments for |x| >= moment_far.
@@ -70,7 +70,7 @@ EIGEN_DONT_INLINE inline Lanes<double, 4> far_moments(double x) {
     const double size = std::abs(x), root = std::sqrt(size);
     double power[4] = {1, root, size, size * root};
     if (x > 0)
-        for (double& one : power) one = 1 / (one * size);
+        for (double& term : power) term = 1 / (term * size);
     return moment_polynomials<MomentTable::terms>(x > 0 ? pieces_a_side - 1 : 2 * pieces_a_side - 1, 1 / size / size) *
            Lanes<double, 4>::load(power);
 }
@@ -83,16 +83,16 @@ EIGEN_ALWAYS_INLINE void scaled_moments(const double* x, std::array<Lanes<double
         double s[8];
         std::int64_t piece[8];
         for (int i = 0; i < 8; ++i) {
-            const NearPiece at(x[i]);
-            s[i] = at.s;
-            piece[i] = at.piece;
+            const NearPiece place(x[i]);
+            s[i] = place.s;
+            piece[i] = place.piece;
         }
         for (int i = 0; i < 8; ++i) out[static_cast<std::size_t>(i)] = moment_polynomials<terms>(piece[i], s[i]);
     } else {
-        const auto at_one = [](double one) {
-            if (!is_near(one)) return far_moments(one);
-            const NearPiece at(one);
-            return moment_polynomials<terms>(at.piece, at.s);
+        const auto at_one = [](double argument) {
+            if (!is_near(argument)) return far_moments(argument);
+            const NearPiece place(argument);
+            return moment_polynomials<terms>(place.piece, place.s);
         };
         for (int i = 0; i < 8; ++i) out[static_cast<std::size_t>(i)] = at_one(x[i]);
     }
@@ -114,8 +114,8 @@ T scaled_moment(T x) {
             return value;
         };
         if (is_near(x)) {
-            const NearPiece at(x);
-            return sum(at.piece, at.s);
+            const NearPiece place(x);
+            return sum(place.piece, place.s);
         }
         const double size = std::abs(x);
         const double inverse_square = 1 / size / size, root = std::sqrt(size);
@@ -129,9 +129,9 @@ T scaled_moment(T x) {
 template <Real T>
 T gaussian(T x) {
     using Limits = std::numeric_limits<T>;
-    constexpr int whole = Limits::max_exponent > 1000 ? 6 : 4;  // binary digits of x
-    if (!(std::abs(x) < T(1 << whole))) return T(0);            // underflows before
-    constexpr T grid = T(std::int64_t{1} << (Limits::digits / 2 - whole));
+    constexpr int bits = Limits::max_exponent > 1000 ? 6 : 4;  // binary digits of x
+    if (!(std::abs(x) < T(1 << bits))) return T(0);            // underflows before
+    constexpr T grid = T(std::int64_t{1} << (Limits::digits / 2 - bits));
     const T head = std::floor(x * grid) / grid;
     const T tail = x - head;
     const T d = tail * (x + head) / 2;  // at most 1e-4, in float 1/16: five terms of exp(-d)

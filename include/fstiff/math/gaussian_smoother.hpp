@@ -48,16 +48,16 @@ public:
     /// The same for \p count lines; number i of line l is \p data[i step + l jump].
     void of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count) {
         constexpr std::size_t width = lines / 2;
-        const std::size_t whole = fft_.size();
-        if (!together_) together_.emplace(whole);
-        re_.assign(whole * width, T(0));
-        im_.assign(whole * width, T(0));
+        const std::size_t size = fft_.size();
+        if (!together_) together_.emplace(size);
+        re_.assign(size * width, T(0));
+        im_.assign(size * width, T(0));
         const auto part = [&](std::size_t l) { return l < width ? re_.data() + l : im_.data() + (l - width); };
         for (std::size_t l = 0; l < count; ++l)
             for (std::size_t i = 0; i < size_; ++i) part(l)[i * width] = data[i * step + l * jump];
         together_->transform(re_.data(), im_.data());
-        for (std::size_t k = 0; k < whole; ++k) {
-            const T share = shape_[(std::min)(k, whole - k)].real() / static_cast<T>(whole);
+        for (std::size_t k = 0; k < size; ++k) {
+            const T share = shape_[(std::min)(k, size - k)].real() / static_cast<T>(size);
             for (std::size_t l = k * width; l < (k + 1) * width; ++l) re_[l] *= share, im_[l] *= share;
         }
         together_->transform(im_.data(), re_.data());

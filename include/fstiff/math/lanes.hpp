@@ -20,7 +20,7 @@ namespace fstiff::inline v0_1::math {
 template <Real T, int N>
 using PacketOf = std::conditional_t<N == 1, T, typename Eigen::internal::find_best_packet<T, N>::type>;
 
-template <Real T, int N, bool whole = Eigen::internal::unpacket_traits<PacketOf<T, N>>::size == N>
+template <Real T, int N, bool native = Eigen::internal::unpacket_traits<PacketOf<T, N>>::size == N>
 struct Lanes;
 
 // clang-format off: an operation a line
@@ -66,9 +66,9 @@ struct Lanes<T, N, true> {
     /// The lower half plus \p s times the upper one.
     EIGEN_ALWAYS_INLINE Lanes<T, N / 2> fold(T s) const {
         alignas(64) static constexpr auto lower = [] {
-            std::array<T, std::size_t{N}> one{};
-            for (std::size_t i = 0; i < one.size() / 2; ++i) one[i] = 1;
-            return one;
+            std::array<T, std::size_t{N}> mask{};
+            for (std::size_t i = 0; i < mask.size() / 2; ++i) mask[i] = 1;
+            return mask;
         }();
         const Lanes low = load_aligned(lower.data());
         const Lanes high = all(T(1)) - low;

@@ -143,19 +143,19 @@ template <Real T, class Evaluate>
         const Vector scaled = damped_step(fit, jacobian, scale, damping);
         const Vector trial = fit.parameters + scaled.cwiseQuotient(scale);
         const bool inside = trial.allFinite() && usable(trial, trial_residuals, trial_jacobian);
-        const T found = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
+        const T sum = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
         // |scaled| is the change of the residuals: small against their standard error, 1, or against their own size
         const T negligible =
             (std::max)(options.tolerance * (std::min)(T(1), std::sqrt(fit.sum_of_squares)), options.residual_floor);
-        if (found <= fit.sum_of_squares) {
-            const bool little = fit.sum_of_squares - found <= T(1e-3) * options.tolerance * fit.sum_of_squares;
+        if (sum <= fit.sum_of_squares) {
+            const bool little = fit.sum_of_squares - sum <= T(1e-3) * options.tolerance * fit.sum_of_squares;
             ended = damping <= T(1e-3) * T(1.001) && (scaled.norm() <= negligible || (little && damping < T(1e-6)));
             fit.parameters = trial;
             fit.residuals = trial_residuals;
             jacobian = trial_jacobian;
-            fit.sum_of_squares = found;
+            fit.sum_of_squares = sum;
             damping = (std::max)(damping / 10, std::numeric_limits<T>::epsilon());
-            if (found == 0) ended = true;
+            if (sum == 0) ended = true;
         } else {
             // no step at all makes it smaller any more: the end of the digits
             if (scaled.norm() <= negligible) ended = true;

@@ -62,20 +62,20 @@ struct ErfPolynomials {
 
 /// erf of eight ascending numbers from \p first to \p last.
 EIGEN_ALWAYS_INLINE Lanes<double, 8> erf_ascending(const Lanes<double, 8>& y, double first, double last,
-                                                   const ErfPolynomials& by) {
+                                                   const ErfPolynomials& polynomials) {
     using V = Lanes<double, 8>;
     constexpr double middle = 2.5, outer = 4.5, end = 6.5;
     V value = V::all(1);
     if (first >= end) return value;
-    if (last > outer) value = polynomial(by.outer, smaller(y, V::all(end)) - V::all((outer + end) / 2));
+    if (last > outer) value = polynomial(polynomials.outer, smaller(y, V::all(end)) - V::all((outer + end) / 2));
     if (last > middle && first < outer) {
-        const V q = polynomial(by.middle, smaller(y, V::all(outer)) - V::all((middle + outer) / 2));
+        const V q = polynomial(polynomials.middle, smaller(y, V::all(outer)) - V::all((middle + outer) / 2));
         value = select_less(y, V::all(outer), q, value);
     }
     if (first < middle) {
         const V bounded = smaller(y, V::all(middle));
-        const V p =
-            bounded * polynomial(by.inner, multiply_add(bounded * V::all(2 / (middle * middle)), bounded, V::all(-1)));
+        const V p = bounded * polynomial(polynomials.inner,
+                                         multiply_add(bounded * V::all(2 / (middle * middle)), bounded, V::all(-1)));
         value = select_less(y, V::all(middle), p, value);
     }
     return value;

@@ -170,8 +170,8 @@ struct BinaryPieces {
         using namespace Eigen::internal;
         using P = Four<T>;
         const P fraction = pand(ploadu<P>(x), pset1<P>(std::bit_cast<T>(rest)));
-        const P at = psub(por(fraction, pset1<P>(T(1))), pset1<P>(1 + half));
-        pstoreu(out, FourRows<T>(row(x[0]), row(x[1]), row(x[2]), row(x[3])).value_and_derivative(at).value);
+        const P place = psub(por(fraction, pset1<P>(T(1))), pset1<P>(1 + half));
+        pstoreu(out, FourRows<T>(row(x[0]), row(x[1]), row(x[2]), row(x[3])).value_and_derivative(place).value);
     }
 
 private:
@@ -237,11 +237,11 @@ struct UniformPieces {
         const P piece = pmin(pfloor(position), pset1<P>(T(std::ssize(rows) - 1)));
         const P middle = padd(piece, pset1<P>(T(0.5)));
         const P half_s = psub(position, middle);
-        T at[4];
-        pstoreu(at, piece);
+        T pieces[4];
+        pstoreu(pieces, piece);
         const auto row = [&](T i) { return rows.data()[static_cast<std::ptrdiff_t>(i)].c; };
-        const auto [value, derivative] =
-            FourRows<T>(row(at[0]), row(at[1]), row(at[2]), row(at[3])).value_and_derivative(padd(half_s, half_s));
+        const auto [value, derivative] = FourRows<T>(row(pieces[0]), row(pieces[1]), row(pieces[2]), row(pieces[3]))
+                                             .value_and_derivative(padd(half_s, half_s));
         pstoreu(values, value);
         pstoreu(derivatives, pmul(derivative, pset1<P>(factor)));
     }

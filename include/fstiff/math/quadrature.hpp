@@ -78,8 +78,8 @@ Estimate<T> double_exponential(const F& f, const Map& map, T low, T high, T rela
         for (T from = low; from < high; from += 8 * step) {
             Eight x, slope;
             for (Eigen::Index i = 0; i < 8; ++i) {
-                const auto [at, derivative] = map(from + T(i) * step);
-                x[i] = at;
+                const auto [node, derivative] = map(from + T(i) * step);
+                x[i] = node;
                 slope[i] = from + T(i) * step < high ? derivative : T(0);
             }
             const Eight term = f(x) * slope;

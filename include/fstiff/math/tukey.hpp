@@ -74,12 +74,12 @@ template <Real T>
     return (values[3] + values[4]) / 2;
 }
 
-/// How far \p here is beyond both \p a and \p b, on the side of \p sign; at most 0 where one is as far; without NaN
+/// How far \p centre is beyond both \p a and \p b, on the side of \p sign; at most 0 where one is as far; without NaN
 template <Real T>
-[[nodiscard]] T beyond_both(T here, T a, T b, T sign) {
+[[nodiscard]] T beyond_both(T centre, T a, T b, T sign) {
     if (std::isnan(a)) a = b;
     if (std::isnan(b)) b = a;
-    return (std::min)(sign * (here - a), sign * (here - b));
+    return (std::min)(sign * (centre - a), sign * (centre - b));
 }
 
 /// Whether a point that is \p inner beyond the points around it, \p outer beyond those farther away, and \p difference
@@ -95,14 +95,14 @@ template <Real T>
 /// Finds none where that deviation is 0, because rounded heights do not show their spread.
 template <Real T, class Alone>
 Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool remove, const Alone& alone) {
-    std::vector<T> some;
+    std::vector<T> finite;
     for (const T d : differences)
-        if (!std::isnan(d)) some.push_back(d);
+        if (!std::isnan(d)) finite.push_back(d);
     Repair repair;
-    if (some.empty()) return repair;
-    const T middle = median(some);
-    for (T& d : some) d = std::abs(d - middle);
-    const T scale = tukey_factor<T> / 3 * median(some);
+    if (finite.empty()) return repair;
+    const T middle = median(finite);
+    for (T& d : finite) d = std::abs(d - middle);
+    const T scale = tukey_factor<T> / 3 * median(finite);
     if (!(scale > T(0))) return repair;
     std::vector<std::size_t> spikes;
     for (std::size_t i = 0; i < differences.size(); ++i)

@@ -81,44 +81,44 @@ inline constexpr auto names<MeasuredConcern> = detail::name_list<MeasuredConcern
 /// Concerns curved, saturated and roughness_uncertain.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit) {
-    std::vector<MeasuredConcern> found;
-    if (fit.curved) found.push_back(MeasuredConcern::curved);
+    std::vector<MeasuredConcern> concerns;
+    if (fit.curved) concerns.push_back(MeasuredConcern::curved);
     if (fit.automatic_window && fit.flattest_lag > T(0) && fit.flattest_slope < T(0.2) &&
         (fit.behind_plateau || fit.min_slope > fit.flattest_slope + T(0.5)))
-        found.push_back(MeasuredConcern::saturated);
-    if (fit.log_roughness_error > std::numbers::ln10_v<T>) found.push_back(MeasuredConcern::roughness_uncertain);
-    return found;
+        concerns.push_back(MeasuredConcern::saturated);
+    if (fit.log_roughness_error > std::numbers::ln10_v<T>) concerns.push_back(MeasuredConcern::roughness_uncertain);
+    return concerns;
 }
 
 /// Adds filtered, for the profile that was fitted, and spectrum_differs, for its \p spectrum where it could be fitted.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit, const LevelledProfile<T>& levelled,
                                                        const std::optional<SpectralFit<T>>& spectrum) {
-    std::vector<MeasuredConcern> found = concerns_of(fit);
-    if (levelled.cutoff && fit.window.to > *levelled.cutoff / 10) found.push_back(MeasuredConcern::filtered);
+    std::vector<MeasuredConcern> concerns = concerns_of(fit);
+    if (levelled.cutoff && fit.window.to > *levelled.cutoff / 10) concerns.push_back(MeasuredConcern::filtered);
     if (spectrum) {
         const T difference = std::abs(spectrum->dimension - fit.fractal.dimension);
         if (difference > 3 * std::hypot(spectrum->dimension_error, fit.dimension_error) && difference > T(0.1))
-            found.push_back(MeasuredConcern::spectrum_differs);
+            concerns.push_back(MeasuredConcern::spectrum_differs);
     }
-    return found;
+    return concerns;
 }
 
 namespace detail {
 
-/// Whether \p one is known to a factor of two: its standard error is at most half its value.
+/// Whether \p m is known to a factor of two: its standard error is at most half its value.
 template <Real T>
-[[nodiscard]] constexpr bool is_known(const Measurement<T>& one) {
-    return one.error <= one.value / 2;
+[[nodiscard]] constexpr bool is_known(const Measurement<T>& m) {
+    return m.error <= m.value / 2;
 }
 
 template <Real T>
-void add_peak_concerns(std::vector<MeasuredConcern>& found, std::size_t peaks, const Measurement<T>& radius,
+void add_peak_concerns(std::vector<MeasuredConcern>& concerns, std::size_t peaks, const Measurement<T>& radius,
                        const Measurement<T>& density) {
-    const auto uncertain = [](const Measurement<T>& one) { return one.error > T(0.3) * one.value; };
-    if (peaks < 30 && density.value > T(0)) found.push_back(MeasuredConcern::few_peaks);  // else D_p is not known
-    if (uncertain(radius)) found.push_back(MeasuredConcern::radius_uncertain);
-    if (uncertain(density)) found.push_back(MeasuredConcern::density_uncertain);
+    const auto uncertain = [](const Measurement<T>& m) { return m.error > T(0.3) * m.value; };
+    if (peaks < 30 && density.value > T(0)) concerns.push_back(MeasuredConcern::few_peaks);  // else D_p is not known
+    if (uncertain(radius)) concerns.push_back(MeasuredConcern::radius_uncertain);
+    if (uncertain(density)) concerns.push_back(MeasuredConcern::density_uncertain);
 }
 
 /// Whether the islands are densest at the first or the last level of the curve.
@@ -132,12 +132,12 @@ template <Real T>
 /// Concerns few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const RepresentativeIslands<T>& islands) {
-    std::vector<MeasuredConcern> found;
+    std::vector<MeasuredConcern> concerns;
     const Measurement<T> radius{islands.radius, islands.radius_error}, density{islands.density, islands.density_error};
-    detail::add_peak_concerns(found, islands.islands, radius, density);
-    if (detail::is_densest_at_end(islands)) found.push_back(MeasuredConcern::no_densest_level);
-    if (!detail::is_known(radius) || !detail::is_known(density)) found.push_back(MeasuredConcern::parameter_unknown);
-    return found;
+    detail::add_peak_concerns(concerns, islands.islands, radius, density);
+    if (detail::is_densest_at_end(islands)) concerns.push_back(MeasuredConcern::no_densest_level);
+    if (!detail::is_known(radius) || !detail::is_known(density)) concerns.push_back(MeasuredConcern::parameter_unknown);
+    return concerns;
 }
 
 namespace detail {
@@ -145,13 +145,13 @@ namespace detail {
 /// Parameters of \p surface that are not known to a factor of two; without r where long waves leave it open with sigma.
 template <Real T>
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const SurfaceParameters<T>& surface) {
-    std::vector<Parameter> all;
+    std::vector<Parameter> parameters;
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        const Parameter which = parameter_table[i].parameter;
-        if (which == Parameter::r && surface.long_wave_share > T(0.75)) continue;
-        if (const auto* one = surface.find(which); one && !is_known(*one)) all.push_back(which);
+        const Parameter parameter = parameter_table[i].parameter;
+        if (parameter == Parameter::r && surface.long_wave_share > T(0.75)) continue;
+        if (const auto* m = surface.find(parameter); m && !is_known(*m)) parameters.push_back(parameter);
     }
-    return all;
+    return parameters;
 }
 
 }  // namespace detail
@@ -160,28 +160,28 @@ template <Real T>
 /// parameter_unknown, form, step and scan_lines.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
-    std::vector<MeasuredConcern> found;
-    if (surface.curved) found.push_back(MeasuredConcern::curved);
-    if (surface.anisotropic) found.push_back(MeasuredConcern::anisotropic);
+    std::vector<MeasuredConcern> concerns;
+    if (surface.curved) concerns.push_back(MeasuredConcern::curved);
+    if (surface.anisotropic) concerns.push_back(MeasuredConcern::anisotropic);
     if (surface.repetition.is_lay() || detail::is_lay(surface.texture_aspect_ratio))
-        found.push_back(MeasuredConcern::lay);
-    if (surface.long_wave_share > T(0.75)) found.push_back(MeasuredConcern::long_waves);
-    detail::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
+        concerns.push_back(MeasuredConcern::lay);
+    if (surface.long_wave_share > T(0.75)) concerns.push_back(MeasuredConcern::long_waves);
+    detail::add_peak_concerns(concerns, surface.peaks_counted, surface.peak_radius, surface.peak_density);
     if (surface.islands && detail::is_densest_at_end(*surface.islands))
-        found.push_back(MeasuredConcern::no_densest_level);
-    if (!detail::unknown_parameters(surface).empty()) found.push_back(MeasuredConcern::parameter_unknown);
-    if (surface.plain_form.is_parabola()) found.push_back(MeasuredConcern::form);
-    if (surface.plain_form.is_step()) found.push_back(MeasuredConcern::step);
-    if (surface.offset_lines != ScanAxis::automatic) found.push_back(MeasuredConcern::scan_lines);
-    return found;
+        concerns.push_back(MeasuredConcern::no_densest_level);
+    if (!detail::unknown_parameters(surface).empty()) concerns.push_back(MeasuredConcern::parameter_unknown);
+    if (surface.plain_form.is_parabola()) concerns.push_back(MeasuredConcern::form);
+    if (surface.plain_form.is_step()) concerns.push_back(MeasuredConcern::step);
+    if (surface.offset_lines != ScanAxis::automatic) concerns.push_back(MeasuredConcern::scan_lines);
+    return concerns;
 }
 
 /// Same as above, with implausible_gradient for the measured rms gradient.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface, T rms_gradient) {
-    std::vector<MeasuredConcern> found = concerns_of(surface);
-    if (!detail::is_plausible_gradient(rms_gradient)) found.push_back(MeasuredConcern::implausible_gradient);
-    return found;
+    std::vector<MeasuredConcern> concerns = concerns_of(surface);
+    if (!detail::is_plausible_gradient(rms_gradient)) concerns.push_back(MeasuredConcern::implausible_gradient);
+    return concerns;
 }
 
 namespace detail {

@@ -69,8 +69,8 @@ template <Real T>
     constexpr std::array<double, 6> series{1, 2, 2.5, 5, 8, 10};
     const int decade = static_cast<int>(std::floor(std::log10(length) + T(1e-9)));
     const T power = std::pow(T(10), static_cast<T>(std::abs(decade)));
-    for (const double one : series) {
-        const T index = decade < 0 ? static_cast<T>(one) / power : static_cast<T>(one) * power;
+    for (const double term : series) {
+        const T index = decade < 0 ? static_cast<T>(term) / power : static_cast<T>(term) * power;
         if (length <= index * (1 + T(1e-6))) return index;
     }
     return decade < 0 ? T(10) / power : T(10) * power;
@@ -241,17 +241,17 @@ template <Real T>
                                                               std::type_identity_t<T> step,
                                                               std::type_identity_t<T> length) {
     constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
-    const auto refused = [&](const CutOff<T>& one, bool long_waves, int steps) -> std::optional<RefusedCutOff<T>> {
-        if (!one.length()) return {};
-        const T given = *one.length(), shortest = static_cast<T>(steps) * step;
+    const auto refused = [&](const CutOff<T>& cut_off, bool long_waves, int steps) -> std::optional<RefusedCutOff<T>> {
+        if (!cut_off.length()) return {};
+        const T given = *cut_off.length(), shortest = static_cast<T>(steps) * step;
         if (!(given >= shortest * (1 - slack)))
             return RefusedCutOff<T>{CutOffRefusal::below_steps, long_waves, given, shortest};
         if (given > length * (1 + slack))
             return RefusedCutOff<T>{CutOffRefusal::above_length, long_waves, given, length};
         return {};
     };
-    if (const auto found = refused(options.lambda_s, false, min_steps_of_lambda_s)) return found;
-    if (const auto found = refused(options.lambda_c, true, min_steps_of_lambda_c)) return found;
+    if (const auto refusal = refused(options.lambda_s, false, min_steps_of_lambda_s)) return refusal;
+    if (const auto refusal = refused(options.lambda_c, true, min_steps_of_lambda_c)) return refusal;
     const std::optional<T> longest = options.form_cut_off ? options.form_cut_off : options.lambda_c.length();
     if (options.lambda_s.length() && longest && *options.lambda_s.length() >= *longest)
         return RefusedCutOff<T>{CutOffRefusal::not_below_lambda_c, false, *options.lambda_s.length(), *longest};
@@ -261,31 +261,31 @@ template <Real T>
 /// \throws domain_error for a given cut-off that is not valid for the surface.
 template <Real T>
 void require_cut_offs(const MeasureOptions<T>& options, T step, T length) {
-    const auto found = refused_cut_off(options, step, length);
-    if (!found) return;
-    const std::string limit = rounded_text(found->limit, 5) + " m";
-    const int steps = found->long_waves ? min_steps_of_lambda_c : min_steps_of_lambda_s;
-    refuse(found->long_waves ? "lambda_c" : "lambda_s", found->given,
-           found->why == CutOffRefusal::below_steps    ? "at least " + std::to_string(steps) + " steps, " + limit
-           : found->why == CutOffRefusal::above_length ? "at most the length of the surface, " + limit
-                                                       : "less than lambda_c, " + limit);
+    const auto refusal = refused_cut_off(options, step, length);
+    if (!refusal) return;
+    const std::string limit = rounded_text(refusal->limit, 5) + " m";
+    const int steps = refusal->long_waves ? min_steps_of_lambda_c : min_steps_of_lambda_s;
+    refuse(refusal->long_waves ? "lambda_c" : "lambda_s", refusal->given,
+           refusal->why == CutOffRefusal::below_steps    ? "at least " + std::to_string(steps) + " steps, " + limit
+           : refusal->why == CutOffRefusal::above_length ? "at most the length of the surface, " + limit
+                                                         : "less than lambda_c, " + limit);
 }
 
-/// Sets lambda_s of \p found from the tables; lambda_c of \p found is set where it was given.
+/// Sets lambda_s of \p cut_offs from the tables; lambda_c of \p cut_offs is set where it was given.
 template <Real T>
-void choose_lambda_s(CutOffs<T>& found, T resolution) {
-    found.index = shortest_lambda_s(found.step, resolution, found.tip_radius);
-    if (found.tip_radius > T(0) && found.index > shortest_lambda_s(found.step, resolution))
-        found.index_source = IndexSource::tip;
-    else if (resolution > T(0) && found.index > shortest_lambda_s(found.step) * (1 + T(1e-12)))
-        found.index_source = IndexSource::resolution;
-    if (lambda_s_of_length * found.index > found.length * (1 + T(1e-6)))
-        found.why_s = LambdaSReason::too_short;
-    else if (found.lambda_c && found.index >= *found.lambda_c)
-        found.why_s = LambdaSReason::not_below_lambda_c;
+void choose_lambda_s(CutOffs<T>& cut_offs, T resolution) {
+    cut_offs.index = shortest_lambda_s(cut_offs.step, resolution, cut_offs.tip_radius);
+    if (cut_offs.tip_radius > T(0) && cut_offs.index > shortest_lambda_s(cut_offs.step, resolution))
+        cut_offs.index_source = IndexSource::tip;
+    else if (resolution > T(0) && cut_offs.index > shortest_lambda_s(cut_offs.step) * (1 + T(1e-12)))
+        cut_offs.index_source = IndexSource::resolution;
+    if (lambda_s_of_length * cut_offs.index > cut_offs.length * (1 + T(1e-6)))
+        cut_offs.why_s = LambdaSReason::too_short;
+    else if (cut_offs.lambda_c && cut_offs.index >= *cut_offs.lambda_c)
+        cut_offs.why_s = LambdaSReason::not_below_lambda_c;
     else {
-        found.why_s = LambdaSReason::by_table;
-        found.lambda_s = found.index;
+        cut_offs.why_s = LambdaSReason::by_table;
+        cut_offs.lambda_s = cut_offs.index;
     }
 }
 
@@ -293,17 +293,17 @@ void choose_lambda_s(CutOffs<T>& found, T resolution) {
 template <Real T>
 [[nodiscard]] CutOffs<T> given_cut_offs(const MeasureOptions<T>& options, T step, T length) {
     require_cut_offs(options, step, length);
-    const auto given = [&](const CutOff<T>& one) {
-        return one.length() ? std::optional<T>((std::min)(*one.length(), length)) : std::nullopt;
+    const auto given = [&](const CutOff<T>& cut_off) {
+        return cut_off.length() ? std::optional<T>((std::min)(*cut_off.length(), length)) : std::nullopt;
     };
-    CutOffs<T> found;
-    found.lambda_s = given(options.lambda_s);
-    found.lambda_c = options.form_cut_off ? options.form_cut_off : given(options.lambda_c);
-    if (options.lambda_c.automatic() && !options.form_cut_off) found.why_c = CutOffReason::form_alone;
-    found.filter = options.filter;
-    found.step = step, found.length = length, found.tip_radius = options.tip_radius;
-    if (options.lambda_s.automatic()) choose_lambda_s(found, options.resolution);
-    return found;
+    CutOffs<T> cut_offs;
+    cut_offs.lambda_s = given(options.lambda_s);
+    cut_offs.lambda_c = options.form_cut_off ? options.form_cut_off : given(options.lambda_c);
+    if (options.lambda_c.automatic() && !options.form_cut_off) cut_offs.why_c = CutOffReason::form_alone;
+    cut_offs.filter = options.filter;
+    cut_offs.step = step, cut_offs.length = length, cut_offs.tip_radius = options.tip_radius;
+    if (options.lambda_s.automatic()) choose_lambda_s(cut_offs, options.resolution);
+    return cut_offs;
 }
 
 /// Cut-offs for \p profile. \throws domain_error for a given one that is not valid for the profile.

@@ -97,30 +97,30 @@ struct HeightPowers {
 /// Statistics from the sums of \p blocks of a surface whose heights were divided by \p rms.
 template <Real T, std::size_t blocks>
 [[nodiscard]] HeightStatistics<T> statistics_of(const std::array<HeightPowers<T>, blocks>& sums, T rms) {
-    HeightPowers<T> whole;
-    for (const auto& block : sums) whole += block;
-    require(whole.triples >= 16 && whole.points >= 64, "points of a surface", static_cast<long long>(whole.points),
+    HeightPowers<T> total;
+    for (const auto& block : sums) total += block;
+    require(total.triples >= 16 && total.points >= 64, "points of a surface", static_cast<long long>(total.points),
             "at least 64, with 16 triples of neighbours");
-    const auto measured = [&](T (HeightPowers<T>::*of)() const, T scale) {
-        std::array<T, blocks> without{};
+    const auto measured = [&](T (HeightPowers<T>::*statistic)() const, T scale) {
+        std::array<T, blocks> left_out{};
         T mean = 0, square = 0;
         std::size_t used = 0;
         for (const auto& block : sums) {
             if (!(block.pairs > 0)) continue;
-            without[used] = ((whole - block).*of)();
-            mean += without[used++];
+            left_out[used] = ((total - block).*statistic)();
+            mean += left_out[used++];
         }
         mean /= static_cast<T>(used);
-        for (std::size_t i = 0; i < used; ++i) square += (without[i] - mean) * (without[i] - mean);
+        for (std::size_t i = 0; i < used; ++i) square += (left_out[i] - mean) * (left_out[i] - mean);
         const T n = static_cast<T>(used);
-        return Measurement<T>{scale * (whole.*of)(), scale * std::sqrt((n - 1) / n * square)};
+        return Measurement<T>{scale * (total.*statistic)(), scale * std::sqrt((n - 1) / n * square)};
     };
     HeightStatistics<T> out;
     out.skewness = measured(&HeightPowers<T>::skewness, T(1));
     out.kurtosis = measured(&HeightPowers<T>::kurtosis, T(1));
     out.rms_gradient = measured(&HeightPowers<T>::gradient, rms);
-    out.moments = {whole.variance() * rms * rms, whole.slopes / whole.pairs * rms * rms,
-                   whole.bends / whole.triples * rms * rms};
+    out.moments = {total.variance() * rms * rms, total.slopes / total.pairs * rms * rms,
+                   total.bends / total.triples * rms * rms};
     return out;
 }
 
@@ -188,8 +188,8 @@ template <Real T>
 /// Shape of \p measured heights: Gaussian unless skewness or kurtosis departs by two standard errors.
 template <Real T>
 [[nodiscard]] HeightShape<T> counted_shape(const HeightStatistics<T>& measured, T share) {
-    const auto departs = [](const Measurement<T>& one, T gaussian) {
-        return std::abs(one.value - gaussian) > 2 * one.error;
+    const auto departs = [](const Measurement<T>& measurement, T gaussian) {
+        return std::abs(measurement.value - gaussian) > 2 * measurement.error;
     };
     if (!departs(measured.skewness, T(0)) && !departs(measured.kurtosis, T(3))) return {};
     return counted_shape(measured.skewness.value, measured.kurtosis.value, share);
@@ -208,12 +208,12 @@ template <Real T>
 /// \throws domain_error as autocorrelation.
 template <Real T>
 [[nodiscard]] T independent_points(const Profile<T>& profile) {
-    const Autocorrelation<T> of = autocorrelation(profile);
+    const Autocorrelation<T> acf = autocorrelation(profile);
     const auto points = static_cast<T>(profile.present());
     T lags = 1;
-    for (std::size_t k = 1; k < of.size(); ++k) {
-        if (std::isnan(of.value[k])) continue;
-        const T A = of.value[k] * static_cast<T>(of.pairs[k]) / points;  // few pairs at long lags scatter
+    for (std::size_t k = 1; k < acf.size(); ++k) {
+        if (std::isnan(acf.value[k])) continue;
+        const T A = acf.value[k] * static_cast<T>(acf.pairs[k]) / points;  // few pairs at long lags scatter
         lags += 2 * A * A;
     }
     return points / lags;

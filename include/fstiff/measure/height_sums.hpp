@@ -94,13 +94,13 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     EstimateSpread<S> spread;
     math::BlockDraw draw_block(cells.size(), block, seed);
     spread.blocks = draw_block.blocks();
-    HeightSums<S> all;
-    for (const auto& cell : cells) all.add(cell);
-    const Estimates<S> whole = estimates(all, count);
-    const auto known = whole.isFinite().eval();
-    Estimates<S> unit = whole;
+    HeightSums<S> total;
+    for (const auto& cell : cells) total.add(cell);
+    const Estimates<S> estimate = estimates(total, count);
+    const auto known = estimate.isFinite().eval();
+    Estimates<S> unit = estimate;
     unit[4] = unit[5] = S(1);
-    if (count == PeakCount::profile && !(whole[2] > S(0))) unit[2] = S(1);  // no peak
+    if (count == PeakCount::profile && !(estimate[2] > S(0))) unit[2] = S(1);  // no peak
     std::vector<Estimates<S>> draws;
     for (std::size_t k = 0; k < resamples; ++k) {
         if (progress) progress("resamples", k, resamples);
@@ -109,7 +109,7 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
             const std::size_t start = draw_block();
             for (std::size_t i = start; i < start + block; ++i) sums.add(cells[i]);
         }
-        const Estimates<S> draw = known.select((estimates(sums, count) - whole) / unit, S(0));
+        const Estimates<S> draw = known.select((estimates(sums, count) - estimate) / unit, S(0));
         if (draw.isFinite().all()) draws.push_back(draw);  // skips draws without peaks
     }
     if (spread.blocks < 2 || draws.size() < 2)
@@ -126,8 +126,8 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     spread.error = (spread.error > S(1e-12)).select(spread.error, S(0));  // the rounding of sums that do not vary
     for (Eigen::Index i = 0; i < 6; ++i)
         for (Eigen::Index j = 0; j < 6; ++j)
-            if (const S both = spread.error[i] * spread.error[j]; i != j && both > S(0))
-                spread.correlation(i, j) = std::clamp(covariance(i, j) / both, S(-1), S(1));
+            if (const S product = spread.error[i] * spread.error[j]; i != j && product > S(0))
+                spread.correlation(i, j) = std::clamp(covariance(i, j) / product, S(-1), S(1));
     return spread;
 }
 

@@ -58,9 +58,9 @@ T variance_of_power_law(T share, bool map) {
                 const T c = std::pow(static_cast<T>(x * x + y * y), -(map ? b + 1 : b) / 2);
                 sum += c, squares += c * c;
             }
-        const T all = sum + std::pow(edge, 1 - b) / (b - 1) * (map ? std::numbers::pi_v<T> / 2 : T(1));
-        variance = 2 * squares / (all * all);
-        (sum / all < share ? low : high) = b;
+        const T total = sum + std::pow(edge, 1 - b) / (b - 1) * (map ? std::numbers::pi_v<T> / 2 : T(1));
+        variance = 2 * squares / (total * total);
+        (sum / total < share ? low : high) = b;
     }
     return variance;
 }
@@ -94,16 +94,16 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
             const T w = amplitude(y, x) * amplitude(y, x) / mean_square;
             heights += w, squares += w * w;
         }
-    LongWaveShare<T> found;
-    found.share = (std::min)(heights, T(1));
-    found.squares = amplitude.topRows(parts.rows() > 1 ? most : 1).array().square() / mean_square;
+    LongWaveShare<T> result;
+    result.share = (std::min)(heights, T(1));
+    result.squares = amplitude.topRows(parts.rows() > 1 ? most : 1).array().square() / mean_square;
     const T e = 2 * squares / 3, of_waves = e < T(0.5) ? e / (1 - e) : T(1);
     const bool map = parts.rows() > 1;
-    const T of_share = (std::min)(variance_of_power_law(found.share, map), 4 * of_waves);
+    const T of_share = (std::min)(variance_of_power_law(result.share, map), 4 * of_waves);
     const T variance = (std::min)(T(1), (std::max)(of_waves, map ? std::sqrt(of_waves * of_share) : of_share));
     const T z = math::normal_95<T>.value, ninth = variance / 9;  // 2/(9 v)
-    found.error = -3 * std::log(1 - ninth - z * std::sqrt(ninth)) / (2 * z);
-    return found;
+    result.error = -3 * std::log(1 - ninth - z * std::sqrt(ninth)) / (2 * z);
+    return result;
 }
 
 /// Long waves of a piece of \p rows by \p columns points; \p height(j, i) is relative to the mean, NaN where missing.
@@ -121,8 +121,8 @@ LongWaveShare<T> long_waves(Eigen::Index rows, Eigen::Index columns, T mean_squa
 
 /// Adds to \p spread the uncertainty that the long \p waves cause in sigma, and in r, which is proportional to 1/sigma.
 template <Real T>
-void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& whole, const LongWaveShare<T>& waves) {
-    const T more = std::expm1(waves.error * waves.error) - spread.error[0] * spread.error[0], r = whole[4];
+void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& estimate, const LongWaveShare<T>& waves) {
+    const T more = std::expm1(waves.error * waves.error) - spread.error[0] * spread.error[0], r = estimate[4];
     if (!(more > T(0) && std::isfinite(r))) return;
     Eigen::Matrix<T, 6, 6> covariance =
         (spread.error.matrix() * spread.error.matrix().transpose()).cwiseProduct(spread.correlation);
@@ -132,8 +132,8 @@ void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& whole, const 
     spread.error = covariance.diagonal().array().sqrt();
     for (Eigen::Index i = 0; i < 6; ++i)
         for (Eigen::Index j = 0; j < 6; ++j)
-            if (const T both = spread.error[i] * spread.error[j]; i != j && both > T(0))
-                spread.correlation(i, j) = std::clamp(covariance(i, j) / both, T(-1), T(1));
+            if (const T product = spread.error[i] * spread.error[j]; i != j && product > T(0))
+                spread.correlation(i, j) = std::clamp(covariance(i, j) / product, T(-1), T(1));
 }
 
 }  // namespace fstiff::inline v0_1::detail
@@ -220,7 +220,7 @@ template <Real T, class Squares>
             if (const auto k = static_cast<T>(x * x + y * y); k > T(1) && k < T(256) && squares(y, x) > 0)
                 logs.push_back(std::log(k) / 2), heights.push_back(static_cast<T>(squares(y, x)));
     if (logs.empty()) return {};
-    T best = -std::numeric_limits<T>::infinity(), all = 0, open = 0, hurst = 0;
+    T best = -std::numeric_limits<T>::infinity(), total = 0, open = 0, hurst = 0;
     for (int i = 1; i < 20; ++i)
         for (int j = 0; j <= 16; ++j) {
             const T h = T(i) / 20, edge = T(j) * std::numbers::ln2_v<T> / 4;  // ln k_r, to four octaves
@@ -233,15 +233,15 @@ template <Real T, class Squares>
             const T likelihood = -(static_cast<T>(logs.size()) * std::log(sum) + of_logs + away * away) / 2;
             if (likelihood > best) {
                 const T less = std::exp(best - likelihood);
-                all *= less, open *= less, hurst *= less, best = likelihood;
+                total *= less, open *= less, hurst *= less, best = likelihood;
             }
             const bool beyond = j == 0;
             const T weight = (beyond ? 4 : 1) * std::exp(likelihood - best);
-            all += weight, hurst += beyond ? weight * h : T(0), open += beyond ? weight : T(0);
+            total += weight, hurst += beyond ? weight * h : T(0), open += beyond ? weight : T(0);
         }
     LongEnd<T> end;
     end.hurst = open > T(0) ? hurst / open : prior.value;
-    end.open = (std::min)(T(1), 5 * open / all);  // 4 of 4 + 16 weights are the prior
+    end.open = (std::min)(T(1), 5 * open / total);  // 4 of 4 + 16 weights are the prior
     return end;
 }
 

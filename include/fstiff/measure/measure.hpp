@@ -70,50 +70,50 @@ template <Real T>
 /// factor of two, the R and D_p of islands whose density has no maximum, or the sigma of a form or a step.
 template <Real T>
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const Surface<T>& surface, const SurfaceParameters<T>& used) {
-    const auto has = [&](MeasuredConcern one) {
-        return std::find(surface.concerns.begin(), surface.concerns.end(), one) != surface.concerns.end();
+    const auto has = [&](MeasuredConcern concern) {
+        return std::find(surface.concerns.begin(), surface.concerns.end(), concern) != surface.concerns.end();
     };
-    std::vector<Parameter> all = unknown_parameters(used);
-    if (has(MeasuredConcern::long_waves)) std::erase(all, Parameter::r);
-    const auto add_measured = [&](Parameter which) {
-        const auto *one = used.find(which), *measured = surface.find(which);
-        if (one && measured && one->value == measured->value) all.push_back(which);
+    std::vector<Parameter> parameters = unknown_parameters(used);
+    if (has(MeasuredConcern::long_waves)) std::erase(parameters, Parameter::r);
+    const auto add_measured = [&](Parameter parameter) {
+        const auto *estimate = used.find(parameter), *measured = surface.find(parameter);
+        if (estimate && measured && estimate->value == measured->value) parameters.push_back(parameter);
     };
     if (has(MeasuredConcern::no_densest_level))
         add_measured(Parameter::peak_radius), add_measured(Parameter::peak_density);
     if (has(MeasuredConcern::form) || has(MeasuredConcern::step)) add_measured(Parameter::rms_height);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    std::sort(parameters.begin(), parameters.end());
+    parameters.erase(std::unique(parameters.begin(), parameters.end()), parameters.end());
+    return parameters;
 }
 
 template <Real T>
 [[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options,
                                                            const CutOffs<T>& cut_offs) {
-    SurfaceParameterOptions<T> how;
-    how.fit.tip_radius = options.tip_radius;
-    how.fit.resolution = options.resolution;
-    how.fit.window = options.window;
-    how.fit.lambda_s = cut_offs.lambda_s.value_or(T(0));
-    how.fit.seed = how.seed = options.seed;
-    how.resamples = options.resamples;
-    how.progress = how.fit.progress = how.islands.progress = options.progress;
-    how.peaks = options.peaks;
-    how.texture = options.texture;
-    how.dimension = options.dimension;
-    return how;
+    SurfaceParameterOptions<T> result;
+    result.fit.tip_radius = options.tip_radius;
+    result.fit.resolution = options.resolution;
+    result.fit.window = options.window;
+    result.fit.lambda_s = cut_offs.lambda_s.value_or(T(0));
+    result.fit.seed = result.seed = options.seed;
+    result.resamples = options.resamples;
+    result.progress = result.fit.progress = result.islands.progress = options.progress;
+    result.peaks = options.peaks;
+    result.texture = options.texture;
+    result.dimension = options.dimension;
+    return result;
 }
 
 /// Same as above, with the loss of sigma by the removal of a form of \p terms in addition to the mean.
 template <Real T, class Prepared>
 [[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options, const Prepared& prepared,
                                                            int terms) {
-    SurfaceParameterOptions<T> how = parameter_options(options, prepared.cut_offs);
-    how.form_terms = terms;
+    SurfaceParameterOptions<T> result = parameter_options(options, prepared.cut_offs);
+    result.form_terms = terms;
     const T before = prepared.rms_as_read, after = rms_height(prepared.of_structure());
     if (terms > 0 && !options.form_cut_off && before > after)
-        how.form_share = std::sqrt((before / after - 1) * (before / after + 1));
-    return how;
+        result.form_share = std::sqrt((before / after - 1) * (before / after + 1));
+    return result;
 }
 
 /// Surface::widest_band for a surface whose longer side has \p length, whose coarser step is \p step.
@@ -124,11 +124,11 @@ template <Real T>
     return widest > T(1) ? widest : std::numeric_limits<T>::infinity();
 }
 
-/// Surface from \p found, with the statistics of \p heights and the concerns of both.
+/// Surface from \p parameters, with the statistics of \p heights and the concerns of both.
 template <Real T, class Heights>
-[[nodiscard]] Surface<T> surface_of(SurfaceParameters<T> found, const Heights& heights, const CutOffs<T>& cut_offs,
+[[nodiscard]] Surface<T> surface_of(SurfaceParameters<T> parameters, const Heights& heights, const CutOffs<T>& cut_offs,
                                     T rms_gradient) {
-    Surface<T> surface{std::move(found)};
+    Surface<T> surface{std::move(parameters)};
     surface.cut_offs = cut_offs;
     if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are excluded by the user
     surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
@@ -155,16 +155,16 @@ template <Real T, class MeasureOne>
     options.dimension = options.dimension && options.neighbour_dimensions;
     options.progress = {};
     if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // fixed for all neighbours
-    std::vector<Surface<T>> all;
+    std::vector<Surface<T>> surfaces;
     for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step)) {
         options.lambda_s = lambda_s;
         try {
-            all.push_back(measure_one(options));
-            if (!options.keep_maps) all.back().map.reset();
+            surfaces.push_back(measure_one(options));
+            if (!options.keep_maps) surfaces.back().map.reset();
         } catch (const domain_error&) {
         }
     }
-    return all;
+    return surfaces;
 }
 
 /// \p profile after the cleaning.
@@ -173,10 +173,10 @@ template <Real T>
     const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, options));
     const Profile<T>& flat = prepared->profile;
     const int degree = static_cast<int>(coefficients(options.form)) - 1;
-    SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
-                                                       parameter_options(options, *prepared, degree));
-    if (options.texture && options.form > Form::mean) found.plain_form = detail::plain_form(flat, degree);
-    Surface<T> surface = surface_of(std::move(found), flat, prepared->cut_offs, prepared->rms_gradient);
+    SurfaceParameters<T> parameters = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
+                                                            parameter_options(options, *prepared, degree));
+    if (options.texture && options.form > Form::mean) parameters.plain_form = detail::plain_form(flat, degree);
+    Surface<T> surface = surface_of(std::move(parameters), flat, prepared->cut_offs, prepared->rms_gradient);
     surface.profile = prepared;
     surface.is_profile = true;
     surface.size = static_cast<T>(flat.present()) * flat.spacing;
@@ -200,14 +200,15 @@ template <Real T>
                                 [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
     const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
     const int degree = degree_of(options.map_form), terms = degree * (degree + 3) / 2;
-    SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
-                                                       parameter_options(options, *prepared, terms));
-    if (prepared->cut_offs.why_s != LambdaSReason::by_table) prepared->unfiltered.reset();  // D is found; K is of it
+    SurfaceParameters<T> parameters = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
+                                                            parameter_options(options, *prepared, terms));
+    if (prepared->cut_offs.why_s != LambdaSReason::by_table)
+        prepared->unfiltered.reset();  // D is parameters; K is of it
     const HeightMap<T>& flat = prepared->map;
-    if (options.texture && degree > 0) found.plain_form = detail::plain_form(flat, degree);
-    if (options.texture) std::tie(found.offset_lines, found.line_step) = line_offsets(steps);
+    if (options.texture && degree > 0) parameters.plain_form = detail::plain_form(flat, degree);
+    if (options.texture) std::tie(parameters.offset_lines, parameters.line_step) = line_offsets(steps);
     Surface<T> surface =
-        surface_of(std::move(found), flat, prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient));
+        surface_of(std::move(parameters), flat, prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient));
     surface.map = prepared;
     surface.size = static_cast<T>(flat.present()) * flat.dx * flat.dy;
     surface.widest_band =

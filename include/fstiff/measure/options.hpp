@@ -32,9 +32,9 @@ public:
     constexpr CutOff() = default;
     constexpr CutOff(NoCutOff) : automatic_(false) {}
     constexpr CutOff(std::type_identity_t<T> length) : automatic_(false), length_(length) {}
-    /// Cut-off of another measurement: the length \p found, or none.
-    [[nodiscard]] static constexpr CutOff of(const std::optional<T>& found) {
-        return found ? CutOff(*found) : CutOff(no_cut_off);
+    /// Cut-off of another measurement: \p wavelength, or none.
+    [[nodiscard]] static constexpr CutOff of(const std::optional<T>& wavelength) {
+        return wavelength ? CutOff(*wavelength) : CutOff(no_cut_off);
     }
     /// Whether the tables choose the cut-off.
     [[nodiscard]] constexpr bool automatic() const { return automatic_; }

@@ -79,10 +79,11 @@ template <Real T>
 
 /// Sums of heights in \p unit and of lengths in samples of \p dx by \p dy.
 template <Real T>
-void store_sums(SurfaceParameters<T>& result, const Estimates<double>& whole, const EstimateSpread<double>& spread,
+void store_sums(SurfaceParameters<T>& result, const Estimates<double>& estimate, const EstimateSpread<double>& spread,
                 double unit, double dx, double dy) {
     const auto measured = [&](Eigen::Index i, double scale) {
-        return Measurement<T>{static_cast<T>(whole[i] * scale), static_cast<T>(whole[i] * scale * spread.error[i])};
+        return Measurement<T>{static_cast<T>(estimate[i] * scale),
+                              static_cast<T>(estimate[i] * scale * spread.error[i])};
     };
     result.rms_height = measured(0, unit);
     result.peak_radius = measured(1, dx / unit * dx);
@@ -94,7 +95,7 @@ void store_sums(SurfaceParameters<T>& result, const Estimates<double>& whole, co
         for (const Eigen::Index j : mine)
             result.correlation[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
                 static_cast<T>(spread.correlation(i, j));
-    const T r = static_cast<T>(whole[4]), theta = static_cast<T>(whole[5]);
+    const T r = static_cast<T>(estimate[4]), theta = static_cast<T>(estimate[5]);
     if (!std::isfinite(r) || !(theta > T(0)))
         result.why_no_peaks = "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta";
     else if (!(r < T(1)))
@@ -173,8 +174,8 @@ template <Real T>
 void require_numbers(const SurfaceParameters<T>& result) {
     require_positive("rms height of the surface", result.rms_height.value);
     if (result.peak_radius.value != T(0)) require_positive("radius of the peaks", result.peak_radius.value);
-    for (const auto& one : {result.rms_height, result.peak_radius, result.peak_density})
-        require(one.error <= (std::numeric_limits<T>::max)(), "error of a surface parameter", one.error, "finite");
+    for (const auto& m : {result.rms_height, result.peak_radius, result.peak_density})
+        require(m.error <= (std::numeric_limits<T>::max)(), "error of a surface parameter", m.error, "finite");
 }
 
 template <Real T>
@@ -200,28 +201,28 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
         sums[i / length].add_point(height(i));
         if (i > 0 && i + 1 < size) sums[i / length].triples.add(height(i) - height(i - 1), height(i + 1) - height(i));
     }
-    HeightSums<double> all;
-    for (const auto& cell : sums) all.add(cell);
-    if (all.triples.triples < 8)
-        throw domain_error("profile has " + std::to_string(all.triples.triples) +
+    HeightSums<double> total;
+    for (const auto& cell : sums) total.add(cell);
+    if (total.triples.triples < 8)
+        throw domain_error("profile has " + std::to_string(total.triples.triples) +
                            " triples of neighbouring points: must be at least 8");
     const std::size_t block =
         std::clamp<std::size_t>((5 * correlated + length - 1) / length, 1, std::max<std::size_t>(1, sums.size() / 8));
 
     SurfaceParameters<T> result;
     constexpr auto count = PeakCount::profile;
-    const auto whole = detail::estimates(all, count);
+    const auto estimate = detail::estimates(total, count);
     auto spread = detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress);
     const auto waves =
-        detail::long_waves<double>(1, static_cast<Eigen::Index>(size), whole[0] * whole[0],
+        detail::long_waves<double>(1, static_cast<Eigen::Index>(size), estimate[0] * estimate[0],
                                    [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
     result.long_wave_share = static_cast<T>(waves.share);
-    detail::add_long_waves(spread, whole, waves);
+    detail::add_long_waves(spread, estimate, waves);
     result.repetition = detail::repetition(profile);
-    store_sums(result, whole, spread, unit, step, step);
-    if (all.triples.peaks == 0) result.why_no_density = "no peak";
+    store_sums(result, estimate, spread, unit, step, step);
+    if (total.triples.peaks == 0) result.why_no_density = "no peak";
     require_numbers(result);
-    result.peaks_counted = all.triples.peaks;
+    result.peaks_counted = total.triples.peaks;
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
     result.why_no_dimension =
@@ -250,9 +251,9 @@ template <Real T, class Height>
     visit_inner_points(map, block, [&](Index j, Index i, bool summit) {
         tile.inner += 1;
         if (!summit) return;
-        const double here = height(j, i);
-        const double along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
-        const double along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
+        const double centre = height(j, i);
+        const double along_x = (centre - height(j, i - 1)) + (centre - height(j, i + 1));
+        const double along_y = (centre - height(j - 1, i)) + (centre - height(j + 1, i));
         tile.summits += 1;
         tile.summit_curvature += (along_x + along_y * square_of_sides) / 2;
     });
@@ -293,16 +294,16 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const bool summits = options.peaks == PeakSource::summits;
     const Index tiles = static_cast<Index>(options.tiles);
     std::vector<HeightSums<double>> sums;
-    HeightSums<double> all;
+    HeightSums<double> sum;
     for (Index t = 0; t < tiles * tiles; ++t) {
         const Index row = t / tiles, column = t % tiles;
         const MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles, column * map.columns() / tiles,
                              (column + 1) * map.columns() / tiles};
         const HeightSums<double> tile = sums_of_block(map, block, height, summits);
-        all.add(tile);
+        sum.add(tile);
         if (tile.points > 0.0) sums.push_back(tile);
     }
-    require(all.triples.triples > 0, "triples of neighbouring points in the rows", all.triples.triples, "at least 1");
+    require(sum.triples.triples > 0, "triples of neighbouring points in the rows", sum.triples.triples, "at least 1");
     const auto with_summits =
         std::count_if(sums.begin(), sums.end(), [](const auto& tile) { return tile.summits > 0; });
 
@@ -310,14 +311,14 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     if (summits && with_summits < 2)
         result.why_no_density = with_summits == 0 ? "no summit" : "summits in one tile alone";
     const auto count = summits && result.why_no_density.empty() ? PeakCount::summits : PeakCount::none;
-    const auto whole = detail::estimates(all, count);
+    const auto estimate = detail::estimates(sum, count);
     auto spread = detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress);
-    const auto waves = detail::long_waves<double>(map.rows(), map.columns(), whole[0] * whole[0], height);
+    const auto waves = detail::long_waves<double>(map.rows(), map.columns(), estimate[0] * estimate[0], height);
     result.long_wave_share = static_cast<T>(waves.share);
-    detail::add_long_waves(spread, whole, waves);
+    detail::add_long_waves(spread, estimate, waves);
     if (options.texture) result.texture_aspect_ratio = detail::texture_aspect_ratio(map);
-    store_sums(result, whole, spread, unit, static_cast<double>(map.dx), static_cast<double>(map.dy));
-    result.peaks_counted = static_cast<std::size_t>(all.summits);
+    store_sums(result, estimate, spread, unit, static_cast<double>(map.dx), static_cast<double>(map.dy));
+    result.peaks_counted = static_cast<std::size_t>(sum.summits);
     if (!summits) store_islands(result, map, options);
     if (!result.why_no_density.empty()) result.peak_radius = result.peak_density = {};
     require_numbers(result);

@@ -59,18 +59,18 @@ namespace fstiff::inline v0_1::detail {
 /// Repetition of \p profile. \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] Repetition<T> repetition(const Profile<T>& profile) {
-    const Autocorrelation<T> all = autocorrelation(profile);
+    const Autocorrelation<T> acf = autocorrelation(profile);
     const std::size_t reach = profile.size() / 4;
     const auto share = [&](std::size_t n) {
-        return all.pairs[n] == 0 ? T(0)
-                                 : all.value[n] * static_cast<T>(all.pairs[n]) / static_cast<T>(all.pairs.front());
+        return acf.pairs[n] == 0 ? T(0)
+                                 : acf.value[n] * static_cast<T>(acf.pairs[n]) / static_cast<T>(acf.pairs.front());
     };
     std::size_t n = 0;
     while (n < reach && share(n) > T(0)) ++n;
-    Repetition<T> found;
+    Repetition<T> result;
     for (; n < reach; ++n)
-        if (const T here = share(n); here > found.correlation) found = {here, all.lag[n]};
-    return found;
+        if (const T correlation = share(n); correlation > result.correlation) result = {correlation, acf.lag[n]};
+    return result;
 }
 
 /// Str of \p map, on 256 points along the longer side, and at least 4 along the shorter one, where it has more and no
@@ -80,9 +80,9 @@ template <Real T>
 [[nodiscard]] T texture_aspect_ratio(const HeightMap<T>& map) {
     const auto [shorter, longer] = std::minmax({map.columns(), map.rows()});
     const Eigen::Index points = (std::max)(Eigen::Index(256), 4 * longer / (std::max)(shorter, Eigen::Index(1)));
-    const bool whole = !map.heights.isNaN().any();
+    const bool complete = !map.heights.isNaN().any();
     const TextureParameters<T> texture =
-        detail::texture_parameters(detail::areal_autocorrelation(whole ? detail::coarsened(map, points) : map));
+        detail::texture_parameters(detail::areal_autocorrelation(complete ? detail::coarsened(map, points) : map));
     if (texture.aspect_ratio) return *texture.aspect_ratio;
     return texture.shortest ? *texture.shortest / texture.longest : T(1);
 }
@@ -143,7 +143,7 @@ struct FormParts {
     }
     /// Square sum that a step at the angle \p angle explains beyond the terms up to \p removed, and the part before it.
     [[nodiscard]] std::pair<T, Eigen::Index> step(T angle, int removed) const {
-        const auto base = std::count_if(degree.begin(), degree.end(), [&](int one) { return one <= removed; });
+        const auto base = std::count_if(degree.begin(), degree.end(), [&](int term) { return term <= removed; });
         const auto low = terms.leftCols(base);
         const Eigen::Array<T, Eigen::Dynamic, 1> along = u * std::cos(angle) + v * std::sin(angle),
                                                  rest = (height.matrix() - low * (low.transpose() * height.matrix()));
@@ -152,14 +152,14 @@ struct FormParts {
         std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return along[a] < along[b]; });
         Eigen::Matrix<T, Eigen::Dynamic, 1> shared = Eigen::Matrix<T, Eigen::Dynamic, 1>::Zero(base);
         T heights = 0, points = 0;
-        const T all = weight.square().sum();
+        const T total = weight.square().sum();
         std::pair<T, Eigen::Index> best{T(0), 0};
-        for (const Eigen::Index at : order) {
-            shared += weight[at] * low.row(at).transpose();
-            heights += weight[at] * rest[at], points += weight[at] * weight[at];
-            if (points < all / 20 || points > all - all / 20) continue;
+        for (const Eigen::Index index : order) {
+            shared += weight[index] * low.row(index).transpose();
+            heights += weight[index] * rest[index], points += weight[index] * weight[index];
+            if (points < total / 20 || points > total - total / 20) continue;
             if (const T gain = heights * heights / (points - shared.squaredNorm()); gain > best.first)
-                best = {gain, at};
+                best = {gain, index};
         }
         return best;
     }
@@ -182,32 +182,32 @@ template <Real T, class Height>
             }
     squares -= sum.sum() * (sum.sum() / count.sum());
     const Eigen::Index parts = (count > T(0)).count();
-    FormParts<T> of;
-    for (auto* one : {&of.u, &of.v, &of.weight, &of.height}) one->resize(parts);
+    FormParts<T> form;
+    for (auto* column : {&form.u, &form.v, &form.weight, &form.height}) column->resize(parts);
     Eigen::Index n = 0;
     for (Eigen::Index j = 0; j < down; ++j)
         for (Eigen::Index i = 0; i < across; ++i) {
             if (!(count(j, i) > T(0))) continue;
-            of.u[n] = static_cast<T>(2 * i + 1) / static_cast<T>(across) - 1;
-            of.v[n] = static_cast<T>(2 * j + 1) / static_cast<T>(down) - 1;
-            of.weight[n] = std::sqrt(count(j, i));
-            of.height[n] = sum(j, i) / of.weight[n];
+            form.u[n] = static_cast<T>(2 * i + 1) / static_cast<T>(across) - 1;
+            form.v[n] = static_cast<T>(2 * j + 1) / static_cast<T>(down) - 1;
+            form.weight[n] = std::sqrt(count(j, i));
+            form.height[n] = sum(j, i) / form.weight[n];
             ++n;
         }
     const int smooth = map ? 5 : 6;
-    of.add_terms(smooth, map);
-    PlainForm<T> found;
-    if (!(squares > T(0))) return found;
-    found.parabola = removed < 2 ? of.explained(2, 2) / squares : T(0);
+    form.add_terms(smooth, map);
+    PlainForm<T> result;
+    if (!(squares > T(0))) return result;
+    result.parabola = removed < 2 ? form.explained(2, 2) / squares : T(0);
     constexpr int angles = 36;
     for (int k = 0; k < (map ? angles : 1); ++k) {
-        const auto [gain, at] = of.step(static_cast<T>(k) * std::numbers::pi_v<T> / angles, removed);
-        if (!(gain / squares > found.step) || !(gain > of.explained(removed + 1, smooth))) continue;
-        found.step = gain / squares, found.along_x = k == 0, found.along_y = 2 * k == angles;
-        found.place = found.along_y ? (of.v[at] + 1) / 2 * static_cast<T>(rows) * dy
-                                    : (of.u[at] + 1) / 2 * static_cast<T>(columns) * dx;
+        const auto [gain, index] = form.step(static_cast<T>(k) * std::numbers::pi_v<T> / angles, removed);
+        if (!(gain / squares > result.step) || !(gain > form.explained(removed + 1, smooth))) continue;
+        result.step = gain / squares, result.along_x = k == 0, result.along_y = 2 * k == angles;
+        result.place = result.along_y ? (form.v[index] + 1) / 2 * static_cast<T>(rows) * dy
+                                      : (form.u[index] + 1) / 2 * static_cast<T>(columns) * dx;
     }
-    return found;
+    return result;
 }
 
 /// Form of \p profile, without one of the degree \p removed.

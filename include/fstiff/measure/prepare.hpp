@@ -86,9 +86,9 @@ namespace fstiff::inline v0_1::detail {
 /// Crops, masks, removes spikes and fills, in this order.
 /// \throws domain_error for a crop beyond the profile, a mask of another size, or a limit of spikes out of range.
 template <Real T>
-CleaningReport clean(Profile<T>& profile, const Cleaning<T>& how);
+CleaningReport clean(Profile<T>& profile, const Cleaning<T>& cleaning);
 template <Real T>
-CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& how);
+CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& cleaning);
 
 }  // namespace fstiff::inline v0_1::detail
 
@@ -151,13 +151,13 @@ std::size_t apply_mask(T* heights, const PointMask& mask) {
 
 /// Removes spikes of \p surface and fills its holes.
 template <Real T, class Heights>
-void repair(Heights& surface, const Cleaning<T>& how, CleaningReport& report) {
-    if (how.spikes != T(0)) {
-        require(how.spikes >= T(min_spike_limit) && how.spikes <= T(max_spike_limit), "spikes", how.spikes,
-                "between 3 and 1000 standard deviations");
-        report.spikes = find_spikes(surface, how.spikes).removed;
+void repair(Heights& surface, const Cleaning<T>& cleaning, CleaningReport& report) {
+    if (cleaning.spikes != T(0)) {
+        require(cleaning.spikes >= T(min_spike_limit) && cleaning.spikes <= T(max_spike_limit), "spikes",
+                cleaning.spikes, "between 3 and 1000 standard deviations");
+        report.spikes = find_spikes(surface, cleaning.spikes).removed;
     }
-    if (how.fill) {
+    if (cleaning.fill) {
         const auto filled = fill_missing(surface);
         report.filled = filled.missing, report.largest_hole = filled.longest;
     }
@@ -246,49 +246,50 @@ void finish(PreparedMap<T>& prepared) {
 }
 
 template <Real T>
-CleaningReport clean(Profile<T>& profile, const Cleaning<T>& how) {
-    if (how.align != LineAlignment::none) refuse("align", name_of(how.align), "none for a profile, which is one line");
+CleaningReport clean(Profile<T>& profile, const Cleaning<T>& cleaning) {
+    if (cleaning.align != LineAlignment::none)
+        refuse("align", name_of(cleaning.align), "none for a profile, which is one line");
     CleaningReport report{.columns_read = profile.size(), .rows_read = 1};
-    if (how.crop) {
-        const PointRange x = cropped("x", how.crop->x_from, how.crop->x_to, profile.size(), profile.spacing);
+    if (cleaning.crop) {
+        const PointRange x = cropped("x", cleaning.crop->x_from, cleaning.crop->x_to, profile.size(), profile.spacing);
         const auto begin = profile.heights.begin() + static_cast<std::ptrdiff_t>(x.from);
         profile.heights = std::vector<T>(begin, begin + static_cast<std::ptrdiff_t>(x.count));
     }
     report.columns = profile.size(), report.rows = 1;
-    if (how.mask.size() > 0) {
-        require(static_cast<std::size_t>(how.mask.size()) == profile.size() &&
-                    (how.mask.rows() == 1 || how.mask.cols() == 1),
-                "marks of the mask", how.mask.size(), "in one row, as many as the points of the cropped profile");
-        report.masked = apply_mask(profile.heights.data(), how.mask);
+    if (cleaning.mask.size() > 0) {
+        require(static_cast<std::size_t>(cleaning.mask.size()) == profile.size() &&
+                    (cleaning.mask.rows() == 1 || cleaning.mask.cols() == 1),
+                "marks of the mask", cleaning.mask.size(), "in one row, as many as the points of the cropped profile");
+        report.masked = apply_mask(profile.heights.data(), cleaning.mask);
     }
-    detail::repair(profile, how, report);
+    detail::repair(profile, cleaning, report);
     return report;
 }
 
 template <Real T>
-CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& how) {
+CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& cleaning) {
     const auto size = [](Eigen::Index n) { return static_cast<std::size_t>(n); };
     const auto index = [](std::size_t n) { return static_cast<Eigen::Index>(n); };
     CleaningReport report{.columns_read = size(map.columns()), .rows_read = size(map.rows())};
-    if (how.crop) {
-        const PointRange x = cropped("x", how.crop->x_from, how.crop->x_to, report.columns_read, map.dx);
-        const PointRange y = cropped("y", how.crop->y_from, how.crop->y_to, report.rows_read, map.dy);
+    if (cleaning.crop) {
+        const PointRange x = cropped("x", cleaning.crop->x_from, cleaning.crop->x_to, report.columns_read, map.dx);
+        const PointRange y = cropped("y", cleaning.crop->y_from, cleaning.crop->y_to, report.rows_read, map.dy);
         const typename HeightMap<T>::Array part =
             map.heights.block(index(y.from), index(x.from), index(y.count), index(x.count));
         map.heights = part;
     }
     report.columns = size(map.columns()), report.rows = size(map.rows());
-    if (how.mask.size() > 0) {
-        require(how.mask.rows() == map.rows() && how.mask.cols() == map.columns(), "marks of the mask", how.mask.size(),
-                "in rows and columns as those of the cropped map");
-        report.masked = apply_mask(map.heights.data(), how.mask);
+    if (cleaning.mask.size() > 0) {
+        require(cleaning.mask.rows() == map.rows() && cleaning.mask.cols() == map.columns(), "marks of the mask",
+                cleaning.mask.size(), "in rows and columns as those of the cropped map");
+        report.masked = apply_mask(map.heights.data(), cleaning.mask);
     }
-    if (how.align != LineAlignment::none) {
-        const auto [axis, step] = align_lines(map, how.align, how.scan_axis);
+    if (cleaning.align != LineAlignment::none) {
+        const auto [axis, step] = align_lines(map, cleaning.align, cleaning.scan_axis);
         report.scan_axis = axis, report.line_step = static_cast<double>(step);
         report.aligned = axis == ScanAxis::x ? report.rows : report.columns;
     }
-    detail::repair(map, how, report);
+    detail::repair(map, cleaning, report);
     return report;
 }
 

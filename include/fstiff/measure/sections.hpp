@@ -85,10 +85,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
                                                const FractalFitOptions<T>& options = {}) {
-    FractalFitOptions<T> how = options;  // lags above lambda_c are not roughness
-    if (levelled.lambda_c > T(0) && !(how.longest > T(0) && how.longest < levelled.lambda_c))
-        how.longest = levelled.lambda_c;
-    return fit_directions(levelled.of_structure(), how);
+    FractalFitOptions<T> adjusted = options;  // lags above lambda_c are not roughness
+    if (levelled.lambda_c > T(0) && !(adjusted.longest > T(0) && adjusted.longest < levelled.lambda_c))
+        adjusted.longest = levelled.lambda_c;
+    return fit_directions(levelled.of_structure(), adjusted);
 }
 
 /// Sums of squared differences, or second differences, and their numbers, for every section (rows) and lag (columns).
@@ -117,16 +117,16 @@ SectionSums<double> section_sums(const HeightMap<T>& map, Direction direction, b
     sums.sum.setZero();
     sums.pairs.setZero();
     for (Eigen::Index j = 0; j < sections; ++j) {
-        const Eigen::Index at = j % together, many = (std::min)(together, sections - j);
-        if (at == 0 && x) z = map.heights.middleRows(j, many).template cast<double>() / unit;
-        if (at == 0 && !x) z = map.heights.middleCols(j, many).transpose().template cast<double>() / unit;
-        const bool whole = !z.row(at).isNaN().any();
+        const Eigen::Index place = j % together, many = (std::min)(together, sections - j);
+        if (place == 0 && x) z = map.heights.middleRows(j, many).template cast<double>() / unit;
+        if (place == 0 && !x) z = map.heights.middleCols(j, many).transpose().template cast<double>() / unit;
+        const bool complete = !z.row(place).isNaN().any();
         for (Eigen::Index k = 0; k < lags; ++k) {
             const auto n = static_cast<Eigen::Index>(sums.step[static_cast<std::size_t>(k)]);
             if (j % rows_apart(n) != 0) continue;
             const Eigen::Index count = points - (second ? 2 * n : n);
             const auto add = [&](const auto& square) {
-                if (whole) {
+                if (complete) {
                     sums.pairs(j, k) = static_cast<double>(count);
                     sums.sum(j, k) = square.sum();
                 } else {
@@ -135,7 +135,7 @@ SectionSums<double> section_sums(const HeightMap<T>& map, Direction direction, b
                     sums.sum(j, k) = squares.isNaN().select(0.0, squares).sum();
                 }
             };
-            const auto row = z.row(at);
+            const auto row = z.row(place);
             if (second)
                 add((row.tail(count) - 2 * row.segment(n, count) + row.head(count)).square());
             else
@@ -191,12 +191,12 @@ LogLevel<double> log_level(const MeasuredStructureFunction<T>& measured, const L
     std::vector<double> weight(s.size(), 0.0);
     const double from = std::log(static_cast<double>(window.from)), to = std::log(static_cast<double>(window.to));
     for (int p = 0; p < points; ++p) {
-        const double at = from + (to - from) * static_cast<double>(p) / static_cast<double>(points - 1);
+        const double log_lag = from + (to - from) * static_cast<double>(p) / static_cast<double>(points - 1);
         std::size_t k = 1;
-        while (k + 1 < s.size() && std::log(static_cast<double>(s.lag[k])) < at) ++k;
+        while (k + 1 < s.size() && std::log(static_cast<double>(s.lag[k])) < log_lag) ++k;
         const double below = std::log(static_cast<double>(s.lag[k - 1])),
                      above = std::log(static_cast<double>(s.lag[k]));
-        const double share = std::clamp((at - below) / (above - below), 0.0, 1.0);
+        const double share = std::clamp((log_lag - below) / (above - below), 0.0, 1.0);
         weight[k - 1] += (1 - share) / static_cast<double>(points);
         weight[k] += share / static_cast<double>(points);
     }
@@ -251,16 +251,16 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
     measured.rms_height = rms_height(map);
     measured.points = static_cast<std::size_t>(x ? map.columns() : map.rows());
     const auto sections = static_cast<double>(sums.sum.rows());
-    const auto means = [&](StructureFunction<T>& s, const SectionSums<double>& of) {
-        for (std::size_t k = 0; k < of.step.size(); ++k) {
+    const auto means = [&](StructureFunction<T>& s, const SectionSums<double>& totals) {
+        for (std::size_t k = 0; k < totals.step.size(); ++k) {
             const auto lag = static_cast<Eigen::Index>(k);
-            const double pairs = of.pairs.col(lag).sum(), sum = of.sum.col(lag).sum();
+            const double pairs = totals.pairs.col(lag).sum(), sum = totals.sum.col(lag).sum();
             if (pairs == 0.0) continue;
             const T value = mean_square<T>(sum, pairs, unit);
-            s.step.push_back(of.step[k]);
-            s.lag.push_back(static_cast<T>(of.step[k]) * measured.spacing);
+            s.step.push_back(totals.step[k]);
+            s.lag.push_back(static_cast<T>(totals.step[k]) * measured.spacing);
             s.value.push_back(value);
-            const auto apart = static_cast<double>(rows_apart(static_cast<Eigen::Index>(of.step[k])));
+            const auto apart = static_cast<double>(rows_apart(static_cast<Eigen::Index>(totals.step[k])));
             const double used = std::ceil(sections / apart);
             s.pairs.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(pairs / used + 0.5)));
         }
@@ -289,8 +289,8 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     const auto along_y = section_structure(map, Direction::y, resampling);
     DirectionalFit<T> result;
     const auto fit = [&](std::optional<FractalFit<T>>& into, const MeasuredStructureFunction<T>& measured,
-                         const FractalFitOptions<T>& how) {
-        std::string reason = fit_or_reason(into, [&] { return fit_fractal(measured, how); });
+                         const FractalFitOptions<T>& settings) {
+        std::string reason = fit_or_reason(into, [&] { return fit_fractal(measured, settings); });
         if (into) into->seed = options.seed;
         return reason;
     };
@@ -298,14 +298,14 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     result.why_no_fit_y = fit(result.y, along_y, options);
     if (result.x && result.y) {
         // over the lags of both windows: a curved S has another slope in another window
-        FractalFitOptions<T> both = options;
+        FractalFitOptions<T> common = options;
         const std::vector<T>&lags_x = along_x.second_differences.lag, &lags_y = along_y.second_differences.lag;
-        both.window = LagWindow<T>{
+        common.window = LagWindow<T>{
             (std::max)({(std::min)(result.x->window.from, result.y->window.from), lags_x.front(), lags_y.front()}),
             (std::min)({(std::max)(result.x->window.to, result.y->window.to), lags_x.back(), lags_y.back()})};
         std::optional<FractalFit<T>> x, y;
-        (void)fit(x, along_x, both);
-        (void)fit(y, along_y, both);
+        (void)fit(x, along_x, common);
+        (void)fit(y, along_y, common);
         if (!x || !y) x = result.x, y = result.y;  // where the spacings are so different that no such window exists
         result.dimension_difference = x->fractal.dimension - y->fractal.dimension;
         result.dimension_difference_error = std::hypot(x->dimension_error, y->dimension_error);

@@ -30,8 +30,8 @@ namespace detail {
 /// Values of \p surface, whose spectrum has \p moments, without their errors.
 template <Real T>
 [[nodiscard]] RoughFace<T> rough_face(const SurfaceParameters<T>& surface, const SpectralMoments<T>& moments) {
-    const auto value = [](const std::optional<Measurement<T>>& one) {
-        return one ? std::optional<T>(one->value) : std::nullopt;
+    const auto value = [](const std::optional<Measurement<T>>& measurement) {
+        return measurement ? std::optional<T>(measurement->value) : std::nullopt;
     };
     return {{surface.rms_height.value, surface.peak_radius.value, surface.peak_density.value,
              surface.max_peak_height.value},
@@ -45,22 +45,22 @@ template <Real T>
 /// Parameters of \p face, without errors.
 template <Real T>
 [[nodiscard]] SurfaceParameters<T> stated(const RoughFace<T>& face) {
-    SurfaceParameters<T> of;
-    of.rms_height.value = face.roughness.rms_height;
-    of.peak_radius.value = face.roughness.peak_radius;
-    of.peak_density.value = face.roughness.peak_density;
-    of.max_peak_height.value = face.roughness.max_peak_height;
-    if (face.fractal_dimension) of.fractal_dimension = {*face.fractal_dimension, 0};
-    if (face.fractal_roughness) of.fractal_roughness = {*face.fractal_roughness, 0};
-    if (face.r) of.r = {*face.r, 0};
-    if (face.theta) of.theta = {*face.theta, 0};
-    return of;
+    SurfaceParameters<T> result;
+    result.rms_height.value = face.roughness.rms_height;
+    result.peak_radius.value = face.roughness.peak_radius;
+    result.peak_density.value = face.roughness.peak_density;
+    result.max_peak_height.value = face.roughness.max_peak_height;
+    if (face.fractal_dimension) result.fractal_dimension = {*face.fractal_dimension, 0};
+    if (face.fractal_roughness) result.fractal_roughness = {*face.fractal_roughness, 0};
+    if (face.r) result.r = {*face.r, 0};
+    if (face.theta) result.theta = {*face.theta, 0};
+    return result;
 }
 
 /// \p face with the parameters \p drawn about its own; the moments are scaled with the height.
 template <Real T>
 [[nodiscard]] RoughFace<T> redrawn(RoughFace<T> face, const std::array<T, surface_parameter_count>& drawn) {
-    const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
+    const auto value = [&](Parameter parameter) { return drawn[index_of(parameter)]; };
     const T taller = value(Parameter::rms_height) / face.roughness.rms_height;
     const T bent = face.has_peaks() ? face.roughness.peak_radius / value(Parameter::peak_radius) : taller;
     face.moments = {face.moments.m0 * taller * taller, face.moments.m2 * taller * taller,
@@ -77,9 +77,9 @@ template <Real T>
 template <Real T>
 [[nodiscard]] std::array<T, surface_parameter_count> coordinates(const RoughFace<T>& face) {
     std::array<T, surface_parameter_count> x{};
-    const auto put = [&](Parameter which, T value) {
+    const auto put = [&](Parameter p, T value) {
         if (value == T(0)) return;
-        x[index_of(which)] = parameter_table[index_of(which)].variation == Variation::log ? std::log(value) : value;
+        x[index_of(p)] = parameter_table[index_of(p)].variation == Variation::log ? std::log(value) : value;
     };
     put(Parameter::rms_height, face.roughness.rms_height);
     put(Parameter::peak_radius, face.roughness.peak_radius);
@@ -104,10 +104,10 @@ template <Real T>
     std::array<std::array<T, size>, size> square{};
     const std::array<T, size> centre = coordinates(nominal);
     for (std::size_t n = 0; n < draws; ++n) {
-        const RoughFace<T> one = redrawn(a, draw_a()), other = redrawn(b, draw_b());
-        RoughFace<T> sum = sum_of_faces(one, other);
+        const RoughFace<T> first = redrawn(a, draw_a()), second = redrawn(b, draw_b());
+        RoughFace<T> sum = sum_of_faces(first, second);
         if (sum.fractal_dimension)
-            sum.fractal_dimension = share * *one.fractal_dimension + (1 - share) * *other.fractal_dimension;
+            sum.fractal_dimension = share * *first.fractal_dimension + (1 - share) * *second.fractal_dimension;
         std::array<T, size> x = coordinates(sum);
         for (std::size_t i = 0; i < size; ++i) x[i] -= centre[i];
         for (std::size_t i = 0; i < size; ++i) {
@@ -128,8 +128,8 @@ template <Real T>
         }
     for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const T both = std::sqrt(variance(i) * variance(j)), shared = square[i][j] - mean[i] * mean[j];
-            if (both > T(0)) out.correlation[i][j] = out.correlation[j][i] = std::clamp(shared / both, T(-1), T(1));
+            const T norm = std::sqrt(variance(i) * variance(j)), shared = square[i][j] - mean[i] * mean[j];
+            if (norm > T(0)) out.correlation[i][j] = out.correlation[j][i] = std::clamp(shared / norm, T(-1), T(1));
         }
     return out;
 }
@@ -140,10 +140,10 @@ template <Real T>
     HeightStatistics<T> sum;
     sum.moments = a.moments + b.moments;
     const T share_a = a.moments.m0 / sum.moments.m0, share_b = b.moments.m0 / sum.moments.m0;
-    const auto cumulant = [&](const Measurement<T>& one, const Measurement<T>& other, T power, T gaussian) {
+    const auto cumulant = [&](const Measurement<T>& first, const Measurement<T>& second, T power, T gaussian) {
         const T of_a = std::pow(share_a, power), of_b = std::pow(share_b, power);
-        return Measurement<T>{gaussian + of_a * (one.value - gaussian) + of_b * (other.value - gaussian),
-                              std::hypot(of_a * one.error, of_b * other.error)};
+        return Measurement<T>{gaussian + of_a * (first.value - gaussian) + of_b * (second.value - gaussian),
+                              std::hypot(of_a * first.error, of_b * second.error)};
     };
     sum.skewness = cumulant(a.skewness, b.skewness, T(1.5), T(0));
     sum.kurtosis = cumulant(a.kurtosis, b.kurtosis, T(2), T(3));

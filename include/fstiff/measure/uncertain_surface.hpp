@@ -53,9 +53,9 @@ namespace detail {
 /// Correlation matrix of independent parameters: the identity.
 template <Real T>
 [[nodiscard]] constexpr ParameterCorrelation<T> uncorrelated() {
-    ParameterCorrelation<T> one{};
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) one[i][i] = T(1);
-    return one;
+    ParameterCorrelation<T> identity{};
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) identity[i][i] = T(1);
+    return identity;
 }
 
 }  // namespace detail
@@ -94,11 +94,11 @@ struct SurfaceParameters {
     std::optional<DirectionalFit<T>> map_fit;         ///< same for a map; without x and y where neither can be fitted
     std::optional<RepresentativeIslands<T>> islands;  ///< source of R and D_p of a map, PeakSource::islands
 
-    /// Pointer to the parameter \p which; null where it is not known, or is no parameter of a surface.
-    [[nodiscard]] const Measurement<T>* find(Parameter which) const { return find_in(*this, which); }
-    [[nodiscard]] Measurement<T>* find(Parameter which) { return find_in(*this, which); }
+    /// Pointer to \p parameter; null where it is not known, or is no parameter of a surface.
+    [[nodiscard]] const Measurement<T>* find(Parameter parameter) const { return find_in(*this, parameter); }
+    [[nodiscard]] Measurement<T>* find(Parameter parameter) { return find_in(*this, parameter); }
     /// \throws domain_error for a parameter that is not of a surface.
-    void set(Parameter which, const Measurement<T>& measured);
+    void set(Parameter parameter, const Measurement<T>& measured);
     /// Values in the order of Parameter; 0 where not known.
     [[nodiscard]] std::array<T, detail::surface_parameter_count> values() const;
     /// \throws domain_error naming the parameter that is out of range.
@@ -106,7 +106,7 @@ struct SurfaceParameters {
 
 private:
     template <class Self>
-    static auto find_in(Self& self, Parameter which) -> decltype(&self.rms_height);
+    static auto find_in(Self& self, Parameter parameter) -> decltype(&self.rms_height);
 };
 
 namespace detail {
@@ -131,10 +131,10 @@ private:
 
 template <Real T>
 template <class Self>
-auto SurfaceParameters<T>::find_in(Self& self, Parameter which) -> decltype(&self.rms_height) {
-    const auto known = [](auto& one) { return one ? &*one : nullptr; };
-    const auto unless_zero = [](auto& one) { return one.value != T(0) ? &one : nullptr; };
-    switch (which) {
+auto SurfaceParameters<T>::find_in(Self& self, Parameter parameter) -> decltype(&self.rms_height) {
+    const auto known = [](auto& measurement) { return measurement ? &*measurement : nullptr; };
+    const auto unless_zero = [](auto& measurement) { return measurement.value != T(0) ? &measurement : nullptr; };
+    switch (parameter) {
         case Parameter::rms_height: return &self.rms_height;
         case Parameter::peak_radius: return unless_zero(self.peak_radius);
         case Parameter::peak_density: return unless_zero(self.peak_density);
@@ -146,11 +146,11 @@ auto SurfaceParameters<T>::find_in(Self& self, Parameter which) -> decltype(&sel
 }
 
 template <Real T>
-void SurfaceParameters<T>::set(Parameter which, const Measurement<T>& measured) {
-    if (detail::index_of(which) >= detail::surface_parameter_count)
-        throw domain_error(std::string(name_of(which)) +
+void SurfaceParameters<T>::set(Parameter parameter, const Measurement<T>& measured) {
+    if (detail::index_of(parameter) >= detail::surface_parameter_count)
+        throw domain_error(std::string(name_of(parameter)) +
                            ": is not a parameter of a surface; must be one that SurfaceParameters holds");
-    switch (which) {
+    switch (parameter) {
         case Parameter::rms_height: rms_height = measured; break;
         case Parameter::peak_radius: peak_radius = measured; break;
         case Parameter::peak_density: peak_density = measured; break;
@@ -162,10 +162,10 @@ void SurfaceParameters<T>::set(Parameter which, const Measurement<T>& measured) 
 
 template <Real T>
 std::array<T, detail::surface_parameter_count> SurfaceParameters<T>::values() const {
-    std::array<T, detail::surface_parameter_count> all{};
+    std::array<T, detail::surface_parameter_count> result{};
     for (std::size_t i = 0; i < detail::surface_parameter_count; ++i)
-        if (const auto* one = find(detail::parameter_table[i].parameter)) all[i] = one->value;
-    return all;
+        if (const auto* measurement = find(detail::parameter_table[i].parameter)) result[i] = measurement->value;
+    return result;
 }
 
 template <Real T>
@@ -192,7 +192,7 @@ template <Real T>
 SurfaceSampler<T>::SurfaceSampler(const SurfaceParameters<T>& surface, std::uint64_t seed) : state_(seed) {
     surface.validate();
     for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        if (const auto* one = surface.find(parameter_table[i].parameter)) known_[i] = *one;
+        if (const auto* measurement = surface.find(parameter_table[i].parameter)) known_[i] = *measurement;
     constexpr auto size = static_cast<Eigen::Index>(surface_parameter_count);
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation(size, size);
     correlation.setIdentity();
@@ -216,18 +216,18 @@ template <Real T>
 std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
     for (int attempt = 0; attempt < 1000; ++attempt) {
         std::array<T, surface_parameter_count> z{};
-        for (T& one : z) one = math::normal_pair<T>(state_).real();
+        for (T& normal : z) normal = math::normal_pair<T>(state_).real();
         std::array<T, surface_parameter_count> draw{};
         bool inside = true;
         for (std::size_t i = 0; i < surface_parameter_count; ++i) {
             if (!known_[i]) continue;
-            const T one = std::inner_product(z.begin(), z.end(), root_[i].begin(), T(0));
+            const T deviation = std::inner_product(z.begin(), z.end(), root_[i].begin(), T(0));
             const auto [value, error] = *known_[i];
             const T relative = error / value;
             const ParameterRow& row = parameter_table[i];
             draw[i] = row.variation == Variation::log
-                          ? value * std::exp(std::sqrt(std::log1p(relative * relative)) * one)
-                          : value + error * one;
+                          ? value * std::exp(std::sqrt(std::log1p(relative * relative)) * deviation)
+                          : value + error * deviation;
             inside = inside && parameter_in_range(row.parameter, draw[i]);
         }
         if (inside) return draw;

@@ -107,9 +107,9 @@ template <Real T = double>
 class ContactIntegrator {
 public:
     /// \throws domain_error for a tolerance out of its range.
-    explicit ContactIntegrator(const PeakDistribution<T>& peaks, Quantity wanted = Quantity::all,
+    explicit ContactIntegrator(const PeakDistribution<T>& peaks, Quantity quantities = Quantity::all,
                                const IntegralOptions<T>& options = {})
-        : integrate_(powers(wanted), peaks, options.relative_tolerance) {}
+        : integrate_(powers(quantities), peaks, options.relative_tolerance) {}
 
     /// Integrals at the separation \p eta (in rms heights), over shared nodes. The values leave out exp(log_scale), so
     /// that they neither under- nor overflow. \throws domain_error unless |eta| <= 1e6.
@@ -119,9 +119,9 @@ public:
     }
 
 private:
-    static PowerSet powers(Quantity wanted) {
-        const auto when = [wanted](Quantity quantity, int minus_two_b) {
-            return has(wanted, quantity) ? minus_two_b : detail::absent;
+    static PowerSet powers(Quantity quantities) {
+        const auto when = [quantities](Quantity quantity, int minus_two_b) {
+            return has(quantities, quantity) ? minus_two_b : detail::absent;
         };
         return {when(Quantity::contact_density, 0), when(Quantity::stiffness, 1), when(Quantity::real_area_fraction, 2),
                 when(Quantity::pressure, 1)};
@@ -135,9 +135,9 @@ private:
 /// The requested integrals at the separation \p eta; log_scale is 0. \throws as ContactIntegrator.
 template <Real T>
 [[nodiscard]] ContactIntegrals<T> contact_integrals(const PeakDistribution<T>& peaks, T eta,
-                                                    Quantity wanted = Quantity::all,
+                                                    Quantity quantities = Quantity::all,
                                                     const IntegralOptions<T>& options = {}) {
-    const ContactIntegrals<T> j = detail::ContactIntegrator<T>(peaks, wanted, options)(eta);
+    const ContactIntegrals<T> j = detail::ContactIntegrator<T>(peaks, quantities, options)(eta);
     const T scale = math::gaussian((std::max)(eta, T(0)));
     return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};
 }

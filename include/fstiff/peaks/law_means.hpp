@@ -80,13 +80,13 @@ TensorLanes<T> of_lanes(const TensorLanes<T>& omega, const F& f) {
     if constexpr (requires { f(omega); })
         return f(omega);
     else
-        return omega.unaryExpr([&f](T one) { return static_cast<T>(f(one)); });
+        return omega.unaryExpr([&f](T approach) { return static_cast<T>(f(approach)); });
 }
 
 /// Load, stiffness, area and -dp/dd of any law; the contacts are left 0. \p mean(f) is the mean of f(omega, R) over the
 /// peaks, \p mean_of_area the same for an area, and \p mean_of_loading(f) the slope of the mean of f against -eta.
 template <Real T, class Law, class Mean, class MeanOfArea, class MeanOfLoading>
-LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wanted, const Mean& mean,
+LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity quantities, const Mean& mean,
                         const MeanOfArea& mean_of_area, const MeanOfLoading& mean_of_loading) {
     const T sigma = scales.rms_height, density = scales.peak_density, modulus = scales.effective_modulus;
     // in units of sigma, so that no intermediate result is tiny
@@ -103,11 +103,10 @@ LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wa
                (sigma * sigma);
     };
     LawSums<T> out;
-    if (detail::has(wanted, Quantity::pressure)) out.load = mean(load) * (modulus * density * sigma * sigma);
-    if (detail::has(wanted, Quantity::stiffness)) out.stiffness = mean(stiffness) * (modulus * density * sigma);
-    if (detail::has(wanted, Quantity::real_area_fraction)) out.area = mean_of_area(area) * (density * sigma * sigma);
-    if (detail::has(wanted, Quantity::loading_stiffness))
-        out.loading = mean_of_loading(load) * (modulus * density * sigma);
+    if (has(quantities, Quantity::pressure)) out.load = mean(load) * (modulus * density * sigma * sigma);
+    if (has(quantities, Quantity::stiffness)) out.stiffness = mean(stiffness) * (modulus * density * sigma);
+    if (has(quantities, Quantity::real_area_fraction)) out.area = mean_of_area(area) * (density * sigma * sigma);
+    if (has(quantities, Quantity::loading_stiffness)) out.loading = mean_of_loading(load) * (modulus * density * sigma);
     return out;
 }
 
@@ -115,16 +114,16 @@ LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wa
 template <Real T, class Law>
 requires(!detail::PowerLaw<Law, T>) class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:
-    LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
+    LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity quantities,
                   T tolerance)
-        : law_(law), peaks_(peaks), scales_(scales), wanted_(wanted), options_{tolerance_for(tolerance)} {}
+        : law_(law), peaks_(peaks), scales_(scales), mask_(quantities), options_{tolerance_for(tolerance)} {}
 
     LawSums<T> operator()(T eta) const {
         const T c2 = (1 - peaks_.r()) * (1 + peaks_.r()), r = peaks_.r();
         // an area has whole powers where load and stiffness have half ones
         constexpr Axis axis = detail::axis_of<Law>(), area_axis = axis == Axis::even ? Axis::graded : axis;
         LawSums<T> out = means_of_law(
-            law_, scales_, wanted_,
+            law_, scales_, mask_,
             [&](const auto& f) {
                 return mean<axis>(eta, [&](const auto& omega, T radius, const auto&, T) { return f(omega, radius); });
             },
@@ -138,7 +137,7 @@ public:
                 });
             });
         out.log_scale = detail::log_scale_at(eta);
-        if (detail::has(wanted_, Quantity::contact_density))
+        if (has(mask_, Quantity::contact_density))
             out.contacts = PeakIntegrator<T>({0, absent, absent, absent}, peaks_,
                                              100 * std::numeric_limits<T>::epsilon())(eta)[0] *
                            scales_.peak_density;
@@ -159,7 +158,7 @@ private:
     Law law_;
     PeakDistribution<T> peaks_;
     PeakScales<T> scales_;
-    Quantity wanted_;
+    Quantity mask_;
     TensorOptions<T> options_;
 };
 
@@ -167,28 +166,28 @@ private:
 template <Real T, class Law>
 requires(!detail::PowerLaw<Law, T>) class LawIntegrator<T, Law, SingleRadius<T>> {
 public:
-    LawIntegrator(const Law& law, const SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
+    LawIntegrator(const Law& law, const SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity quantities,
                   T tolerance)
-        : law_(law), peaks_(peaks), scales_(scales), wanted_(wanted), tolerance_((std::max)(tolerance, T(1e-13))) {}
+        : law_(law), peaks_(peaks), scales_(scales), mask_(quantities), tolerance_((std::max)(tolerance, T(1e-13))) {}
 
     LawSums<T> operator()(T eta) const {
         const T sigma = scales_.rms_height, radius = 1 / scales_.curvature, density = scales_.peak_density;
         const auto mean_of = [&](const auto& f) {
             return mean(eta, [&](const TensorLanes<T>& e) -> TensorLanes<T> { return f((sigma * e).eval(), radius); });
         };
-        LawSums<T> out = means_of_law(law_, scales_, wanted_, mean_of, mean_of, [&](const auto& load) {
+        LawSums<T> out = means_of_law(law_, scales_, mask_, mean_of, mean_of, [&](const auto& load) {
             // by parts; exponential heights end at s = 0, where peaks that press already press on
             const bool gaussian = peaks_.heights == Heights::gaussian;
             Estimate<T> loading = mean(eta, [&](const TensorLanes<T>& e) -> TensorLanes<T> {
-                const TensorLanes<T> one = load((sigma * e).eval(), radius);
-                return gaussian ? (one * (e + eta)).eval() : one;
+                const TensorLanes<T> lanes = load((sigma * e).eval(), radius);
+                return gaussian ? (lanes * (e + eta)).eval() : lanes;
             });
             if (!gaussian && eta < 0) loading.value -= load((sigma * TensorLanes<T>::Constant(-eta)).eval(), radius)[0];
             return loading;
         });
         const auto [count, log_scale] = peaks_.template scaled_height_moment<0>(eta);
         out.log_scale = log_scale;
-        if (detail::has(wanted_, Quantity::contact_density))
+        if (has(mask_, Quantity::contact_density))
             out.contacts = {density * count, 16 * std::numeric_limits<T>::epsilon() * density * count, 0};
         return out;
     }
@@ -215,10 +214,10 @@ private:
             out.error += part.error;
             out.evaluations += part.evaluations;
         };
-        const auto split = [&](T at) {
-            if (at <= from || at >= reach) return;
-            add(math::integral_over_interval(integrand, from, at, tolerance_));
-            from = at;
+        const auto split = [&](T point) {
+            if (point <= from || point >= reach) return;
+            add(math::integral_over_interval(integrand, from, point, tolerance_));
+            from = point;
         };
         if constexpr (requires { law_.critical(T(1)); }) {
             const T critical = static_cast<T>(law_.critical(1 / scales_.curvature)) / scales_.rms_height;
@@ -235,7 +234,7 @@ private:
     Law law_;
     SingleRadius<T> peaks_;
     PeakScales<T> scales_;
-    Quantity wanted_;
+    Quantity mask_;
     T tolerance_;
 };
 

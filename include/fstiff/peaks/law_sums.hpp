@@ -63,7 +63,7 @@ struct PeakScales {
 
     /// factor D_p sigma^(omega/2) curvature^(-radius/2): of the mean of a law of these powers over the peaks. Written
     /// with sigma times the curvature, which is dimensionless.
-    [[nodiscard]] T of(T factor, HalfPowers powers) const {
+    [[nodiscard]] T unit(T factor, HalfPowers powers) const {
         const T product = rms_height * curvature;
         const int lengths = powers.omega + powers.radius;  // of 1/2 each
         T scale = lengths >= 4 ? factor * (peak_density * rms_height * rms_height)
@@ -89,7 +89,7 @@ std::array<PowerTerm<T>, 5> power_terms(const Law& law, const PeakScales<T>& sca
     const auto load_factor = static_cast<T>(law.load_factor());
     const HalfPowers slope{load.omega - 2, load.radius};
     const auto term = [&](Quantity quantity, HalfPowers powers, T factor) {
-        return PowerTerm<T>{quantity, powers, scales.of(factor, powers)};
+        return PowerTerm<T>{quantity, powers, scales.unit(factor, powers)};
     };
     return {term(Quantity::contact_density, {0, 0}, T(1)), term(Quantity::pressure, load, modulus * load_factor),
             term(Quantity::stiffness, Law::stiffness_powers, modulus * static_cast<T>(law.stiffness_factor())),
@@ -117,7 +117,7 @@ class LawIntegrator;
 template <Real T, PowerLaw<T> Law>
 class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:
-    LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
+    LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity quantities,
                   T tolerance)
         : terms_(power_terms(law, scales)) {
         constexpr PowerSet nothing{absent, absent, absent, absent};
@@ -125,7 +125,7 @@ public:
         sets.fill(nothing);
         for (std::size_t i = 0; i < terms_.size(); ++i) {
             pass_[i] = passes;
-            if (!detail::has(wanted, terms_[i].quantity)) continue;
+            if (!detail::has(quantities, terms_[i].quantity)) continue;
             const auto omega = static_cast<std::size_t>(terms_[i].powers.omega);
             const int radius = terms_[i].powers.radius;
             pass_[i] = 0;
@@ -160,8 +160,8 @@ private:
 template <Real T, PowerLaw<T> Law>
 class LawIntegrator<T, Law, SingleRadius<T>> {
 public:
-    LawIntegrator(const Law& law, const SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity wanted, T)
-        : terms_(power_terms(law, scales)), peaks_(peaks), wanted_(wanted) {}
+    LawIntegrator(const Law& law, const SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity quantities, T)
+        : terms_(power_terms(law, scales)), peaks_(peaks), mask_(quantities) {}
 
     LawSums<T> operator()(T eta) const {
         constexpr T rounding = 16 * std::numeric_limits<T>::epsilon();
@@ -172,7 +172,7 @@ public:
             member_of(out, terms_[i].quantity) = {terms_[i].scale * value, rounding * terms_[i].scale * value, 0};
         };
         for (std::size_t i = 0; i < terms_.size(); ++i) {
-            if (!detail::has(wanted_, terms_[i].quantity)) continue;
+            if (!detail::has(mask_, terms_[i].quantity)) continue;
             const int omega = terms_[i].powers.omega;
             if (omega == 0) add.template operator()<0>(i);
             if (omega == 1) add.template operator()<1>(i);
@@ -185,7 +185,7 @@ public:
 private:
     std::array<PowerTerm<T>, 5> terms_;
     SingleRadius<T> peaks_;
-    Quantity wanted_;
+    Quantity mask_;
 };
 
 }  // namespace fstiff::inline v0_1::detail

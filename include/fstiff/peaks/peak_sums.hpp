@@ -62,7 +62,7 @@ PeakSums<T> finish(const std::array<math::Lanes<T, 4>, 8>& sums, const math::Lan
     const V fall_4 = smaller(smaller(quotient * quotient, at_3 / (at_1 + least)), one);  // over four eighths
     T fall[4];
     fall_4.store(fall);
-    for (T& each : fall) each = detail::rough_eighth_root(each);  // over half an eighth
+    for (T& factor : fall) factor = detail::rough_eighth_root(factor);  // over half an eighth
     const V error = (multiply_add(sqrt(at_3), fall_4 * V::load(fall), first + last)) / larger(total, least);
     PeakSums<T> out;
     out.nodes = nodes;
@@ -87,11 +87,11 @@ PowerSet one_power(T a, T b) {
 
 /// erf(k t) at the nodes.
 template <Real T>
-EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const math::ErfPolynomials& by, T* out) {
+EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const math::ErfPolynomials& polynomials, T* out) {
     using V = math::Lanes<T, 8>;
     for (int i = 0; i < nodes.size(); i += 8) {
         const T* t = nodes.t() + i;
-        math::erf_ascending(V::load(t) * V::all(k), k * t[0], k * t[7], by).store(out + i);
+        math::erf_ascending(V::load(t) * V::all(k), k * t[0], k * t[7], polynomials).store(out + i);
     }
 }
 
@@ -104,7 +104,7 @@ public:
     PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b, T tolerance)
         : k_(problem.k),
           rough_(tolerance > T(10 * math::MomentTable::cut[rough_terms])),
-          by_(math::ErfPolynomials::for_tolerance(static_cast<double>(tolerance))) {
+          polynomials_(math::ErfPolynomials::for_tolerance(static_cast<double>(tolerance))) {
         alignas(32) static constexpr T unit[4][4]{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
         for (std::size_t b = 0; b < 3; ++b) {  // in registers: a vector of what has just been stored one by one is slow
             share_[b] = V::all(T(0));
@@ -124,7 +124,7 @@ public:
     EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
         const bool kept = nodes.table() != nullptr && nodes.table() == erf_table_ && nodes.size() <= erf_size_;
         if (!kept) {
-            erf_at(nodes, k_, by_, erf_);
+            erf_at(nodes, k_, polynomials_, erf_);
             erf_table_ = nodes.table();
             erf_size_ = nodes.size();
         }
@@ -132,7 +132,7 @@ public:
     }
 
     /// Relative error of the shorter polynomials.
-    [[nodiscard]] T cut() const { return rough_ ? T(math::MomentTable::cut[rough_terms] + by_.error) : T(0); }
+    [[nodiscard]] T cut() const { return rough_ ? T(math::MomentTable::cut[rough_terms] + polynomials_.error) : T(0); }
     PeakSums<T> result(T step) const { return detail::finish(sums_, first_, last_, step, count_); }
 
 private:
@@ -148,8 +148,8 @@ private:
             for (int m = 0; m < 8; ++m) {
                 const V root = V::all(inverse_root[i + m]);
                 const V power = multiply_add(root, multiply_add(root, share[2], share[1]), share[0]);  // t^b
-                V& one = term[static_cast<std::size_t>(m)];
-                one = one * (power * V::all(mass[i + m] * erf_[i + m]));
+                V& product = term[static_cast<std::size_t>(m)];
+                product = product * (power * V::all(mass[i + m] * erf_[i + m]));
             }
             for (std::size_t m = 0; m < 8; ++m) sums_[m] = sums_[m] + term[m];
             if (count_ + i == 0) first_ = term.front();
@@ -160,7 +160,7 @@ private:
 
     T k_;
     bool rough_;  ///< by the shorter polynomials
-    math::ErfPolynomials by_;
+    math::ErfPolynomials polynomials_;
     int count_ = 0, erf_size_ = 0;
     const T* erf_table_ = nullptr;  ///< of the nodes at which erf_ was computed
     std::array<V, 3> share_;        ///< 1 where b = 0, -1/2, -1

@@ -26,14 +26,14 @@ enum class Quantity : unsigned {
 
 namespace detail {
 
-/// \p set less \p some.
-[[nodiscard]] constexpr Quantity without(Quantity set, Quantity some) {
-    return static_cast<Quantity>(static_cast<unsigned>(set) & ~static_cast<unsigned>(some));
+/// \p set less \p part.
+[[nodiscard]] constexpr Quantity without(Quantity set, Quantity part) {
+    return static_cast<Quantity>(static_cast<unsigned>(set) & ~static_cast<unsigned>(part));
 }
 
-/// True if \p set contains any quantity of \p some.
-[[nodiscard]] constexpr bool has(Quantity set, Quantity some) {
-    return (static_cast<unsigned>(set) & static_cast<unsigned>(some)) != 0;
+/// True if \p set contains any quantity of \p part.
+[[nodiscard]] constexpr bool has(Quantity set, Quantity part) {
+    return (static_cast<unsigned>(set) & static_cast<unsigned>(part)) != 0;
 }
 
 }  // namespace detail

@@ -28,7 +28,7 @@ namespace fstiff::inline v0_1 {
 enum class Axis {
     even,    ///< squares in both directions, for half-integer powers of the excess and of t
     graded,  ///< for any smooth f; a KinkedLaw is split at its kinks
-    rough    ///< for kinks at unknown places: as graded, with an error estimate for algebraic convergence
+    rough    ///< for kinks at unknown places: as graded, with an error sum for algebraic convergence
 };
 
 }  // namespace fstiff::inline v0_1
@@ -88,7 +88,7 @@ TensorLanes<T> values_of(const F& f, const TensorLanes<T>& excess, T t) {
     if constexpr (!own)
         return f(excess, t);
     else if constexpr (!requires { f(eight, t); })
-        return excess.unaryExpr([&f, t](T one) { return static_cast<T>(f(one, t)); });
+        return excess.unaryExpr([&f, t](T approach) { return static_cast<T>(f(approach, t)); });
     else if constexpr (std::is_convertible_v<decltype(f(eight, t)), T>)  // a function of t alone
         return TensorLanes<T>::Constant(static_cast<T>(f(eight, t)));
     else
@@ -253,20 +253,20 @@ private:
         while (next < kinks && !(kink[next] * critical > from)) ++next;
         for (bool begun_at_first = first > 0;; ++next, begun_at_first = false) {
             T size = p_.c;
-            std::size_t which = open;
+            std::size_t slot = open;
             const bool split = next < kinks && kink[next] * critical < last;
             if (split) {
-                which = begun_at_first ? begun : next;
+                slot = begun_at_first ? begun : next;
                 size = kink[next] * critical - from;
             } else if (begun_at_first) {
-                which = linear;
+                slot = linear;
             } else if (square) {
                 size *= rows.step[lane] * rows.step[lane];
             } else {
                 const T start = rows.x[lane] + from * inverse_c;
                 if (start > 0) size /= 1 + start / 2;  // it falls as exp(-start v)
             }
-            TensorTable<T>& table = tables_[which];
+            TensorTable<T>& table = tables_[slot];
             const T weight = rows.weight[lane] * size * inverse_c;
             TensorLanes<T> total = TensorLanes<T>::Zero();
             for (std::size_t b = 0; b < table.blocks(); ++b) {
@@ -282,7 +282,7 @@ private:
                 if constexpr (own) {
                     moduli_ += term.abs().sum();
                     if (b == 0 && from > 0 && from == first) cut_ += 4 * std::abs(term[0]);
-                    if (which == open || which == linear) end = 4 * std::abs(term[7]);
+                    if (slot == open || slot == linear) end = 4 * std::abs(term[7]);
                 }
             }
             if constexpr (own) cut_ += split ? 0 : end;
@@ -322,11 +322,11 @@ template <Axis axis, bool own = false, Real T, class F>
     Estimate<T> out;
     for (;;) {
         if constexpr (requires { f.at_once([] {}); }) f.at_once([&] { rule.evaluate(most); });
-        const Estimate<T> found = rule.evaluate(most);
-        out.value = factor * found.value;
+        const Estimate<T> sum = rule.evaluate(most);
+        out.value = factor * sum.value;
         out.error =
-            safety * factor * found.error + (rounding + T(0.05) * options.relative_tolerance) * std::abs(out.value);
-        out.evaluations += found.evaluations;
+            safety * factor * sum.error + (rounding + T(0.05) * options.relative_tolerance) * std::abs(out.value);
+        out.evaluations += sum.evaluations;
         if constexpr (own) {
             out.error += factor * (rounding * rule.moduli() + rule.cut());
             if (rule.cut() > T(0.1) * options.relative_tolerance * rule.moduli() && margin < 64) {
@@ -335,7 +335,7 @@ template <Axis axis, bool own = false, Real T, class F>
             }
         }
         if (out.error <= options.relative_tolerance * std::abs(out.value)) return out;
-        if (!rule.refine(options.relative_tolerance * std::abs(found.value) / safety, found.value, most)) return out;
+        if (!rule.refine(options.relative_tolerance * std::abs(sum.value) / safety, sum.value, most)) return out;
     }
 }
 

@@ -94,15 +94,15 @@ struct LegendreNodes {
     const T *node, *weight;
 
     template <std::size_t N>
-    static LegendreNodes of() {
+    static LegendreNodes nodes() {
         const auto& rule = math::GaussLegendre<T, N>::get();
         return {static_cast<int>(N), rule.node.data(), rule.weight.data()};
     }
     static LegendreNodes at_least(int n) {
-        if (n <= 16) return n <= 8 ? of<8>() : of<16>();
-        if (n <= 32) return n <= 24 ? of<24>() : of<32>();
-        if (n <= 48) return n <= 40 ? of<40>() : of<48>();
-        return n <= 56 ? of<56>() : of<64>();
+        if (n <= 16) return n <= 8 ? nodes<8>() : nodes<16>();
+        if (n <= 32) return n <= 24 ? nodes<24>() : nodes<32>();
+        if (n <= 48) return n <= 40 ? nodes<40>() : nodes<48>();
+        return n <= 56 ? nodes<56>() : nodes<64>();
     }
 };
 
@@ -159,19 +159,19 @@ struct TensorTable {
         sums[0].setZero();
     }
     EIGEN_DONT_INLINE void squares(T begin, T step, int count) {
-        trapezoidal(begin, step, count, [](const auto& y, auto& at, auto& slope) {
-            at = y.square();
+        trapezoidal(begin, step, count, [](const auto& y, auto& node, auto& slope) {
+            node = y.square();
             slope = 2 * y;
         });
     }
     EIGEN_DONT_INLINE void line(T step, int count) {
-        trapezoidal(T(0), step, count, [](const auto& y, auto& at, auto& slope) {
-            at = y;
+        trapezoidal(T(0), step, count, [](const auto& y, auto& node, auto& slope) {
+            node = y;
             slope.setOnes();
         });
     }
     EIGEN_DONT_INLINE void graded(const GradedMap<T>& map, T begin, T step, int count) {
-        trapezoidal(begin, step, count, [&](const auto& y, auto& at, auto& slope) { map.map(y, at, slope); });
+        trapezoidal(begin, step, count, [&](const auto& y, auto& node, auto& slope) { map.map(y, node, slope); });
         min_error = 6 * std::exp(-map.strip / step);
     }
 

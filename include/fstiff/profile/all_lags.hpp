@@ -32,11 +32,11 @@ class AllLags {
 public:
     AllLags(const std::vector<F>& heights, const std::vector<char>& present, std::size_t longest)
         : z_(heights), present_(present), size_(heights.size()), longest_(longest) {
-        whole_ = present.empty();
+        complete_ = present.empty();
         take_off_line();
         sum.resize(longest_);
         pairs.resize(longest_);
-        whole_ ? correlate_whole() : correlate_present();
+        complete_ ? correlate_whole() : correlate_present();
         recompute_marked();
     }
 
@@ -44,7 +44,7 @@ public:
     std::vector<std::size_t> pairs;  ///< at lag n - 1
 
 private:
-    static constexpr F wanted = F(0.8e-10);  // the rest of 1e-10 is for the rounding of the sums themselves
+    static constexpr F tolerance = F(0.8e-10);  // the rest of 1e-10 is for the rounding of the sums themselves
     static constexpr F epsilon = (std::max)(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
     static constexpr F fft_error =
         8 * epsilon;  // of a correlation, over its value at lag 0: six times the measured one
@@ -53,33 +53,33 @@ private:
     template <class Term>
     F over_points(const Term& term) const {
         constexpr std::size_t run = 1024;
-        F all = 0;
+        F total = 0;
         for (std::size_t start = 0; start < size_; start += run) {
             F part = 0;
             for (std::size_t i = start; i < (std::min)(start + run, size_); ++i)
-                if (whole_ || present_[i]) part += term(i);
-            all += part;
+                if (complete_ || present_[i]) part += term(i);
+            total += part;
         }
-        return all;
+        return total;
     }
 
     void take_off_line() {
         const F centre = static_cast<F>(size_ - 1) / 2;  // exact
         const auto position = [&](std::size_t i) { return static_cast<F>(i) - centre; };
         const F points =
-            whole_ ? static_cast<F>(size_) : (std::max)(over_points([](std::size_t) { return F(1); }), F(1));
+            complete_ ? static_cast<F>(size_) : (std::max)(over_points([](std::size_t) { return F(1); }), F(1));
         const F level = over_points([&](std::size_t i) { return z_[i]; }) / points;
-        const F middle = whole_ ? F(0) : over_points(position) / points;
+        const F middle = complete_ ? F(0) : over_points(position) / points;
         const F square =
-            whole_ ? points * (points * points - 1) / 12
-                   : over_points([&](std::size_t i) { return (position(i) - middle) * (position(i) - middle); });
+            complete_ ? points * (points * points - 1) / 12
+                      : over_points([&](std::size_t i) { return (position(i) - middle) * (position(i) - middle); });
         slope_ = square > 0
                      ? over_points([&](std::size_t i) { return (position(i) - middle) * (z_[i] - level); }) / square
                      : F(0);
         residual_.resize(math::fast_fft_size(size_ + longest_));  // padded with zeros for the transform
         // z - level - slope u with the rounding errors of the difference and of the product
         for (std::size_t i = 0; i < size_; ++i) {
-            if (!whole_ && !present_[i]) continue;
+            if (!complete_ && !present_[i]) continue;
             const F u = position(i);  // exact, so that differences of the line are slope times lag
             const math::RoundedSum<F> difference = math::two_sum(z_[i], -level);
             const F product = slope_ * u, product_lost = std::fma(slope_, u, -product);
@@ -88,7 +88,7 @@ private:
         // the residual keeps a constant, slope times middle and the rounding: differences do not depend on it
         const F constant = over_points([&](std::size_t i) { return residual_[i]; }) / points;
         for (std::size_t i = 0; i < size_; ++i)
-            if (whole_ || present_[i]) residual_[i] -= constant;
+            if (complete_ || present_[i]) residual_[i] -= constant;
     }
 
     /// Replaces \p spectrum by the transform of its norms: a real even spectrum is its own inverse.
@@ -161,27 +161,27 @@ private:
 
     /// Records lag \p n for a second evaluation when the \p error of its sum may be too large.
     void mark_inaccurate(std::size_t n, F error) {
-        if (pairs[n - 1] > 0 && !(error <= wanted * sum[n - 1])) inaccurate_lags_.push_back(n);
+        if (pairs[n - 1] > 0 && !(error <= tolerance * sum[n - 1])) inaccurate_lags_.push_back(n);
     }
 
     /// Sum over the pairs of lag \p n that begin at \p from or later, in short runs so that rounding does not add up.
     F directly(std::size_t n, std::size_t from) const {
         constexpr std::size_t run = 1024;
         using Map = Eigen::Map<const Eigen::Array<F, Eigen::Dynamic, 1>>;
-        F all = 0;
+        F total = 0;
         for (std::size_t start = from; start < size_ - n; start += run) {
             const std::size_t end = (std::min)(start + run, size_ - n);
             const auto count = static_cast<Eigen::Index>(end - start);
-            if (whole_) {
-                all += (Map(z_.data() + start + n, count) - Map(z_.data() + start, count)).square().sum();
+            if (complete_) {
+                total += (Map(z_.data() + start + n, count) - Map(z_.data() + start, count)).square().sum();
             } else {
                 F part = 0;
                 for (std::size_t i = start; i < end; ++i)
                     if (present_[i] && present_[i + n]) part += (z_[i + n] - z_[i]) * (z_[i + n] - z_[i]);
-                all += part;
+                total += part;
             }
         }
-        return all;
+        return total;
     }
 
     /// Sums of lags 1 ... \p to in segments of the profile, by cross-correlations of x, the beginnings of the pairs,
@@ -201,10 +201,10 @@ private:
             F mean = 0;
             for (const F z : y) mean += z;
             mean /= static_cast<F>(width);
-            F all = 0;
+            F total = 0;
             for (F& z : y) {
                 z -= mean;
-                all += z * z;
+                total += z * z;
             }
             x.assign(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(begins));
             F own = 0;
@@ -214,7 +214,7 @@ private:
                 moving += y[begins + n - 1] * y[begins + n - 1] - y[n - 1] * y[n - 1];
                 squares[n - 1] += own + moving;
             }
-            zero += all;
+            zero += total;
             fft.forward(x, begin);
             fft.forward(y, end);
             for (std::size_t k = 0; k <= half; ++k) product[k] += std::conj(begin[k]) * end[k];
@@ -227,7 +227,7 @@ private:
         for (std::size_t n = 1; n <= to; ++n) {
             const F segments = squares[n - 1] - 2 * x[n];
             const F bound = (16 + steps) * epsilon * zero;
-            if (bound <= wanted * segments) {
+            if (bound <= tolerance * segments) {
                 sum[n - 1] = segments + directly(n, from);
                 settled[n] = 1;
             }
@@ -241,7 +241,7 @@ private:
         while (front < inaccurate_lags_.size() && inaccurate_lags_[front] <= (std::min)(2 * last + 64, size_ / 64))
             last = inaccurate_lags_[front++];
         std::vector<char> settled;
-        if (whole_ && front > 64) settled = in_segments(last);
+        if (complete_ && front > 64) settled = in_segments(last);
         for (const std::size_t n : inaccurate_lags_)
             if (n >= settled.size() || !settled[n]) sum[n - 1] = directly(n, 0);
     }
@@ -249,7 +249,7 @@ private:
     const std::vector<F>& z_;
     const std::vector<char>& present_;
     std::size_t size_, longest_;
-    bool whole_{};
+    bool complete_{};
     F slope_{};  // per sample
     std::vector<F> residual_;
     std::vector<std::size_t> inaccurate_lags_;  // lags whose sum may be wrong, rising
@@ -275,15 +275,15 @@ template <Real T>
         if (!present.empty()) present[i] = exists ? 1 : 0;
         heights[i] = exists ? static_cast<double>(profile.heights[i]) / scale : 0.0;
     }
-    AllLags<double> all(heights, present, longest == 0 ? points - 1 : longest);
+    AllLags<double> lags(heights, present, longest == 0 ? points - 1 : longest);
     StructureFunction<T> result;
-    result.step.resize(all.sum.size());
-    result.lag.resize(all.sum.size());
+    result.step.resize(lags.sum.size());
+    result.lag.resize(lags.sum.size());
     if constexpr (std::is_same_v<T, double>)
-        result.value = std::move(all.sum);
+        result.value = std::move(lags.sum);
     else
-        result.value.assign(all.sum.begin(), all.sum.end());
-    result.pairs = std::move(all.pairs);
+        result.value.assign(lags.sum.begin(), lags.sum.end());
+    result.pairs = std::move(lags.pairs);
     std::size_t kept = 0;  // lags without enough pairs are left out in place
     for (std::size_t k = 0; k < result.pairs.size(); ++k) {
         const std::size_t pairs = result.pairs[k];

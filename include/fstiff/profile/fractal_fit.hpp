@@ -92,9 +92,9 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
         const auto last = static_cast<std::size_t>(options.window->to / profile.spacing * T(1.0001));
         longest = (std::max)(longest, (std::min)(points - 2, last));
     }
-    const std::vector<std::size_t> wanted = logarithmic_lags(longest);
+    const std::vector<std::size_t> lags = logarithmic_lags(longest);
     MeasuredStructureFunction<T> measured;
-    measured.structure_function = structure_function(profile, std::span<const std::size_t>(wanted), options.divisor);
+    measured.structure_function = structure_function(profile, std::span<const std::size_t>(lags), options.divisor);
     const std::vector<std::size_t> triples = logarithmic_lags((std::min)(longest, (points - 1) / 2));
     measured.second_differences = second_differences(profile, std::span<const std::size_t>(triples));
     measured.spacing = profile.spacing;
@@ -119,11 +119,11 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
 /// lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {}) {
-    FractalFitOptions<T> how = options;
-    how.lambda_s = (std::max)(how.lambda_s, levelled.lambda_s.value_or(T(0)));
-    if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
-        how.longest = *levelled.lambda_c;
-    return detail::fit_profile(levelled.of_structure(), how);
+    FractalFitOptions<T> adjusted = options;
+    adjusted.lambda_s = (std::max)(adjusted.lambda_s, levelled.lambda_s.value_or(T(0)));
+    if (levelled.lambda_c && !(adjusted.longest > T(0) && adjusted.longest < *levelled.lambda_c))
+        adjusted.longest = *levelled.lambda_c;
+    return detail::fit_profile(levelled.of_structure(), adjusted);
 }
 
 /// D and G of \p profile as it is. \throws domain_error as above.
@@ -179,14 +179,14 @@ void set_window(FractalFit<T>& result, const LogStructure<double>& log, const Ch
     result.slope_longest = static_cast<T>(log.slope[range.last]);
     result.min_slope = result.max_slope = result.slope_shortest;
     for (Eigen::Index k = 0; k <= range.last; ++k) {
-        const T here = static_cast<T>(log.slope[k]);
+        const T slope = static_cast<T>(log.slope[k]);
         if (k >= range.first) {
-            result.min_slope = (std::min)(result.min_slope, here);
-            result.max_slope = (std::max)(result.max_slope, here);
+            result.min_slope = (std::min)(result.min_slope, slope);
+            result.max_slope = (std::max)(result.max_slope, slope);
         } else if (log.lag[k] >= std::log(log.shortest()) &&
-                   (result.flattest_lag == T(0) || here < result.flattest_slope)) {
+                   (result.flattest_lag == T(0) || slope < result.flattest_slope)) {
             result.flattest_lag = lag(k);
-            result.flattest_slope = here;
+            result.flattest_slope = slope;
         }
     }
     const auto why = [&](Eigen::Index next, WindowEnd outermost) {
@@ -275,12 +275,12 @@ double set_ordinary_line(FractalFit<T>& result, const LogStructure<double>& log,
 
 /// \throws domain_error for a window that was found on a plateau.
 template <Real T>
-[[noreturn]] FSTIFF_COLD void refuse_plateau(const FractalFit<T>& found, T dimension) {
+[[noreturn]] FSTIFF_COLD void refuse_plateau(const FractalFit<T>& fit, T dimension) {
     throw domain_error({.parameter = "fractal dimension of the window",
                         .value = rounded_text(dimension, 4),
-                        .reason = "the slope goes from " + rounded_text(found.slope_shortest, 3) + " to " +
-                                  rounded_text(found.slope_longest, 3) + " between the lags " +
-                                  rounded_text(found.window.from, 3) + " m and " + rounded_text(found.window.to, 3) +
+                        .reason = "the slope goes from " + rounded_text(fit.slope_shortest, 3) + " to " +
+                                  rounded_text(fit.slope_longest, 3) + " between the lags " +
+                                  rounded_text(fit.window.from, 3) + " m and " + rounded_text(fit.window.to, 3) +
                                   " m: a plateau; must be at most 1.9 in a window that is found"});
 }
 
@@ -288,10 +288,10 @@ template <Real T>
 template <Real T>
 void set_fitted(FractalFit<T>& result, const LogFit<double>& line, const LogStructure<double>& log, T spacing) {
     for (Eigen::Index k = 0; k < line.range.count(); ++k) {
-        const auto at = static_cast<std::size_t>(line.range.first + k);
-        result.fitted.step.push_back(log.step[at]);
-        result.fitted.pairs.push_back(log.pairs[at]);
-        result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
+        const auto index = static_cast<std::size_t>(line.range.first + k);
+        result.fitted.step.push_back(log.step[index]);
+        result.fitted.pairs.push_back(log.pairs[index]);
+        result.fitted.lag.push_back(static_cast<T>(log.step[index]) * spacing);
         result.fitted.value.push_back(
             static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<double>(spacing)))));
     }
@@ -346,10 +346,10 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     }
     set_fractal(result, line, log, *fitter, resampled, spacing, options);
     set_fitted(result, line, log, spacing);
-    result.curved =
-        detail::is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < 0.2 ||
-        detail::flattens(log, range, line.slope) ||
-        std::any_of(result.neighbours.begin(), result.neighbours.end(), [](const auto& one) { return one.disagrees; });
+    result.curved = detail::is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < 0.2 ||
+                    detail::flattens(log, range, line.slope) ||
+                    std::any_of(result.neighbours.begin(), result.neighbours.end(),
+                                [](const auto& neighbour) { return neighbour.disagrees; });
     return result;
 }
 

@@ -159,11 +159,11 @@ struct FractalLine {
 /// D and G of a line; without G unless its slope is between 0 and 2.
 template <Real F>
 FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
-    FractalLine<F> found;
-    found.dimension = 2 - line.slope / 2;
-    found.dimension_row = -line.slope_row / 2;
-    found.log_g_row = Vector<F>::Zero(line.slope_row.size());
-    if (!(found.dimension > F(1) && found.dimension < F(2))) return found;
+    FractalLine<F> fractal;
+    fractal.dimension = 2 - line.slope / 2;
+    fractal.dimension_row = -line.slope_row / 2;
+    fractal.log_g_row = Vector<F>::Zero(line.slope_row.size());
+    if (!(fractal.dimension > F(1) && fractal.dimension < F(2))) return fractal;
     // of D and ln(S2/lag^2) at the reference lag
     const F level = line.level - 2 * line.reference;
     const auto log_g = [&](F d) {
@@ -171,35 +171,35 @@ FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention conventio
                 std::log(detail::structure_constant<F>(d, convention, gamma))) /
                (2 * (d - 1));
     };
-    const F nearby = F(1e-4) * (std::min)(found.dimension - 1, 2 - found.dimension);
-    const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
-    found.log_g_of_dimension = slope;
-    found.log_g = log_g(found.dimension) + line.reference;
-    found.log_g_row = line.level_row / (2 * (found.dimension - 1)) + slope * found.dimension_row;
-    return found;
+    const F nearby = F(1e-4) * (std::min)(fractal.dimension - 1, 2 - fractal.dimension);
+    const F slope = (log_g(fractal.dimension + nearby) - log_g(fractal.dimension - nearby)) / (2 * nearby);
+    fractal.log_g_of_dimension = slope;
+    fractal.log_g = log_g(fractal.dimension) + line.reference;
+    fractal.log_g_row = line.level_row / (2 * (fractal.dimension - 1)) + slope * fractal.dimension_row;
+    return fractal;
 }
 
 /// The halves of \p range that hold enough lags, and the straight windows on either side of it.
 template <Real F>
 std::vector<IndexRange> neighbours_of(const LogStructure<F>& log, const IndexRange& range, bool automatic) {
-    std::vector<IndexRange> found;
+    std::vector<IndexRange> ranges;
     const F middle = (log.lag[range.first] + log.lag[range.last]) / 2;
     Eigen::Index centre = range.first;
     while (centre < range.last && log.lag[centre] < middle) ++centre;
     const auto enough = static_cast<Eigen::Index>(detail::min_window_lags);
     for (const IndexRange half : {IndexRange{range.first, centre}, {centre, range.last}})
-        if (half.count() >= enough) found.push_back(half);
-    if (!automatic) return found;
+        if (half.count() >= enough) ranges.push_back(half);
+    if (!automatic) return ranges;
     const Eigen::Index end = log.lag.size() - 1;
     for (const IndexRange side : {IndexRange{0, range.first}, {range.last, end}})
         for (const F tolerance : {F(0.2), F(0.3)}) {
             std::optional<IndexRange> beside = detail::straight_range(log, tolerance, false, side);
             if (!beside) beside = detail::straight_range(log, tolerance, true, side);
             if (!beside) continue;
-            found.push_back(*beside);
+            ranges.push_back(*beside);
             break;
         }
-    return found;
+    return ranges;
 }
 
 /// Shares of the window in the errors of D and ln G, from the windows next to that of \p main.
@@ -248,8 +248,8 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<double>& main, cons
         const double t = static_cast<double>(result.slope_tolerance) / std::sqrt(12.0);
         double s = 0;  // the halves depart from the whole in opposite directions
         int halves = 0;
-        for (const auto& one : result.neighbours)
-            if (one.half) s += static_cast<double>(one.difference_error), ++halves;
+        for (const auto& neighbour : result.neighbours)
+            if (neighbour.half) s += static_cast<double>(neighbour.difference_error), ++halves;
         const double unseen = halves == 2 ? t * t * s * s / (t * t + s * s) : t * t, moved = main.log_g_of_dimension;
         of_dimension += unseen, of_log_g += unseen * moved * moved, product += unseen * moved;
     }

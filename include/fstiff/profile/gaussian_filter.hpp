@@ -169,12 +169,12 @@ template <Real T>
         regression(weights, 2 * terms - 1, s);
         regression(weighted, terms, t);
     };
-    const auto found = math::robust_means(
+    const auto means = math::robust_means(
         heights, static_cast<double>(robust_share[order / 2]), exists, sum, [&](std::size_t i) { return s[0][i]; },
         [&](std::size_t i) { return regression_value(s, t, i); });
-    math::RobustWaviness<Profile<T>> result{profile, found.left_out, found.iterations, found.converged};
+    math::RobustWaviness<Profile<T>> result{profile, means.left_out, means.iterations, means.converged};
     for (std::size_t i = 0; i < size; ++i)
-        if (exists(i)) result.waviness.heights[i] = static_cast<T>(found.waviness[i]) * scale + mean;
+        if (exists(i)) result.waviness.heights[i] = static_cast<T>(means.waviness[i]) * scale + mean;
     return result;
 }
 

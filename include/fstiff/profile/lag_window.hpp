@@ -121,8 +121,8 @@ struct LogStructure {
     /// Lags of the search for a window, in samples.
     F shortest() const { return points < 400 ? F(1) : F(4); }
     F longest() const {
-        const auto whole = points / (apart > 0 ? 5u : points < 400 ? 8u : 10u);
-        return static_cast<F>(whole);
+        const auto steps = points / (apart > 0 ? 5u : points < 400 ? 8u : 10u);
+        return static_cast<F>(steps);
     }
     /// Upper limit of ln S2 in a window: three quarters of its saturation, allowing for 5 % of scatter.
     F highest() const { return (std::min)(value.maxCoeff(), saturated) + F(0.05) - F(0.3); }

@@ -129,15 +129,15 @@ math::Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, boo
         if (neighbours.size() >= 2) differences[i] = profile.heights[i] - math::median(neighbours);
     }
     return math::spikes_among(profile.heights.data(), differences, limit, remove, [&](std::size_t i, T difference) {
-        const auto at = [&](std::size_t k) {
+        const auto height = [&](std::size_t k) {
             return k < size ? profile.heights[k] : std::numeric_limits<T>::quiet_NaN();
         };
         const auto beyond = [&](std::size_t n) {  // i - n of the first points is beyond the last
-            return math::beyond_both(profile.heights[i], at(i - n), at(i + n), std::copysign(T(1), difference));
+            return math::beyond_both(profile.heights[i], height(i - n), height(i + n), std::copysign(T(1), difference));
         };
-        const auto exist = [](std::vector<T> all) {
-            std::erase_if(all, [](T q) { return std::isnan(q); });
-            return all;
+        const auto exist = [](std::vector<T> heights) {
+            std::erase_if(heights, [](T q) { return std::isnan(q); });
+            return heights;
         };
         std::vector<T> inner = exist({beyond(2), beyond(3)}), outer = exist({beyond(4), beyond(5), beyond(6)});
         if (inner.empty() || outer.empty()) return true;

@@ -104,15 +104,15 @@ template <Real T>
     const double offset = rest.value() / points;  // residual of the rounding of the mean
     math::CompensatedSum<double> firsts, squares, thirds, fourths;
     double high = -std::numeric_limits<double>::infinity(), low = -high;
-    for (double& one : z) {
-        if (std::isnan(one)) continue;
-        one -= offset;
-        firsts.add(std::abs(one));
-        squares.add(one * one);
-        thirds.add(one * one * one);
-        fourths.add(one * one * one * one);
-        high = (std::max)(high, one);
-        low = (std::min)(low, one);
+    for (double& height : z) {
+        if (std::isnan(height)) continue;
+        height -= offset;
+        firsts.add(std::abs(height));
+        squares.add(height * height);
+        thirds.add(height * height * height);
+        fourths.add(height * height * height * height);
+        high = (std::max)(high, height);
+        low = (std::min)(low, height);
     }
     const double variance = squares.value() / points;
     result.mean_deviation = static_cast<T>(firsts.value() / points * unit);
@@ -176,13 +176,13 @@ template <Real T>
         for (auto& wave : spectrum) wave = std::norm(wave);
         fft.inverse(spectrum, data);
     };
-    const bool whole = profile.present() == size;
+    const bool complete = profile.present() == size;
     correlate(z);
-    if (!whole) correlate(mask);
+    if (!complete) correlate(mask);
     Autocorrelation<T> result;
     const double variance = z[0] / static_cast<double>(profile.present());
     for (std::size_t n = 0; n <= lags; ++n) {
-        const double pairs = whole ? static_cast<double>(size - n) : std::round(mask[n]);
+        const double pairs = complete ? static_cast<double>(size - n) : std::round(mask[n]);
         result.lag.push_back(static_cast<T>(n) * profile.spacing);
         result.value.push_back(pairs > 0 ? static_cast<T>(z[n] / pairs / variance)
                                          : std::numeric_limits<T>::quiet_NaN());
@@ -200,11 +200,11 @@ template <Real T>
                                                       std::type_identity_t<T> threshold = T(0.2)) {
     require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
     for (std::size_t n = 1; n < correlation.size(); ++n) {
-        const T before = correlation.value[n - 1], here = correlation.value[n];
-        if (std::isnan(here)) return {};
-        if (here <= threshold)
+        const T before = correlation.value[n - 1], current = correlation.value[n];
+        if (std::isnan(current)) return {};
+        if (current <= threshold)
             return correlation.lag[n - 1] +
-                   (correlation.lag[n] - correlation.lag[n - 1]) * ((before - threshold) / (before - here));
+                   (correlation.lag[n] - correlation.lag[n - 1]) * ((before - threshold) / (before - current));
     }
     return {};
 }

@@ -259,15 +259,15 @@ private:
         const Matrix<T> inverse_root = forward_substituted<T>(root, Matrix<T>::Identity(count, count));
         const Matrix<T> solver = math::PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
         const Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
-        const Vector<T> found = solver.lazyProduct(y);
+        const Vector<T> solution = solver.lazyProduct(y);
         const auto spread = [&](Eigen::Index term) {
             const Vector<T> row = solver.row(term).transpose();
             return std::sqrt(row.dot(covariance_.block(range.first, range.first, count, count).lazyProduct(row)));
         };
-        line.level = found[0], line.slope = found[1], line.short_waves = found[2] + expected_short_,
-        line.long_waves = found[3];
-        line.finite_band = std::abs(found[2]) > 2 * spread(2) || std::abs(found[3]) > 2 * spread(3);
-        const Vector<T> missed = y - columns.lazyProduct(found);
+        line.level = solution[0], line.slope = solution[1], line.short_waves = solution[2] + expected_short_,
+        line.long_waves = solution[3];
+        line.finite_band = std::abs(solution[2]) > 2 * spread(2) || std::abs(solution[3]) > 2 * spread(3);
+        const Vector<T> missed = y - columns.lazyProduct(solution);
         const Vector<T> left = inverse_root.lazyProduct(missed);
         line.residual = left.squaredNorm();
         line.fitted = log_.value.segment(range.first, count) - missed;

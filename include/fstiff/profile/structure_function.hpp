@@ -95,7 +95,7 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
                                   T scale, Divisor divisor, const Difference& difference) {
     require_positive("spacing", profile.spacing);
     const std::size_t points = profile.size();
-    const bool whole = profile.present() == points;
+    const bool complete = profile.present() == points;
     StructureFunction<T> result;
     for (const std::size_t n : lags) {
         if (n < 1 || reach * n >= points)
@@ -109,9 +109,9 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
             const std::size_t end = (std::min)(start + run, points - reach * n);
             double part = 0;
             for (std::size_t i = start; i < end; ++i) {
-                const T here = difference(i, n);
-                if (!whole && std::isnan(here)) continue;
-                part += static_cast<double>(here) * here;
+                const T rise = difference(i, n);
+                if (!complete && std::isnan(rise)) continue;
+                part += static_cast<double>(rise) * rise;
                 ++pairs;
             }
             sum += part;

@@ -64,13 +64,13 @@ public:
     }
     /// First place where the curve is down to \p level; 0 where it begins below, the last place where it ends above.
     [[nodiscard]] F first_at_or_below(F level) const {
-        const auto found = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z > level + tie<F>; });
-        return place_of(found, level);
+        const auto next = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z > level + tie<F>; });
+        return place_of(next, level);
     }
     /// First place after which the curve is below \p level, with the same ends.
     [[nodiscard]] F first_below(F level) const {
-        const auto found = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z >= level - tie<F>; });
-        return place_of(found, level);
+        const auto next = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z >= level - tie<F>; });
+        return place_of(next, level);
     }
     /// Calls \p use(from, to, z(from), z(to)) for each straight part between two places.
     template <class Use>
@@ -89,11 +89,11 @@ public:
     }
 
 private:
-    F place_of(typename std::vector<F>::const_iterator found, F level) const {
-        if (found == z_.begin()) return 0;
-        if (found == z_.end()) return static_cast<F>(z_.size() - 1);
-        const F above = *(found - 1), below = *found;
-        return static_cast<F>(found - z_.begin() - 1) + std::clamp((above - level) / (above - below), F(0), F(1));
+    F place_of(typename std::vector<F>::const_iterator next, F level) const {
+        if (next == z_.begin()) return 0;
+        if (next == z_.end()) return static_cast<F>(z_.size() - 1);
+        const F above = *(next - 1), below = *next;
+        return static_cast<F>(next - z_.begin() - 1) + std::clamp((above - level) / (above - below), F(0), F(1));
     }
     const std::vector<F>& z_;
 };
@@ -102,27 +102,27 @@ private:
 template <Real F>
 [[nodiscard]] F flattest_place(const std::vector<F>& z, F width) {
     const FallingCurve<F> curve(z);
-    const std::size_t whole = static_cast<std::size_t>(width);
-    const F part = width - static_cast<F>(whole), last = static_cast<F>(z.size() - 1) - width;
+    const std::size_t steps = static_cast<std::size_t>(width);
+    const F part = width - static_cast<F>(steps), last = static_cast<F>(z.size() - 1) - width;
     // the fall is piecewise linear in its place: its minimum is where one of its ends is at a height
     const auto visit = [&](const auto& use) {
         for (std::size_t i = 0; static_cast<F>(i) <= last; ++i) {
             if (use(static_cast<F>(i), z[i] - curve.at(static_cast<F>(i) + width))) return;
             const F place = static_cast<F>(i + 1) - part;
-            if (place <= last && use(place, curve.at(place) - z[i + whole + 1])) return;
+            if (place <= last && use(place, curve.at(place) - z[i + steps + 1])) return;
         }
     };
-    F least = z.front() - z.back(), found = 0;
+    F least = z.front() - z.back(), flattest = 0;
     const F same = (z.front() - z.back()) * tie<F>;
     visit([&](F, F fall) {
         least = (std::min)(least, fall);
         return false;
     });
     visit([&](F place, F fall) {
-        found = place;
+        flattest = place;
         return fall <= least + same;
     });
-    return found;
+    return flattest;
 }
 
 template <Real T>
@@ -137,7 +137,7 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
             "heights of a material ratio curve, all of them", static_cast<T>(z.front()),
             "finite and of varying height");
     const double datum = z[z.size() / 2], scale = z.front() - z.back(), places = static_cast<double>(z.size() - 1);
-    for (double& one : z) one = (one - datum) / scale;
+    for (double& height : z) height = (height - datum) / scale;
 
     const FallingCurve<double> curve(z);
     const double width = 2.0 / 5 * places, from = flattest_place(z, width), to = (std::min)(from + width, places);
@@ -213,9 +213,9 @@ template <Real T, class F>
         const T z = step * T(i), weight = math::normal_density(z) * step, y = f(z) - middle;
         T power = weight;
         mass += weight;
-        for (T& one : raw) one += power *= y;
+        for (T& moment : raw) moment += power *= y;
     }
-    for (T& one : raw) one /= mass;
+    for (T& moment : raw) moment /= mass;
     const T m = raw[0], v = raw[1] - m * m;
     const T third = raw[2] - 3 * m * raw[1] + 2 * m * m * m;
     const T fourth = raw[3] - 4 * m * raw[2] + 6 * m * m * raw[1] - 3 * m * m * m * m;
@@ -267,9 +267,9 @@ template <Real T>
         if (longest > T(0.5)) ds /= 2 * longest, dt /= 2 * longest;
         const T before = size(r);
         for (int half = 0; half < 30 && size(r) == before; ++half, ds /= 2, dt /= 2) {
-            const T there = std::clamp(t + dt, T(0), T(1));
-            const auto next = off(s + ds, there);
-            if (size(next) < before) s += ds, t = there, r = next;
+            const T next_t = std::clamp(t + dt, T(0), T(1));
+            const auto next = off(s + ds, next_t);
+            if (size(next) < before) s += ds, t = next_t, r = next;
         }
         if (size(r) == before) break;
     }
@@ -285,8 +285,8 @@ template <Real T>
     for (const T steepness : {(std::min)(leading, T(1.4)), bounded ? T(1) : T(0.5), bounded ? T(4) : T(0.25)}) {
         const T bend =
             steepness == leading ? skewness / (3 * steepness) : std::tanh(skewness / (bounded ? 2 : 1) * steepness);
-        const auto found = fitted_johnson(bounded, skewness, kurtosis, steepness, std::clamp(bend, T(0), T(0.999)));
-        if (found.off < best.off) best = found;
+        const auto fit = fitted_johnson(bounded, skewness, kurtosis, steepness, std::clamp(bend, T(0), T(0.999)));
+        if (fit.off < best.off) best = fit;
         if (best.off < T(1e-9)) break;
     }
     return best;
@@ -332,10 +332,10 @@ template <Real T>
     T q = 1;
     for (int i = 0; i < 200; ++i) q = 1 + skewness * skewness / ((q + 2) * (q + 2));
     const bool bounded = kurtosis < ((q + 2) * q + 3) * q * q - 3;
-    const auto found = fitted_johnson<T>(bounded, std::abs(skewness), kurtosis);
-    require(found.off < T(1e-7), "kurtosis", kurtosis, "one that a curve of Johnson's has within zeta of -8 to 8");
-    const T steepness = std::exp(found.log_steepness);
-    return knots_of([&](T z) { return johnson(bounded, steepness, found.bend, z); });
+    const auto fit = fitted_johnson<T>(bounded, std::abs(skewness), kurtosis);
+    require(fit.off < T(1e-7), "kurtosis", kurtosis, "one that a curve of Johnson's has within zeta of -8 to 8");
+    const T steepness = std::exp(fit.log_steepness);
+    return knots_of([&](T z) { return johnson(bounded, steepness, fit.bend, z); });
 }
 
 }  // namespace fstiff::inline v0_1::detail

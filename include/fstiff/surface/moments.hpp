@@ -180,10 +180,10 @@ template <Real T>
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] Roughness<T> sum_of_faces(const Roughness<T>& a, const Roughness<T>& b) {
-    const auto of = [](const Roughness<T>& one) {
-        return moments_of_peaks(one.rms_height, one.peak_radius, one.peak_density);
+    const auto moments = [](const Roughness<T>& face) {
+        return moments_of_peaks(face.rms_height, face.peak_radius, face.peak_density);
     };
-    const SpectralMoments<T> sum = of(a) + of(b);
+    const SpectralMoments<T> sum = moments(a) + moments(b);
     const bool known = a.max_peak_height > T(0) && b.max_peak_height > T(0);
     return {std::hypot(a.rms_height, b.rms_height), detail::peak_radius_of(sum), detail::peak_density_of(sum),
             known ? a.max_peak_height + b.max_peak_height : T(0)};
@@ -196,8 +196,8 @@ template <Real T>
           b.has_peaks()))
         return a.moments.m2 / (a.moments.m2 + b.moments.m2);
     const T lag = 1 / std::sqrt(sum_of_faces(a.roughness, b.roughness).peak_density);
-    const auto s = [&](const RoughFace<T>& one) {
-        return structure_function_at(lag, Fractal<T>{*one.fractal_dimension, *one.fractal_roughness});
+    const auto s = [&](const RoughFace<T>& face) {
+        return structure_function_at(lag, Fractal<T>{*face.fractal_dimension, *face.fractal_roughness});
     };
     return s(a) / (s(a) + s(b));
 }

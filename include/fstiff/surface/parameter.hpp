@@ -114,18 +114,18 @@ inline constexpr auto names<Parameter> = detail::parameter_keys();
 
 namespace detail {
 
-/// Index of \p which in arrays of parameters.
-[[nodiscard]] constexpr std::size_t index_of(Parameter which) noexcept { return static_cast<std::size_t>(which); }
+/// Index of \p p in arrays of parameters.
+[[nodiscard]] constexpr std::size_t index_of(Parameter p) noexcept { return static_cast<std::size_t>(p); }
 
-/// Row of \p which.
-[[nodiscard]] constexpr const ParameterRow& row_of(Parameter which) noexcept {
-    return parameter_table[index_of(which)];
+/// Row of \p parameter.
+[[nodiscard]] constexpr const ParameterRow& row_of(Parameter parameter) noexcept {
+    return parameter_table[index_of(parameter)];
 }
 
-/// Whether \p x is a valid value of \p which. False for NaN.
+/// Whether \p x is a valid value of \p parameter. False for NaN.
 template <Real T>
-[[nodiscard]] constexpr bool parameter_in_range(Parameter which, T x) noexcept {
-    const ParameterRow& row = row_of(which);
+[[nodiscard]] constexpr bool parameter_in_range(Parameter parameter, T x) noexcept {
+    const ParameterRow& row = row_of(parameter);
     constexpr T greatest = (std::numeric_limits<T>::max)();
     switch (row.variation) {
         case Variation::as_it_is: return x >= -greatest && x <= greatest;
@@ -136,14 +136,14 @@ template <Real T>
     return (row.low_included ? x >= low : x > low) && x < high;
 }
 
-/// Transform of \p which to a variable without ends, in which it is fitted, and back.
+/// Transform of \p parameter to a variable without ends, in which it is fitted, and back.
 template <Real T = double>
 class ParameterScale {
 public:
-    constexpr explicit ParameterScale(Parameter which) noexcept
-        : variation_(row_of(which).variation),
-          low_(static_cast<T>(row_of(which).low.value)),
-          high_(static_cast<T>(row_of(which).high.value)) {}
+    constexpr explicit ParameterScale(Parameter parameter) noexcept
+        : variation_(row_of(parameter).variation),
+          low_(static_cast<T>(row_of(parameter).low.value)),
+          high_(static_cast<T>(row_of(parameter).high.value)) {}
 
     /// Whether \p x can be transformed: in the range, and not at an end of it.
     [[nodiscard]] bool inside(T x) const noexcept {

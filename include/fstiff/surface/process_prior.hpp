@@ -120,8 +120,8 @@ namespace fstiff::inline v0_1::detail {
 
 inline constexpr std::size_t unknown_count = 7;
 
-/// Whether \p which describes the shape of the heights.
-[[nodiscard]] constexpr bool is_of_shape(Unknown which) { return which >= Unknown::skewness; }
+/// Whether \p unknown describes the shape of the heights.
+[[nodiscard]] constexpr bool is_of_shape(Unknown unknown) { return unknown >= Unknown::skewness; }
 
 }  // namespace fstiff::inline v0_1::detail
 

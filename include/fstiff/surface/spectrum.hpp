@@ -196,15 +196,15 @@ template <Real T>
     require(alpha > T(1.5), "Nayak's alpha = m0 m4/m2^2", alpha,
             "greater than 1.5, which every isotropic surface exceeds (rms_gradient states m2 in another way)");
     const T target = std::log(alpha);
-    const auto found = math::newton_bracketed(
+    const auto solution = math::newton_bracketed(
         [&](T x) {
             const auto [value, slope] = log_alpha(x);
             return std::pair(value - target, slope);
         },
         low, high, std::clamp(std::log(alpha), low, high), 4 * std::numeric_limits<T>::epsilon());
-    require(found.converged(), "Nayak's alpha = m0 m4/m2^2", alpha,
+    require(solution.converged(), "Nayak's alpha = m0 m4/m2^2", alpha,
             "that of a band with ln(q2/q1) between 0.001 and 60 at this Hurst exponent");
-    const T log_ratio = found.root;
+    const T log_ratio = solution.root;
     const T F0 = detail::power_integral(-2 * hurst, log_ratio), F2 = detail::power_integral(2 - 2 * hurst, log_ratio);
     BandSpectrum<T> band;
     band.hurst = hurst;
@@ -230,10 +230,10 @@ template <Real T>
         const T slope = unit * (2 / m.m0 + T(0.75) * q * q * q * q / m.m4 - 2 * q * q / m.m2);
         return std::pair(std::log(m.bandwidth() / alpha), slope);
     };
-    const auto found = math::newton_bracketed(excess, 4 * std::numeric_limits<T>::epsilon(), highest, highest / 2,
-                                              4 * std::numeric_limits<T>::epsilon() * (1 + highest));
-    if (!found.converged()) throw domain_error("alpha of the cut: not found in the band");
-    band.q2 = band.q_rolloff * std::exp(found.root);
+    const auto solution = math::newton_bracketed(excess, 4 * std::numeric_limits<T>::epsilon(), highest, highest / 2,
+                                                 4 * std::numeric_limits<T>::epsilon() * (1 + highest));
+    if (!solution.converged()) throw domain_error("alpha of the cut: not found in the band");
+    band.q2 = band.q_rolloff * std::exp(solution.root);
     return band;
 }
 

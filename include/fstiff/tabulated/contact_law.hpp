@@ -37,39 +37,39 @@ inline void require_same_size(Eigen::Index a, Eigen::Index b) {
 }
 
 /// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
-/// where fewer are left, so that a result does not depend on the place of its element; the others go through \p one.
+/// where fewer are left, so that a result does not depend on the place of its element; the others go through \p single.
 template <class Pieces, Real T, std::size_t N, class FourAt, class OneAt>
 void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
-               const FourAt& four, const OneAt& one) {
+               const FourAt& four, const OneAt& single) {
     const auto put = [&out](Eigen::Index i, const std::array<T, N>& value) {
         for (std::size_t n = 0; n < N; ++n) out[n][i] = value[n];
     };
     const Eigen::Index count = x.size();
     if constexpr (!math::four_at_once<T>) {
-        for (Eigen::Index i = 0; i < count; ++i) put(i, one(x[i]));
+        for (Eigen::Index i = 0; i < count; ++i) put(i, single(x[i]));
     } else {
-        T given[4], found[N][4];
+        T arguments[4], values[N][4];
         for (Eigen::Index i = 0; i < count; i += 4) {
             const T* from = x.data() + i;
             std::array<T*, N> to = out;
-            for (T*& at : to) at += i;
-            const bool whole = count - i >= 4 && pieces.contains(from[0]) && pieces.contains(from[1]) &&
-                               pieces.contains(from[2]) && pieces.contains(from[3]);
-            if (whole) [[likely]] {
+            for (T*& target : to) target += i;
+            const bool full = count - i >= 4 && pieces.contains(from[0]) && pieces.contains(from[1]) &&
+                              pieces.contains(from[2]) && pieces.contains(from[3]);
+            if (full) [[likely]] {
                 four(pieces, from, to);
                 continue;
             }
             const Eigen::Index left = std::min<Eigen::Index>(count - i, 4);
             for (Eigen::Index k = 0; k < 4; ++k)
-                given[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
-            for (std::size_t n = 0; n < N; ++n) to[n] = found[n];
-            four(pieces, given, to);
+                arguments[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
+            for (std::size_t n = 0; n < N; ++n) to[n] = values[n];
+            four(pieces, arguments, to);
             for (Eigen::Index k = 0; k < left; ++k) {
                 if (!pieces.contains(from[k])) {
-                    put(i + k, one(from[k]));
+                    put(i + k, single(from[k]));
                     continue;
                 }
-                for (std::size_t n = 0; n < N; ++n) out[n][i + k] = found[n][k];
+                for (std::size_t n = 0; n < N; ++n) out[n][i + k] = values[n][k];
             }
         }
     }
@@ -122,12 +122,12 @@ public:
         detail::require_positive("rms_height", rms_height);
         if (range.outside == OutsideRange::exact)
             detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
-        ContactLaw made;
-        made.tables_ =
+        ContactLaw result;
+        result.tables_ =
             detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, stiffness_over_slope, rms_height)
                 .tabulate(range.min_pressure, range.max_pressure);
-        made.tables_.outside = range.outside;
-        return made;
+        result.tables_.outside = range.outside;
+        return result;
     }
 
     /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse,
@@ -164,13 +164,13 @@ public:
     /// p [Pa] and K [Pa/m] at the separation \p separation [m]. \throws domain_error outside separations() under
     /// OutsideRange::refuse, for -infinity under extrapolate, for NaN, and of an empty law.
     [[nodiscard]] AtSeparation at_separation(T separation) const {
-        const Whole at = whole_at(separation);
-        return {at.pressure, at.stiffness};
+        const Whole state = whole_at(separation);
+        return {state.pressure, state.stiffness};
     }
     /// p [Pa] and -dp/dd [Pa/m], which is K only where stiffness_is_slope(). \throws as at_separation.
     [[nodiscard]] Tangent tangent_at_separation(T separation) const {
-        const Whole at = whole_at(separation);
-        return {at.pressure, at.slope};
+        const Whole state = whole_at(separation);
+        return {state.pressure, state.slope};
     }
     /// Work per area that closes the contact from infinity to \p separation [m]: the integral of p over d [J/m^2], by
     /// the polynomials of the table; beyond its range that of the law as OutsideRange::extrapolate continues it, which
@@ -218,10 +218,10 @@ public:
         by_separation(separations, pressures, stiffnesses, &Whole::stiffness,
                       [this](const auto& p, const T* separation, const auto& to) {
                           T slopes[4];
-                          const T at[4]{separation[0], separation[1], separation[2],
-                                        separation[3]};  // the results may be written where the separations were
-                          p.four_values(at, T(1), to[0], slopes);
-                          static_cast<decltype(p)>(tables_.own_stiffness).four_values(at, T(1), to[1], slopes);
+                          const T x[4]{separation[0], separation[1], separation[2],
+                                       separation[3]};  // the results may be written where the separations were
+                          p.four_values(x, T(1), to[0], slopes);
+                          static_cast<decltype(p)>(tables_.own_stiffness).four_values(x, T(1), to[1], slopes);
                       });
     }
     /// The same for tangent_at_separation().
@@ -286,8 +286,8 @@ private:
                                                                   : outside_separation(separation);
         return tables_.at_separation(separation);
     }
-    static AtPressure of_tables(const typename detail::LawTables<T>::AtPressure& at) {
-        return {at.separation, at.stiffness, at.stiffness_slope};
+    static AtPressure of_tables(const typename detail::LawTables<T>::AtPressure& point) {
+        return {point.separation, point.stiffness, point.stiffness_slope};
     }
     /// Values by the parabolas of a law with kinks, or outside the range.
     AtPressure besides_pieces(T pressure, bool with_slope) const {
@@ -308,8 +308,8 @@ private:
             refuse("pressure", pressure, tables_.min_pressure, tables_.max_pressure, " Pa");
         const auto stiffness_at = [this](T p) { return exact_(p, true).stiffness; };
         const T step = std::cbrt(std::numeric_limits<T>::epsilon()) * pressure;
-        const Exact at = exact_(pressure, true);
-        return {at.separation, at.stiffness,
+        const Exact exact = exact_(pressure, true);
+        return {exact.separation, exact.stiffness,
                 with_slope ? (stiffness_at(pressure + step) - stiffness_at(pressure - step)) / (2 * step) : T(0)};
     }
     FSTIFF_COLD Whole outside_separation(T separation) const {
@@ -323,8 +323,8 @@ private:
         }
         if (tables_.outside != OutsideRange::exact)
             refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
-        const Exact at = exact_(separation, false);
-        return {at.pressure, at.stiffness, at.slope};
+        const Exact exact = exact_(separation, false);
+        return {exact.pressure, exact.stiffness, exact.slope};
     }
     void require_filled() const {
         if (empty())
@@ -341,24 +341,24 @@ private:
 
     template <class FourAt>
     void by_separation(const Eigen::Ref<const Eigen::ArrayX<T>>& separations, Eigen::Ref<Eigen::ArrayX<T>>& pressures,
-                       Eigen::Ref<Eigen::ArrayX<T>>& others, T Whole::*wanted, const FourAt& four) const {
+                       Eigen::Ref<Eigen::ArrayX<T>>& others, T Whole::*member, const FourAt& four) const {
         detail::require_same_size(separations.size(), pressures.size());
         detail::require_same_size(separations.size(), others.size());
         batch(tables_.by_separation, separations, std::array{pressures.data(), others.data()}, four,
-              [this, wanted](T separation) {
-                  const Whole at = whole_at(separation);
-                  return std::array{at.pressure, at.*wanted};
+              [this, member](T separation) {
+                  const Whole state = whole_at(separation);
+                  return std::array{state.pressure, state.*member};
               });
     }
 
     template <class Pieces, std::size_t N, class FourAt, class OneAt>
     void batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
-               const FourAt& four, const OneAt& one) const {
+               const FourAt& four, const OneAt& single) const {
         require_filled();
-        if (tables_.kinked.empty()) return detail::law_batch(pieces, x, out, four, one);
+        if (tables_.kinked.empty()) return detail::law_batch(pieces, x, out, four, single);
         for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const std::array<T, N> found = one(x[i]);
-            for (std::size_t n = 0; n < N; ++n) out[n][i] = found[n];
+            const std::array<T, N> values = single(x[i]);
+            for (std::size_t n = 0; n < N; ++n) out[n][i] = values[n];
         }
     }
     detail::LawTables<T> tables_;
@@ -378,9 +378,9 @@ ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& r
     if (range.outside == OutsideRange::exact)
         law.exact_ = [contact](T x, bool is_pressure) {
             constexpr bool proportional = detail::ProportionalContact<Model, T>;
-            constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
-                                        (proportional ? Quantity::none : Quantity::loading_stiffness);
-            const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
+            constexpr Quantity quantities = Quantity::stiffness | Quantity::pressure |
+                                            (proportional ? Quantity::none : Quantity::loading_stiffness);
+            const auto state = is_pressure ? contact.at_pressure(x, quantities) : contact.at_separation(x, quantities);
             T slope = state.loading_stiffness.value;
             if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
             return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};

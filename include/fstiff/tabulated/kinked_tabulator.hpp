@@ -70,10 +70,10 @@ private:
 
     [[nodiscard]] Node node(T pressure, bool with_separation) {
         ++evaluations_;
-        const LawPoint<T> at = law_(pressure, with_separation || has_own_stiffness());
-        require(at.stiffness > 0 && std::isfinite(at.stiffness), "stiffness", at.stiffness,
+        const LawPoint<T> point = law_(pressure, with_separation || has_own_stiffness());
+        require(point.stiffness > 0 && std::isfinite(point.stiffness), "stiffness", point.stiffness,
                 "finite and greater than 0 for a tabulated law");
-        return {pressure, std::log(pressure), at.separation, at.stiffness, std::log(at.stiffness)};
+        return {pressure, std::log(pressure), point.separation, point.stiffness, std::log(point.stiffness)};
     }
 
     void first_nodes(T min_pressure, T max_pressure) {
@@ -95,13 +95,13 @@ private:
                      nodes_.end());
     }
 
-    /// Distance of \p at from the straight lines from \p a to \p b.
-    [[nodiscard]] T misfit(const Node& a, const Node& b, const Node& at) const {
-        const T v = (at.log_p - a.log_p) / (b.log_p - a.log_p);
-        const T of_k = std::abs(at.log_k - a.log_k - v * (b.log_k - a.log_k));
+    /// Distance of \p node from the straight lines from \p a to \p b.
+    [[nodiscard]] T misfit(const Node& a, const Node& b, const Node& node) const {
+        const T v = (node.log_p - a.log_p) / (b.log_p - a.log_p);
+        const T of_k = std::abs(node.log_k - a.log_k - v * (b.log_k - a.log_k));
         if (!has_own_stiffness()) return of_k;
         const T fall = a.separation - b.separation;
-        return (std::max)(of_k, std::abs((a.separation - at.separation) / fall - v) * (b.log_p - a.log_p));
+        return (std::max)(of_k, std::abs((a.separation - node.separation) / fall - v) * (b.log_p - a.log_p));
     }
     void refine(const Node a, const Node b) {
         if (evaluations_ > most_evaluations || b.log_p - a.log_p < (std::max)(narrowest, 100 * epsilon)) return;
@@ -117,12 +117,12 @@ private:
     }
     void add(const std::vector<Node>& missed) {
         const std::vector<Node> nodes = nodes_;
-        for (const Node& one : missed) {
-            const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, one.pressure,
-                                                [](T p, const Node& at) { return p < at.pressure; });
-            nodes_.push_back(one);
-            refine(*(above - 1), one);
-            refine(one, *above);
+        for (const Node& node : missed) {
+            const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, node.pressure,
+                                                [](T p, const Node& next) { return p < next.pressure; });
+            nodes_.push_back(node);
+            refine(*(above - 1), node);
+            refine(node, *above);
         }
         sort();
     }
@@ -155,16 +155,16 @@ private:
         return (b.pressure - a.pressure) / (a.separation - b.separation);
     }
     [[nodiscard]] std::vector<T> slopes() const {
-        std::vector<T> found{chord(nodes_[0], nodes_[1])};
+        std::vector<T> result{chord(nodes_[0], nodes_[1])};
         for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
             const Node &a = nodes_[i - 1], &b = nodes_[i], &c = nodes_[i + 1];
             const T left = chord(a, b), right = chord(b, c), h = a.separation - c.separation;
             const T of_left = (h + b.separation - c.separation) / (3 * h);
             const T mean = 1 / (of_left / left + (1 - of_left) / right);
-            found.push_back((std::min)(mean, T(1.8) * (std::min)(left, right)));
+            result.push_back((std::min)(mean, T(1.8) * (std::min)(left, right)));
         }
-        found.push_back(chord(nodes_[nodes_.size() - 2], nodes_.back()));
-        return found;
+        result.push_back(chord(nodes_[nodes_.size() - 2], nodes_.back()));
+        return result;
     }
     [[nodiscard]] std::vector<Parabola<T>> through_nodes() const {
         const std::vector<T> slope = slopes();

@@ -51,8 +51,8 @@ public:
         energy_.resize(pieces_.size());
         for (std::size_t i = 1; i < pieces_.size(); ++i)
             energy_[i] = energy_[i - 1] + work(pieces_[i - 1], pieces_[i - 1].separation - pieces_[i].separation);
-        by_pressure_ = cells([this](const Parabola<T>& at) { return pressure_cell(at.pressure); });
-        by_separation_ = cells([this](const Parabola<T>& at) { return separation_cell(at.separation); });
+        by_pressure_ = cells([this](const Parabola<T>& arc) { return pressure_cell(arc.pressure); });
+        by_separation_ = cells([this](const Parabola<T>& arc) { return separation_cell(arc.separation); });
     }
 
     [[nodiscard]] bool empty() const noexcept { return pieces_.empty(); }
@@ -68,22 +68,22 @@ public:
     }
 
     [[nodiscard]] State at_separation(T d) const noexcept {
-        const Parabola<T>& at =
-            piece(by_separation_, separation_cell(d), [d](const Parabola<T>& one) { return one.separation >= d; });
-        const T x = at.separation - d, slope = at.slope + at.bend * x;
-        return state(at, x, at.pressure + x * (at.slope + slope) / 2, slope);
+        const Parabola<T>& arc =
+            piece(by_separation_, separation_cell(d), [d](const Parabola<T>& piece) { return piece.separation >= d; });
+        const T x = arc.separation - d, slope = arc.slope + arc.bend * x;
+        return state(arc, x, arc.pressure + x * (arc.slope + slope) / 2, slope);
     }
     [[nodiscard]] State at_pressure(T p) const noexcept {
-        const Parabola<T>& at =
-            piece(by_pressure_, pressure_cell(p), [p](const Parabola<T>& one) { return one.pressure <= p; });
-        const T more = p - at.pressure, slope = std::sqrt((std::max)(at.slope * at.slope + 2 * at.bend * more, T(0)));
-        return state(at, 2 * more / (at.slope + slope), p, slope);
+        const Parabola<T>& arc =
+            piece(by_pressure_, pressure_cell(p), [p](const Parabola<T>& piece) { return piece.pressure <= p; });
+        const T dp = p - arc.pressure, slope = std::sqrt((std::max)(arc.slope * arc.slope + 2 * arc.bend * dp, T(0)));
+        return state(arc, 2 * dp / (arc.slope + slope), p, slope);
     }
     /// Integral of p from \p d to furthest() [J/m^2].
     [[nodiscard]] T energy(T d) const noexcept {
-        const Parabola<T>& at =
-            piece(by_separation_, separation_cell(d), [d](const Parabola<T>& one) { return one.separation >= d; });
-        return energy_[static_cast<std::size_t>(&at - pieces_.data())] + work(at, at.separation - d);
+        const Parabola<T>& arc =
+            piece(by_separation_, separation_cell(d), [d](const Parabola<T>& piece) { return piece.separation >= d; });
+        return energy_[static_cast<std::size_t>(&arc - pieces_.data())] + work(arc, arc.separation - d);
     }
     /// dK/dp over the last tenth of the pressures, never less than 0: the growth of the continued law [1/m].
     [[nodiscard]] T growth_at_end() const {
@@ -98,12 +98,12 @@ private:
     using Index = std::uint32_t;
 
     /// State of a piece as it closes by \p x.
-    [[nodiscard]] static T work(const Parabola<T>& at, T x) noexcept {
-        return x * (at.pressure + x * (at.slope / 2 + x * at.bend / 6));
+    [[nodiscard]] static T work(const Parabola<T>& arc, T x) noexcept {
+        return x * (arc.pressure + x * (arc.slope / 2 + x * arc.bend / 6));
     }
-    [[nodiscard]] static State state(const Parabola<T>& at, T x, T pressure, T slope) noexcept {
-        return {at.separation - x, pressure, slope, at.stiffness + at.stiffness_per_fall * x,
-                at.stiffness_per_fall / slope};
+    [[nodiscard]] static State state(const Parabola<T>& arc, T x, T pressure, T slope) noexcept {
+        return {arc.separation - x, pressure, slope, arc.stiffness + arc.stiffness_per_fall * x,
+                arc.stiffness_per_fall / slope};
     }
     [[nodiscard]] std::size_t pressure_cell(T p) const noexcept {
         return static_cast<std::size_t>((math::bits_of(p) - low_) >> shift_);
@@ -209,12 +209,12 @@ struct LawTables {
     }
     /// State by parabolas.
     [[nodiscard]] Whole kinked_at_separation(T g) const {
-        const auto at = kinked.at_separation(g);
-        return {at.pressure, at.stiffness, at.slope};
+        const auto point = kinked.at_separation(g);
+        return {point.pressure, point.stiffness, point.slope};
     }
     [[nodiscard]] AtPressure kinked_at_pressure(T pressure) const {
-        const auto at = kinked.at_pressure(pressure);
-        return {within(at.separation, closest(), furthest()), at.stiffness, at.stiffness_slope};
+        const auto point = kinked.at_pressure(pressure);
+        return {within(point.separation, closest(), furthest()), point.stiffness, point.stiffness_slope};
     }
     /// The state at an end of the range.
     [[nodiscard]] Whole at_closest() const {
@@ -254,15 +254,15 @@ struct LawTables {
         return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(at_closest())), k, slope / growth};
     }
     /// \throws domain_error for -infinity.
-    [[nodiscard]] Whole continued_separation(T at) const {
-        if (at > furthest()) {
+    [[nodiscard]] Whole continued_separation(T d) const {
+        if (d > furthest()) {
             const Whole end = at_furthest();
-            const T share = std::exp(-(at - furthest()) * (end.slope / end.pressure));
+            const T share = std::exp(-(d - furthest()) * (end.slope / end.pressure));
             return {end.pressure * share, end.stiffness * share, end.slope * share};
         }
-        require(at >= std::numeric_limits<T>::lowest(), "separation", at, "greater than -infinity (m)");
+        require(d >= std::numeric_limits<T>::lowest(), "separation", d, "greater than -infinity (m)");
         const Whole end = at_closest();
-        const T less = closest() - at;
+        const T less = closest() - d;
         const T bend = growth_at_end() * end.slope;  // dK/d less
         const T more_slope = bend * less / ratio_at(end);
         const T p = end.pressure + less * (end.slope + more_slope / 2);
@@ -272,16 +272,16 @@ struct LawTables {
     /// Integral of p from \p d to infinity [J/m^2], of a law that is continued. \throws domain_error for -infinity.
     [[nodiscard]] T energy(T d) const {
         if (d > furthest()) {
-            const Whole at = continued_separation(d);
-            return at.slope > 0 ? at.pressure * (at.pressure / at.slope) : T(0);
+            const Whole point = continued_separation(d);
+            return point.slope > 0 ? point.pressure * (point.pressure / point.slope) : T(0);
         }
         const Whole open = at_furthest();
         const T beyond = open.pressure * (open.pressure / open.slope), inside = within(d, closest(), furthest());
         const T in_range = kinked.empty() ? by_separation.integral_to_end(inside, energies) : kinked.energy(inside);
         if (!(d < closest())) return beyond + in_range;
-        const Whole end = at_closest(), at = continued_separation(d);
+        const Whole end = at_closest(), point = continued_separation(d);
         const T x = closest() - d;  // p is a quadratic: the rule of trapezia and its error
-        return beyond + in_range + x * ((end.pressure + at.pressure) / 2 - x * (at.slope - end.slope) / 12);
+        return beyond + in_range + x * ((end.pressure + point.pressure) / 2 - x * (point.slope - end.slope) / 12);
     }
 
     /// Called once the rows of by_separation are filled.

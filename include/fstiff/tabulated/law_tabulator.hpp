@@ -81,9 +81,9 @@ private:
 
     /// K at eta, from -dp/dd where it is a constant times that.
     template <class V>
-    [[nodiscard]] V stiffness_of(const State<V>& found, const V& eta) const {
+    [[nodiscard]] V stiffness_of(const State<V>& state, const V& eta) const {
         if constexpr (proportional)
-            return found.minus_dp_dd * V::all(law_.stiffness_over_slope);
+            return state.minus_dp_dd * V::all(law_.stiffness_over_slope);
         else
             return stiffness_in_series(V::all(stiffness_unit_) * exp(log_stiffness_(eta)));
     }
@@ -92,10 +92,10 @@ private:
     [[nodiscard]] V stiffness_in_series(const V& k) const {
         return k / multiply_add(k, V::all(bulk_), V::all(1));
     }
-    /// K by the model itself, where \p found is p of the model.
-    [[nodiscard]] T true_stiffness(const State<One>& found, T eta) const {
+    /// K of the model itself at \p state, which is p of the model.
+    [[nodiscard]] T true_stiffness(const State<One>& state, T eta) const {
         if constexpr (proportional)
-            return stiffness_of(found, One::all(eta)).p;
+            return stiffness_of(state, One::all(eta)).p;
         else
             return stiffness_in_series(One::all(std::exp(contact_.log_stiffness(eta).value))).p;
     }
@@ -164,13 +164,13 @@ private:
         T last = closest_;
         for (Eigen::Index i = 0; i < pieces; ++i) {
             const Nodes eta = eta_of_separation(nodes(from + width * T(i), from + width * T(i + 1)), last);
-            const State<Nodes> found = at(eta);
+            const State<Nodes> state = at(eta);
             T* const c = row(law_.by_separation, i);
-            lobatto_.fit(found.pressure).store(c);
-            if constexpr (!proportional) lobatto_.fit(stiffness_of(found, eta)).store(row(law_.own_stiffness, i));
+            lobatto_.fit(state.pressure).store(c);
+            if constexpr (!proportional) lobatto_.fit(stiffness_of(state, eta)).store(row(law_.own_stiffness, i));
             // against the series the slope is worst at the ends of a piece
             std::array<T, math::Row::terms> tangent;
-            (found.minus_dp_dd * Nodes::all(-width / 2)).store(tangent.data());
+            (state.minus_dp_dd * Nodes::all(-width / 2)).store(tangent.data());
             at_ends_ = (std::max)({at_ends_, std::abs(math::Row::derivative(c, T(-1)) / tangent.front() - 1),
                                    std::abs(math::Row::derivative(c, T(1)) / tangent.back() - 1)});
         }
@@ -181,16 +181,16 @@ private:
     [[nodiscard]] Nodes eta_of_separation(const Nodes& separation, T& last) const {
         if (bulk_ == 0) return separation / Nodes::all(rms_);
         Nodes eta = Nodes::all(last);
-        std::array<T, math::Row::terms> one;
+        std::array<T, math::Row::terms> lanes;
         for (int iteration = 0; iteration < 50; ++iteration) {
-            const State<Nodes> found = at(eta);
-            const Nodes step = (separation - found.separation) / (found.stretch * Nodes::all(rms_));
+            const State<Nodes> state = at(eta);
+            const Nodes step = (separation - state.separation) / (state.stretch * Nodes::all(rms_));
             eta = smaller(larger(eta + step, Nodes::all(begin_)), Nodes::all(end_));
-            larger(step, Nodes::all(0) - step).store(one.data());
-            if (*std::max_element(one.begin(), one.end()) <= close_enough_) break;
+            larger(step, Nodes::all(0) - step).store(lanes.data());
+            if (*std::max_element(lanes.begin(), lanes.end()) <= close_enough_) break;
         }
-        eta.store(one.data());
-        last = one.back();
+        eta.store(lanes.data());
+        last = lanes.back();
         return eta;
     }
 
@@ -218,17 +218,17 @@ private:
         for (Eigen::Index i = 0; i < std::ssize(law_.stiffness.rows); ++i) {
             const Nodes p = nodes(law_.stiffness.edge(i), law_.stiffness.edge(i + 1));
             const Nodes eta = eta_of_(log(p / Nodes::all(middle_)));
-            const State<Nodes> found = in_series(eta, p, slope_(eta));
-            (lobatto_.fit(stiffness_of(found, eta)) * scale).store(row(law_.stiffness, i));
-            (lobatto_.fit(found.separation) * scale).store(row(law_.separation, i));
+            const State<Nodes> state = in_series(eta, p, slope_(eta));
+            (lobatto_.fit(stiffness_of(state, eta)) * scale).store(row(law_.stiffness, i));
+            (lobatto_.fit(state.separation) * scale).store(row(law_.separation, i));
         }
     }
 
     /// The errors against the model, between the nodes of both tables.
     void measure_error() {
         const std::size_t checks = 8 + 4 * log_pressure_.size();
-        T found = slope_.relative_jump();
-        const auto worst = [&found](T difference) { found = (std::max)(found, std::abs(difference)); };
+        T deviation = slope_.relative_jump();
+        const auto worst = [&deviation](T difference) { deviation = (std::max)(deviation, std::abs(difference)); };
         for (std::size_t i = 0; i < checks; ++i) {
             const T eta = closest_ + (furthest_ - closest_) * (T(i) + T(0.37)) / T(checks);
             const LogSlope<T> model = contact_.log_pressure(eta);
@@ -237,17 +237,17 @@ private:
             const T separation = truth.separation.p, k = true_stiffness(truth, eta);
             worst(law_.stiffness.value(p) / k - 1);
             worst((law_.separation_at(p) - separation) / rms_);
-            const auto at =
+            const auto point =
                 law_.at_separation(std::clamp(separation, law_.by_separation.begin, law_.by_separation.end));
-            worst(at.pressure / p - 1);
-            worst(at.stiffness / k - 1);
-            if constexpr (!proportional) worst(at.slope / truth.minus_dp_dd.p - 1);
+            worst(point.pressure / p - 1);
+            worst(point.stiffness / k - 1);
+            if constexpr (!proportional) worst(point.slope / truth.minus_dp_dd.p - 1);
         }
         // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a
         // short range carries the rounding of the few digits in which p changes there
         constexpr T rounding = T(4 * math::Row::terms * math::Row::terms) * epsilon;
         law_.relative_error =
-            6 * found + T(1.5) * at_ends_ + rounding * (std::max)(T(1), 1 / (pieces_per_e * shortest_change_));
+            6 * deviation + T(1.5) * at_ends_ + rounding * (std::max)(T(1), 1 / (pieces_per_e * shortest_change_));
     }
 
     /// p and K move one way from node to node; closer than that the polynomials are smooth.
@@ -286,17 +286,17 @@ private:
 template <Real T, class Contact>
 [[nodiscard]] LawTables<T> tables_of(const Contact& contact, T min_pressure, T max_pressure) {
     if (!detail::has_kinks(contact)) {
-        auto made = LawTabulator<T, Contact>(contact, min_pressure, max_pressure).tabulate();
-        if (made.is_monotone && made.tables.relative_error <= T(1e-3)) return std::move(made.tables);
+        auto tabulated = LawTabulator<T, Contact>(contact, min_pressure, max_pressure).tabulate();
+        if (tabulated.is_monotone && tabulated.tables.relative_error <= T(1e-3)) return std::move(tabulated.tables);
     }
     T ratio = 0;
     if constexpr (ProportionalContact<Contact, T>) ratio = contact.stiffness_over_slope();
-    const auto at = [&contact](T pressure, bool with_separation) {
+    const auto law = [&contact](T pressure, bool with_separation) {
         const ContactState<T> state = contact.at_pressure(
             pressure, with_separation ? Quantity::stiffness | Quantity::separation : Quantity::stiffness);
         return LawPoint<T>{state.separation.value, state.stiffness.value};
     };
-    return KinkedTabulator<T>(at, ratio, contact.rms_height()).tabulate(min_pressure, max_pressure);
+    return KinkedTabulator<T>(law, ratio, contact.rms_height()).tabulate(min_pressure, max_pressure);
 }
 
 }  // namespace fstiff::inline v0_1::detail

@@ -34,8 +34,8 @@ template <Real T>
 }
 
 template <Real T>
-[[nodiscard]] std::array<T, 6> numbers_of(const Parabola<T>& at) {
-    return {at.separation, at.pressure, at.slope, at.bend, at.stiffness, at.stiffness_per_fall};
+[[nodiscard]] std::array<T, 6> numbers_of(const Parabola<T>& piece) {
+    return {piece.separation, piece.pressure, piece.slope, piece.bend, piece.stiffness, piece.stiffness_per_fall};
 }
 /// True if \p pieces are a table from \p law.min_pressure to max_pressure, with p and -d rising all the way.
 template <Real T>
@@ -64,8 +64,8 @@ template <Real T>
     const T head[] = {law.min_pressure, law.max_pressure,         law.closest(),
                       law.furthest(),   law.stiffness_over_slope, law.relative_error};
     add(head, std::size(head));
-    for (const Parabola<T>& at : law.kinked.pieces()) {
-        const auto numbers = numbers_of(at);
+    for (const Parabola<T>& piece : law.kinked.pieces()) {
+        const auto numbers = numbers_of(piece);
         add(numbers.data(), numbers.size());
     }
     for (const auto* rows :
@@ -89,7 +89,7 @@ public:
             throw wrong(line.starts_with("fstiff contact law ") ? "is of another version or another scalar type"
                                                                 : "begins with something else");
         require_sum();
-        at_ += line.size();
+        cursor_ += line.size();
         const auto pieces = number(Eigen::Index{});
         read_head();
         const T factor = law_.stiffness_over_slope;
@@ -117,25 +117,25 @@ private:
         end_ = text_.data() + last;
     }
     void skip() {
-        while (at_ != end_ && (*at_ == ' ' || *at_ == '\n' || *at_ == '\r')) ++at_;
+        while (cursor_ != end_ && (*cursor_ == ' ' || *cursor_ == '\n' || *cursor_ == '\r')) ++cursor_;
     }
     template <class Number>
     Number number(Number value) {
         skip();
         std::from_chars_result read{};
         if constexpr (std::is_floating_point_v<Number>)
-            read = detail::read_hexadecimal(at_, end_, value);
+            read = detail::read_hexadecimal(cursor_, end_, value);
         else
-            read = std::from_chars(at_, end_, value);
+            read = std::from_chars(cursor_, end_, value);
         if (read.ec != std::errc{}) throw wrong("ends early or holds no number");
         if constexpr (std::is_floating_point_v<Number>)
             if (!std::isfinite(value)) throw wrong("holds a number that is not finite");
-        at_ = read.ptr;
+        cursor_ = read.ptr;
         return value;
     }
     void require_end() {
         skip();
-        if (at_ != end_) throw wrong("goes on after its end");
+        if (cursor_ != end_) throw wrong("goes on after its end");
     }
 
     void read_head() {
@@ -177,7 +177,7 @@ private:
     }
 
     std::string_view text_;
-    const char *at_ = text_.data(), *end_ = at_ + text_.size();
+    const char *cursor_ = text_.data(), *end_ = cursor_ + text_.size();
     LawTables<T> law_{};
     T closest_{}, furthest_{};
 };

@@ -36,24 +36,24 @@ public:
         detail::require(!contacts_.empty(), "contacts", contacts_.size(), "at least 1");
     }
 
-    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return mean([&](const C& one) { return one.point_at_pressure(pressure, wanted); });
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        return mean([&](const C& contact) { return contact.point_at_pressure(pressure, quantities); });
     }
-    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return mean([&](const C& one) { return one.point_at_separation(separation, wanted); });
-    }
-    /// \throws domain_error where there is no point.
-    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return detail::state_or_throw(point_at_pressure(pressure, wanted));
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return mean([&](const C& contact) { return contact.point_at_separation(separation, quantities); });
     }
     /// \throws domain_error where there is no point.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        return detail::state_or_throw(point_at_separation(separation, wanted));
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
+        return detail::state_or_throw(point_at_pressure(pressure, quantities));
+    }
+    /// \throws domain_error where there is no point.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        return detail::state_or_throw(point_at_separation(separation, quantities));
     }
     /// Root of the mean square over the contacts [m].
     [[nodiscard]] T rms_height() const {
         T square = 0;
-        for (const C& one : contacts_) square += one.rms_height() * one.rms_height();
+        for (const C& contact : contacts_) square += contact.rms_height() * contact.rms_height();
         return std::sqrt(square / static_cast<T>(contacts_.size()));
     }
 
@@ -79,8 +79,8 @@ private:
         Estimate<T> mean;
         T square = 0;
         for (const auto& point : points) {
-            const Estimate<T>& one = point.state.*quantity;
-            mean.value += one.value / n, mean.error += one.error / n, mean.evaluations += one.evaluations;
+            const Estimate<T>& term = point.state.*quantity;
+            mean.value += term.value / n, mean.error += term.error / n, mean.evaluations += term.evaluations;
         }
         for (const auto& point : points) {
             const T away = (point.state.*quantity).value - mean.value;
@@ -92,7 +92,7 @@ private:
     template <class PointOf>
     [[nodiscard]] ContactPoint<T> mean(const PointOf& point_of) const {
         std::vector<ContactPoint<T>> points;
-        for (const C& one : contacts_) points.push_back(point_of(one));
+        for (const C& contact : contacts_) points.push_back(point_of(contact));
         for (auto point = points.rbegin(); point != points.rend(); ++point)
             if (!point->ok()) return *point;
         if (points.size() == 1) return points.front();

@@ -184,9 +184,9 @@ public:
         detail::require(std::abs(separation) <= most, "separation", separation, "finite");
         for (int i = 0; i < Directions; ++i) detail::require(std::abs(slip[i]) <= most, "slip", slip[i], "finite");
         detail::SlipPath<T, Directions> path(before, separation, slip, friction_ / ratio_);
-        const Response<Directions> found = response(path);
+        const Response<Directions> result = response(path);
         path.remember(after, [this](T level) { return law_.pressure_at_separation(level); });
-        return found;
+        return result;
     }
 
     /// Energy stored in tangential displacement [J/m^2], in addition to normal().energy(separation).
@@ -211,23 +211,23 @@ private:
         Response<Directions> sum;
         sum.traction.setZero();
         sum.tangent.setZero();
-        auto at = law_.tangent_at_separation(path.begin()->level);
-        sum.pressure = at.pressure;
-        sum.tangent(0, 0) = at.slope;
+        auto last = law_.tangent_at_separation(path.begin()->level);
+        sum.pressure = last.pressure;
+        sum.tangent(0, 0) = last.slope;
         auto by_inputs = sum.tangent.template bottomRows<Directions>();
-        by_inputs = at.slope * path.begin()->drag_by;  // not 0 where nothing slips
+        by_inputs = last.slope * path.begin()->drag_by;  // not 0 where nothing slips
         for (auto a = path.begin(), b = a + 1; b != path.end(); a = b++) {
             const auto next = law_.tangent_at_separation(b->level);
             const T length = b->level - a->level;
             // the mean slope of p between both; where that would cancel, of their slopes
-            const T mean = length * at.slope > T(1e-6) * at.pressure ? (at.pressure - next.pressure) / length
-                                                                     : (at.slope + next.slope) / 2;
+            const T mean = length * last.slope > T(1e-6) * last.pressure ? (last.pressure - next.pressure) / length
+                                                                         : (last.slope + next.slope) / 2;
             const Vector<Directions> rise = b->drag - a->drag;
             sum.traction += mean * rise;
             by_inputs += mean * (b->drag_by - a->drag_by);
             if (length > 0)
-                by_inputs += rise / length * ((mean - at.slope) * a->level_by + (next.slope - mean) * b->level_by);
-            at = next;
+                by_inputs += rise / length * ((mean - last.slope) * a->level_by + (next.slope - mean) * b->level_by);
+            last = next;
         }
         sum.traction *= ratio_;
         by_inputs *= ratio_;
@@ -237,10 +237,10 @@ private:
     /// (p + p*) width - 2 (E - E*). Where that would cancel, the integral of (width - 2 t) K(d + t) by four points of
     /// Gauss, which share two distances from the middle.
     [[nodiscard]] T excess(T separation, T width) const {
-        const auto at = law_.tangent_at_separation(separation);
-        if (at.slope * width > T(0.05) * at.pressure) {
+        const auto tangent = law_.tangent_at_separation(separation);
+        if (tangent.slope * width > T(0.05) * tangent.pressure) {
             const T stuck = separation + width;
-            return (at.pressure + law_.pressure_at_separation(stuck)) * width -
+            return (tangent.pressure + law_.pressure_at_separation(stuck)) * width -
                    2 * (law_.energy(separation) - law_.energy(stuck));
         }
         constexpr T abscissas[] = {T(0.86113631159405257522), T(0.33998104358485626480)},

@@ -204,7 +204,7 @@ template <Real T>
                                                             LagPairs pairs = LagPairs::measured) {
     using Index = Eigen::Index;
     map.validate(4);
-    const bool periodic = pairs == LagPairs::periodic, whole = map.present() == map.size();
+    const bool periodic = pairs == LagPairs::periodic, complete = map.present() == map.size();
     if (periodic) map.require_whole("before it is taken for periodic");
     const Index rows = map.rows(), columns = map.columns();
     ArealAutocorrelation<T> result;
@@ -222,18 +222,18 @@ template <Real T>
     const auto missing = [&](Index j, Index i) { return std::isnan(map.heights(j, i)); };
     correlate(
         [&](Index j, Index i) {
-            return missing(j, i) ? T(0) : static_cast<T>(heights.of(map.heights(j, i)) - heights.mean);
+            return missing(j, i) ? T(0) : static_cast<T>(heights.in_units(map.heights(j, i)) - heights.mean);
         },
         result.value);
     typename HeightMap<T>::Array counted;
-    if (!whole) correlate([&](Index j, Index i) { return missing(j, i) ? T(0) : T(1); }, counted);
+    if (!complete) correlate([&](Index j, Index i) { return missing(j, i) ? T(0) : T(1); }, counted);
     const T variance = static_cast<T>(heights.variance);
     for (Index j = 0; j <= result.reach_y; ++j)
         for (Index i = 0; i <= 2 * result.reach_x; ++i) {
             const Index lag = std::abs(i - result.reach_x);
-            const T count = periodic ? static_cast<T>(map.size())
-                            : whole  ? static_cast<T>(rows - j) * static_cast<T>(columns - lag)
-                                     : std::round(counted(j, i));
+            const T count = periodic   ? static_cast<T>(map.size())
+                            : complete ? static_cast<T>(rows - j) * static_cast<T>(columns - lag)
+                                       : std::round(counted(j, i));
             T& value = result.value(j, i);
             value = count > 0 ? value / count / variance : std::numeric_limits<T>::quiet_NaN();
         }

@@ -54,7 +54,7 @@ template <Real T>
 DifferenceSums<double> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights, Eigen::Index down,
                                         Eigen::Index right) {
     DifferenceSums<double> d;
-    const auto height = [&](Eigen::Index j, Eigen::Index i) { return heights.of(map.heights(j, i)); };
+    const auto height = [&](Eigen::Index j, Eigen::Index i) { return heights.in_units(map.heights(j, i)); };
     for (Eigen::Index j = 0; j + down < map.rows(); ++j) {
         double first = 0, second = 0;
         for (Eigen::Index i = 0; i + right < map.columns(); ++i) {
@@ -108,7 +108,7 @@ template <Real T>
     const MapHeights<T> heights(map);
     const T unit = heights.unit;
     const double mean = heights.mean, variance = heights.variance;
-    const auto height = [&](Index j, Index i) { return heights.of(z(j, i)); };
+    const auto height = [&](Index j, Index i) { return heights.in_units(z(j, i)); };
 
     const auto x = mean_differences(map, heights, 0, 1), y = mean_differences(map, heights, 1, 0);
     const double slope_x = unit / static_cast<double>(map.dx), slope_y = unit / static_cast<double>(map.dy);
@@ -121,10 +121,10 @@ template <Real T>
         ++result.inner;
         if (!summit) return;
         ++result.summits;
-        const double here = height(j, i);
-        curvature += ((here - height(j, i - 1)) + (here - height(j, i + 1))) * bend_x +
-                     ((here - height(j - 1, i)) + (here - height(j + 1, i))) * bend_y;
-        summit_height += here - mean;
+        const double centre = height(j, i);
+        curvature += ((centre - height(j, i - 1)) + (centre - height(j, i + 1))) * bend_x +
+                     ((centre - height(j - 1, i)) + (centre - height(j + 1, i))) * bend_y;
+        summit_height += centre - mean;
     });
 
     result.mean_height = static_cast<T>(heights.datum + mean * unit);
@@ -183,7 +183,7 @@ template <Real T>
 [[nodiscard]] std::optional<T> developed_area_ratio(const HeightMap<T>& map) {
     const auto& z = map.heights;
     const double dx = static_cast<double>(map.dx), dy = static_cast<double>(map.dy);
-    double all = 0;
+    double total = 0;
     std::size_t cells = 0;
     for (Eigen::Index j = 0; j + 1 < map.rows(); ++j) {
         double row = 0;
@@ -199,10 +199,10 @@ template <Real T>
             row += (excess(top, left) + excess(top, right) + excess(bottom, left) + excess(bottom, right)) / 4;
             ++cells;
         }
-        all += row;
+        total += row;
     }
     if (cells == 0) return {};
-    return static_cast<T>(all / static_cast<double>(cells));
+    return static_cast<T>(total / static_cast<double>(cells));
 }
 
 }  // namespace detail
@@ -213,7 +213,7 @@ template <Real T>
     map.validate();
     const detail::MapHeights<T> heights(map);
     const auto mean_of = [&](const auto& term) {
-        return detail::mean_over_points(map, [&](T z) { return term(heights.of(z) - heights.mean); });
+        return detail::mean_over_points(map, [&](T z) { return term(heights.in_units(z) - heights.mean); });
     };
     const double unit = static_cast<double>(heights.unit), variance = heights.variance;
     double high = -std::numeric_limits<double>::infinity(), low = -high;

@@ -229,12 +229,12 @@ template <Real T>
                                                              {{{2, -1}, {3, -2}}},
                                                              {{{2, -2}, {3, -3}}},
                                                              {{{1, -2}, {2, -3}}}}};
-    const auto at = [&](Eigen::Index y, Eigen::Index x) {
+    const auto height = [&](Eigen::Index y, Eigen::Index x) {
         const bool inside = y >= 0 && x >= 0 && y < map.rows() && x < map.columns();
         return inside ? map.heights(y, x) : std::numeric_limits<T>::quiet_NaN();
     };
     const auto beyond = [&](Step s) {
-        return math::beyond_both(map.heights(j, i), at(j + s.down, i + s.right), at(j - s.down, i - s.right),
+        return math::beyond_both(map.heights(j, i), height(j + s.down, i + s.right), height(j - s.down, i - s.right),
                                  std::copysign(T(1), difference));
     };
     std::vector<T> inner, outer;
@@ -260,10 +260,10 @@ math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool 
             if (std::isnan(map.heights(j, i))) continue;
             if (j > 0 && i > 0 && j + 1 < rows && i + 1 < columns) {
                 const auto z = [&](Eigen::Index down, Eigen::Index right) { return map.heights(j + down, i + right); };
-                const std::array<T, 8> all{z(-1, -1), z(-1, 0), z(-1, 1), z(0, -1),
-                                           z(0, 1),   z(1, -1), z(1, 0),  z(1, 1)};
-                if (std::none_of(all.begin(), all.end(), [](T height) { return std::isnan(height); })) {
-                    differences[static_cast<std::size_t>(j * columns + i)] = z(0, 0) - math::median_of_eight(all);
+                const std::array<T, 8> ring{z(-1, -1), z(-1, 0), z(-1, 1), z(0, -1),
+                                            z(0, 1),   z(1, -1), z(1, 0),  z(1, 1)};
+                if (std::none_of(ring.begin(), ring.end(), [](T height) { return std::isnan(height); })) {
+                    differences[static_cast<std::size_t>(j * columns + i)] = z(0, 0) - math::median_of_eight(ring);
                     continue;
                 }
             }
@@ -274,21 +274,21 @@ math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool 
             if (neighbours.size() < 3) continue;
             differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - math::median(neighbours);
         }
-    return math::spikes_among(map.heights.data(), differences, limit, remove, [&](std::size_t at, T difference) {
-        const auto place = static_cast<Eigen::Index>(at);
+    return math::spikes_among(map.heights.data(), differences, limit, remove, [&](std::size_t point, T difference) {
+        const auto place = static_cast<Eigen::Index>(point);
         return is_alone(map, place / columns, place % columns, difference, limit);
     });
 }
 
-/// Calls \p visit(place, 1/step^2 over 1/dx^2) for the neighbours of point \p at along its sides.
+/// Calls \p visit(place, 1/step^2 over 1/dx^2) for the neighbours of \p point along its sides.
 template <Real T, class Visit>
-void visit_sides(const HeightMap<T>& map, Eigen::Index at, const Visit& visit) {
+void visit_sides(const HeightMap<T>& map, Eigen::Index point, const Visit& visit) {
     const double across = static_cast<double>(map.dx) / map.dy * (static_cast<double>(map.dx) / map.dy);
-    const Eigen::Index columns = map.columns(), j = at / columns, i = at % columns;
-    if (i > 0) visit(at - 1, 1.0);
-    if (i + 1 < columns) visit(at + 1, 1.0);
-    if (j > 0) visit(at - columns, across);
-    if (j + 1 < map.rows()) visit(at + columns, across);
+    const Eigen::Index columns = map.columns(), j = point / columns, i = point % columns;
+    if (i > 0) visit(point - 1, 1.0);
+    if (i + 1 < columns) visit(point + 1, 1.0);
+    if (j > 0) visit(point - columns, across);
+    if (j + 1 < map.rows()) visit(point + columns, across);
 }
 
 /// Missing points of a map, hole by hole.
@@ -300,19 +300,19 @@ struct Holes {
 
     explicit Holes(const HeightMap<T>& map) : number(static_cast<std::size_t>(map.size()), -1) {
         std::vector<Eigen::Index> stack;
-        const auto find = [&](Eigen::Index at, double) {
-            if (!std::isnan(map.heights.data()[at]) || number[static_cast<std::size_t>(at)] >= 0) return;
-            number[static_cast<std::size_t>(at)] = 0;
-            stack.push_back(at);
+        const auto find = [&](Eigen::Index point, double) {
+            if (!std::isnan(map.heights.data()[point]) || number[static_cast<std::size_t>(point)] >= 0) return;
+            number[static_cast<std::size_t>(point)] = 0;
+            stack.push_back(point);
         };
         for (Eigen::Index start = 0; start < map.size(); ++start) {
             const std::size_t before = points.size();
             for (find(start, 0); !stack.empty();) {
-                const Eigen::Index at = stack.back();
+                const Eigen::Index point = stack.back();
                 stack.pop_back();
-                number[static_cast<std::size_t>(at)] = static_cast<int>(points.size());
-                points.push_back(at);
-                visit_sides(map, at, find);
+                number[static_cast<std::size_t>(point)] = static_cast<int>(points.size());
+                points.push_back(point);
+                visit_sides(map, point, find);
             }
             longest = (std::max)(longest, points.size() - before);
         }
@@ -338,7 +338,7 @@ math::Repair fill_missing(HeightMap<T>& map) {
             if (const int m = holes.number[static_cast<std::size_t>(other)]; m >= 0)
                 entries.emplace_back(static_cast<int>(n), m, -weight);
             else
-                right[n] += weight * (scaled.of(map.heights.data()[other]) - scaled.mean);
+                right[n] += weight * (scaled.in_units(map.heights.data()[other]) - scaled.mean);
         });
         entries.emplace_back(static_cast<int>(n), static_cast<int>(n), own);
     }

@@ -63,7 +63,7 @@ template <Real T>
     FilteredHeights<double> z(map.rows(), map.columns());
     for (Eigen::Index k = 0; k < map.size(); ++k) {
         const T height = map.heights.data()[k];
-        z.data()[k] = std::isnan(height) ? 0.0 : static_cast<double>(heights.of(height) - heights.mean);
+        z.data()[k] = std::isnan(height) ? 0.0 : static_cast<double>(heights.in_units(height) - heights.mean);
     }
     return z;
 }
@@ -131,14 +131,14 @@ template <Real T>
         smooth_both_ways(sums.data(), map, along);
         smooth_both_ways(weights.data(), map, along);
     };
-    const auto found = math::robust_means(
+    const auto means = math::robust_means(
         std::vector<double>(z.data(), z.data() + z.size()), 0.01, exists, sum,
         [&](std::size_t k) { return weights[k]; }, [&](std::size_t k) { return sums[k] / weights[k]; });
-    math::RobustWaviness<HeightMap<T>> result{map, found.left_out, found.iterations, found.converged};
-    for (std::size_t k = 0; k < found.waviness.size(); ++k)
+    math::RobustWaviness<HeightMap<T>> result{map, means.left_out, means.iterations, means.converged};
+    for (std::size_t k = 0; k < means.waviness.size(); ++k)
         if (exists(k))
             result.waviness.heights.data()[k] =
-                static_cast<T>((found.waviness[k] + scaled.mean) * scaled.unit + scaled.datum);
+                static_cast<T>((means.waviness[k] + scaled.mean) * scaled.unit + scaled.datum);
     return result;
 }
 

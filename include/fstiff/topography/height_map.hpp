@@ -36,10 +36,10 @@ HeightRange<T> height_range(const T* z, Eigen::Index count) {
     HeightRange<T> range;
     low.fill(range.low);
     high.fill(range.high);
-    const auto size = static_cast<std::size_t>(count), whole = size - size % lanes;
-    for (std::size_t begin = 0; begin < whole; begin += run) {
+    const auto size = static_cast<std::size_t>(count), bulk = size - size % lanes;
+    for (std::size_t begin = 0; begin < bulk; begin += run) {
         std::array<Count, lanes> present{};
-        for (std::size_t k = begin; k < (std::min)(whole, begin + run); k += lanes)
+        for (std::size_t k = begin; k < (std::min)(bulk, begin + run); k += lanes)
             for (std::size_t l = 0; l < lanes; ++l) {
                 const T height = z[k + l];
                 low[l] = height < low[l] ? height : low[l];
@@ -48,7 +48,7 @@ HeightRange<T> height_range(const T* z, Eigen::Index count) {
             }
         for (const Count lane : present) range.present += lane;
     }
-    for (std::size_t k = whole; k < size; ++k) {
+    for (std::size_t k = bulk; k < size; ++k) {
         if (z[k] < low[0]) low[0] = z[k];
         if (z[k] > high[0]) high[0] = z[k];
         range.present += std::isnan(z[k]) ? 0 : 1;
@@ -158,10 +158,10 @@ struct MapHeights {
                 datum = map.heights.data()[k];
                 break;
             }
-        mean = mean_over_points(map, [&](T z) { return of(z); });
-        variance = mean_over_points(map, [&](T z) { return (of(z) - mean) * (of(z) - mean); });
+        mean = mean_over_points(map, [&](T z) { return in_units(z); });
+        variance = mean_over_points(map, [&](T z) { return (in_units(z) - mean) * (in_units(z) - mean); });
     }
-    double of(T z) const { return (static_cast<double>(z) - datum) / unit; }
+    double in_units(T z) const { return (static_cast<double>(z) - datum) / unit; }
 };
 
 }  // namespace detail

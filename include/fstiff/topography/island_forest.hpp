@@ -111,8 +111,8 @@ public:
         const Islands met = islands_beside(point);
         if (all_count_ && met.count == 1 && !is_higher(point, met.root[0])) {  // most points: one more of an island
             const std::int32_t root = met.root[0];
-            parent_[at(point)] = root;
-            --parent_[at(root)];
+            parent_[index(point)] = root;
+            --parent_[index(root)];
             ++total_.points;
             if (tile_totals_.size() > 1) ++tile_totals_[tile_(root)].points;
             return;
@@ -120,21 +120,21 @@ public:
         std::int32_t highest = point, points = 1;
         for (std::size_t k = 0; k < met.count; ++k) {
             account(met.root[k], -1);
-            points -= parent_[at(met.root[k])];
+            points -= parent_[index(met.root[k])];
             if (is_higher(met.root[k], highest)) highest = met.root[k];
         }
         const std::int32_t j = point / columns_, i = point - j * columns_;
         unsigned char border = i == 0 || j == 0 || i + 1 == columns_ || j + 1 == rows_ ? 1 : 0;
         double sum = twice_mean_ ? static_cast<double>(z_[point]) - datum_ : 0.0;
         for (std::size_t k = 0; k < met.count; ++k) {
-            if (drop_border_) border |= at_border_[at(met.root[k])];
-            if (twice_mean_) sum += sum_[at(met.root[k])];
-            parent_[at(met.root[k])] = highest;
+            if (drop_border_) border |= at_border_[index(met.root[k])];
+            if (twice_mean_) sum += sum_[index(met.root[k])];
+            parent_[index(met.root[k])] = highest;
         }
-        parent_[at(point)] = highest;
-        parent_[at(highest)] = -points;
-        if (drop_border_) at_border_[at(highest)] = border;
-        if (twice_mean_) sum_[at(highest)] = sum;
+        parent_[index(point)] = highest;
+        parent_[index(highest)] = -points;
+        if (drop_border_) at_border_[index(highest)] = border;
+        if (twice_mean_) sum_[index(highest)] = sum;
         account(highest, 1);
     }
 
@@ -148,12 +148,12 @@ public:
 private:
     // parent_: for a root, minus its number of points
     static constexpr std::int32_t under_water = (std::numeric_limits<std::int32_t>::min)();
-    static std::size_t at(std::int32_t point) { return static_cast<std::size_t>(point); }
+    static std::size_t index(std::int32_t point) { return static_cast<std::size_t>(point); }
 
     std::int32_t find(std::int32_t point) {
-        while (parent_[at(point)] >= 0) {
-            const std::int32_t next = parent_[at(point)];
-            if (parent_[at(next)] >= 0) parent_[at(point)] = parent_[at(next)];  // path halving
+        while (parent_[index(point)] >= 0) {
+            const std::int32_t next = parent_[index(point)];
+            if (parent_[index(next)] >= 0) parent_[index(point)] = parent_[index(next)];  // path halving
             point = next;
         }
         return point;
@@ -172,7 +172,7 @@ private:
         const std::int32_t j = point / columns_, i = point - j * columns_;
         const bool to_left = i > 0, to_right = i + 1 < columns_, up = j > 0, down = j + 1 < rows_;
         const auto is_raised = [&](bool exists, std::int32_t other) {
-            return exists && parent_[at(other)] != under_water;
+            return exists && parent_[index(other)] != under_water;
         };
         Islands met;
         const auto meet = [&](std::int32_t neighbour) {
@@ -196,10 +196,10 @@ private:
     }
 
     void account(std::int32_t root, int sign) {
-        const std::int64_t points = -static_cast<std::int64_t>(parent_[at(root)]);
-        if (static_cast<std::size_t>(points) < min_points_ || (drop_border_ && at_border_[at(root)] != 0)) return;
+        const std::int64_t points = -static_cast<std::int64_t>(parent_[index(root)]);
+        if (static_cast<std::size_t>(points) < min_points_ || (drop_border_ && at_border_[index(root)] != 0)) return;
         const double height =
-            twice_mean_ ? 2 * sum_[at(root)] / static_cast<double>(points) : static_cast<double>(z_[root]);
+            twice_mean_ ? 2 * sum_[index(root)] / static_cast<double>(points) : static_cast<double>(z_[root]);
         total_.add(sign, points, height);
         if (tile_totals_.size() > 1) tile_totals_[tile_(root)].add(sign, points, height);
     }

@@ -72,31 +72,31 @@ std::vector<T> heights_of_ranks(const HeightMap<T>& map, const HeightRange<T>& r
             }
     for (std::size_t k = 0; k < size; ++k) {
         if (std::isnan(z[k])) continue;
-        const std::int32_t at = slot_of[bin_of(z[k])];
-        if (at < 0) continue;
-        Slot& slot = slots[static_cast<std::size_t>(at)];
+        const std::int32_t index = slot_of[bin_of(z[k])];
+        if (index < 0) continue;
+        Slot& slot = slots[static_cast<std::size_t>(index)];
         if (slot.like_first == 0) slot.first = z[k];
         if (z[k] == slot.first)
             ++slot.like_first;
         else
             slot.others.push_back(z[k]);
     }
-    std::vector<T> found;
-    std::size_t at = 0;
+    std::vector<T> values;
+    std::size_t next = 0;
     for (Slot& slot : slots) {
         std::sort(slot.others.begin(), slot.others.end(), std::greater<>());
         const auto higher = static_cast<std::size_t>(
             std::lower_bound(slot.others.begin(), slot.others.end(), slot.first, std::greater<>()) -
             slot.others.begin());
         const std::size_t end = slot.before + slot.like_first + slot.others.size();
-        for (; at < ranks.size() && ranks[at] < end; ++at) {
-            const std::size_t place = ranks[at] - slot.before;
-            found.push_back(place < higher                     ? slot.others[place]
-                            : place < higher + slot.like_first ? slot.first
-                                                               : slot.others[place - slot.like_first]);
+        for (; next < ranks.size() && ranks[next] < end; ++next) {
+            const std::size_t place = ranks[next] - slot.before;
+            values.push_back(place < higher                     ? slot.others[place]
+                             : place < higher + slot.like_first ? slot.first
+                                                                : slot.others[place - slot.like_first]);
         }
     }
-    return found;
+    return values;
 }
 
 struct LevelBands {

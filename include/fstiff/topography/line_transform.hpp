@@ -117,7 +117,7 @@ public:
 
     LinesTransform(std::size_t points, Edges edges) : points_(points), edges_(edges), values_(points * lines, T(0)) {
         if (!math::is_smooth_size(points)) {
-            one_.emplace(points, edges);
+            single_.emplace(points, edges);
             line_.resize(points);
             return;
         }
@@ -135,10 +135,10 @@ public:
         for (std::size_t i = 0; i < points_; ++i)
             for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] = from[i * step + l * jump];
     }
-    /// Multiplies each number by that of \p by, in the same order.
-    void multiply(const T* by, std::size_t step, std::size_t jump, std::size_t count) {
+    /// Multiplies each number by that of \p factors, in the same order.
+    void multiply(const T* factors, std::size_t step, std::size_t jump, std::size_t count) {
         for (std::size_t i = 0; i < points_; ++i)
-            for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] *= by[i * step + l * jump];
+            for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] *= factors[i * step + l * jump];
     }
     /// Writes the lines back.
     void store(T* to, std::size_t step, std::size_t jump, std::size_t count) const {
@@ -147,7 +147,7 @@ public:
     }
 
     void forward() {
-        if (one_) return one_by_one(&LineTransform<T>::forward);
+        if (single_) return one_by_one(&LineTransform<T>::forward);
         for (std::size_t i = 0; i < points_; ++i) {
             std::copy_n(&values_[i * lines], width, &re_[place(i)]);
             std::copy_n(&values_[i * lines + width], width, &im_[place(i)]);
@@ -155,23 +155,23 @@ public:
         fft_->transform(re_.data(), im_.data());
         const V half = V::all(T(1) / 2);
         for (std::size_t k = 0; k <= points_ / 2; ++k) {
-            const std::size_t at = k * width, other = (k == 0 ? 0 : points_ - k) * width;
-            const V p = V::load(&re_[at]), q = V::load(&im_[at]), r = V::load(&re_[other]), s = V::load(&im_[other]);
+            const std::size_t i = k * width, j = (k == 0 ? 0 : points_ - k) * width;
+            const V p = V::load(&re_[i]), q = V::load(&im_[i]), r = V::load(&re_[j]), s = V::load(&im_[j]);
             keep({(p + r) * half, (q - s) * half}, k, 0);
             keep({(q + s) * half, (r - p) * half}, k, width);
         }
     }
 
     void inverse() {
-        if (one_) return one_by_one(&LineTransform<T>::inverse);
+        if (single_) return one_by_one(&LineTransform<T>::inverse);
         const V share = V::all(1 / T(points_));
         for (std::size_t k = 0; k <= points_ / 2; ++k) {
-            const std::size_t at = k * width, other = (k == 0 ? 0 : points_ - k) * width;
+            const std::size_t i = k * width, j = (k == 0 ? 0 : points_ - k) * width;
             const Pair a = kept(k, 0), b = kept(k, width);
-            ((a.re + b.im) * share).store(&re_[other]);
-            ((b.re - a.im) * share).store(&im_[other]);
-            ((a.re - b.im) * share).store(&re_[at]);
-            ((b.re + a.im) * share).store(&im_[at]);
+            ((a.re + b.im) * share).store(&re_[j]);
+            ((b.re - a.im) * share).store(&im_[j]);
+            ((a.re - b.im) * share).store(&re_[i]);
+            ((b.re + a.im) * share).store(&im_[i]);
         }
         fft_->transform(im_.data(), re_.data());
         for (std::size_t i = 0; i < points_; ++i) {
@@ -220,7 +220,7 @@ private:
     void one_by_one(void (LineTransform<T>::*transform)(T*)) {
         for (std::size_t l = 0; l < lines; ++l) {
             for (std::size_t i = 0; i < points_; ++i) line_[i] = values_[i * lines + l];
-            ((*one_).*transform)(line_.data());
+            ((*single_).*transform)(line_.data());
             for (std::size_t i = 0; i < points_; ++i) values_[i * lines + l] = line_[i];
         }
     }
@@ -228,7 +228,7 @@ private:
     std::size_t points_;
     Edges edges_;
     std::optional<math::FftOfLines<T>> fft_;
-    std::optional<LineTransform<T>> one_;  ///< of lengths that kissfft does not take at once
+    std::optional<LineTransform<T>> single_;  ///< of lengths that kissfft does not take at once
     std::vector<T> values_, re_, im_, line_;
     std::vector<std::complex<T>> turn_;
 };

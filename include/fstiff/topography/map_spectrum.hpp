@@ -150,11 +150,11 @@ template <Real T>
     GridField<T> heights = map.heights - map.heights.mean();
     if (window == SpectrumWindow::none) return heights;
     const auto weights = [window](Eigen::Index points) {  // of mean square 1
-        Eigen::Array<T, Eigen::Dynamic, 1> all(points);
+        Eigen::Array<T, Eigen::Dynamic, 1> out(points);
         for (Eigen::Index i = 0; i < points; ++i)
-            all[i] = detail::window_weight<T>(window, static_cast<std::size_t>(i), static_cast<std::size_t>(points)) *
+            out[i] = detail::window_weight<T>(window, static_cast<std::size_t>(i), static_cast<std::size_t>(points)) *
                      std::sqrt(T(8) / 3);
-        return all;
+        return out;
     };
     heights.colwise() *= weights(map.rows());
     heights.rowwise() *= weights(map.columns()).transpose();
@@ -174,20 +174,20 @@ template <Real T>
     std::vector<T> power(shells + 1), lengths(shells + 1);
     std::vector<std::size_t> waves(shells + 1);
     const auto section = [](Index points, T unit) {
-        SectionSpectrum<T> one;
-        one.step = unit;
-        one.halved = points % 2 == 0;
-        one.value.resize(static_cast<std::size_t>(points / 2));
-        for (std::size_t k = 1; k <= one.value.size(); ++k) one.wavenumber.push_back(static_cast<T>(k) * unit);
-        return one;
+        SectionSpectrum<T> out;
+        out.step = unit;
+        out.halved = points % 2 == 0;
+        out.value.resize(static_cast<std::size_t>(points / 2));
+        for (std::size_t k = 1; k <= out.value.size(); ++k) out.wavenumber.push_back(static_cast<T>(k) * unit);
+        return out;
     };
     RadialSpectrum<T> result{.wavenumber = {},
                              .value = {},
                              .waves = {},
                              .along_x = section(columns, grid.unit_x),
                              .along_y = section(rows, grid.unit_y)};
-    const auto put = [](SectionSpectrum<T>& one, Index k, T square) {
-        if (k > 0) one.value[static_cast<std::size_t>(k) - 1] += square;
+    const auto put = [](SectionSpectrum<T>& spectrum, Index k, T square) {
+        if (k > 0) spectrum.value[static_cast<std::size_t>(k) - 1] += square;
     };
     detail::visit_waves(detail::windowed(map, window), Edges::periodic, [&](T k, T l, T square) {
         put(result.along_x, static_cast<Index>(k), square);
@@ -199,9 +199,9 @@ template <Real T>
         lengths[shell] += q;
         ++waves[shell];
     });
-    for (auto* one : {&result.along_x, &result.along_y}) {
-        for (T& value : one->value) value /= one->step;
-        if (one->halved) one->value.back() *= 2;
+    for (auto* spectrum : {&result.along_x, &result.along_y}) {
+        for (T& value : spectrum->value) value /= spectrum->step;
+        if (spectrum->halved) spectrum->value.back() *= 2;
     }
     for (std::size_t k = 1; k <= shells; ++k) {
         if (waves[k] == 0) continue;

@@ -60,7 +60,7 @@ struct PointShape {
 /// a missing point; heights are relative to the one at this point.
 template <Real T, class Heights>
 [[nodiscard]] PointShape<T> shape_by_differences(const Heights& z, Eigen::Index j, Eigen::Index i) {
-    const auto at = [&](Eigen::Index down, Eigen::Index right) {
+    const auto height = [&](Eigen::Index down, Eigen::Index right) {
         return static_cast<T>(z(j + down, i + right) - z(j, i));
     };
     // odd(a, b) of the points +-1 and +-2 is the first derivative, even(a, b) the second
@@ -70,9 +70,9 @@ template <Real T, class Heights>
         return wide ? (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / 12 : (f(1) - f(-1)) / 2;
     };
     const auto even = [&](const auto& f) { return wide ? (16 * (f(1) + f(-1)) - (f(2) + f(-2))) / 12 : f(1) + f(-1); };
-    const auto along_x = [&](Eigen::Index k) { return at(0, k); };
-    const auto along_y = [&](Eigen::Index k) { return at(k, 0); };
-    const auto slope_x = [&](Eigen::Index down) { return odd([&](Eigen::Index k) { return at(down, k); }); };
+    const auto along_x = [&](Eigen::Index k) { return height(0, k); };
+    const auto along_y = [&](Eigen::Index k) { return height(k, 0); };
+    const auto slope_x = [&](Eigen::Index down) { return odd([&](Eigen::Index k) { return height(down, k); }); };
     return {T(0), odd(along_x), odd(along_y), even(along_x), even(along_y), odd(slope_x)};
 }
 
@@ -105,30 +105,30 @@ template <Real T>
     map.validate();
     const auto& z = map.heights;
     const detail::MapHeights<T> heights(map);
-    Summits<T> found;
-    found.width = static_cast<T>(z.cols()) * map.dx;
-    found.height = static_cast<T>(z.rows()) * map.dy;
-    found.rms_height = static_cast<T>(std::sqrt(heights.variance) * heights.unit);
+    Summits<T> result;
+    result.width = static_cast<T>(z.cols()) * map.dx;
+    result.height = static_cast<T>(z.rows()) * map.dy;
+    result.rms_height = static_cast<T>(std::sqrt(heights.variance) * heights.unit);
     std::size_t inner = 0;
-    found.dx = map.dx;
-    found.dy = map.dy;
+    result.dx = map.dx;
+    result.dy = map.dy;
     detail::visit_inner_points(map, {0, z.rows(), 0, z.cols()}, [&](Eigen::Index j, Eigen::Index i, bool summit) {
         ++inner;
         if (!summit) return;
         Summit<T> top = detail::top_of(detail::shape_by_differences<T>(z, j, i), map.dx, map.dy, T(1));
         if (!(top.min_curvature > detail::min_curvature_ratio<T> * top.max_curvature)) {
-            ++found.ridges;
+            ++result.ridges;
             return;
         }
-        top.height += static_cast<T>((heights.of(z(j, i)) - heights.mean) * heights.unit);
+        top.height += static_cast<T>((heights.in_units(z(j, i)) - heights.mean) * heights.unit);
         top.x += T(i) * map.dx;
         top.y += T(j) * map.dy;
-        found.summits.push_back(top);
+        result.summits.push_back(top);
     });
-    found.area = static_cast<T>(inner) * map.dx * map.dy;
-    std::sort(found.summits.begin(), found.summits.end(),
+    result.area = static_cast<T>(inner) * map.dx * map.dy;
+    std::sort(result.summits.begin(), result.summits.end(),
               [](const Summit<T>& a, const Summit<T>& b) { return a.height > b.height; });
-    return found;
+    return result;
 }
 
 namespace detail {
@@ -143,14 +143,14 @@ namespace detail {
 
 /// Summits of another map of the same surface: of \p tiles by \p tiles of this map each as often as in \p times.
 template <Real T>
-[[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, const std::vector<std::size_t>& times) {
+[[nodiscard]] Summits<T> resampled(const Summits<T>& sample, std::size_t tiles, const std::vector<std::size_t>& times) {
     const auto tile = [&](T x, T side) {
         return (std::min)(tiles - 1, static_cast<std::size_t>(x / side * static_cast<T>(tiles)));
     };
-    Summits<T> drawn = of;
+    Summits<T> drawn = sample;
     drawn.summits.clear();
-    for (const Summit<T>& one : of.summits)
-        drawn.summits.insert(drawn.summits.end(), times[tile(one.y, of.height) * tiles + tile(one.x, of.width)], one);
+    for (const Summit<T>& s : sample.summits)
+        drawn.summits.insert(drawn.summits.end(), times[tile(s.y, sample.height) * tiles + tile(s.x, sample.width)], s);
     return drawn;
 }
 
