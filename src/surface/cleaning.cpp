@@ -146,9 +146,6 @@ void clean(const SurfaceOptions& options, io::Surface& surface) {
     if (options.spikes != 0)
         detail::require(options.spikes >= detail::min_spike_limit && options.spikes <= detail::max_spike_limit,
                         options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
-    if (options.align != LineAlignment::none && profile)
-        throw option_error(options.name("align") + " = \"" + std::string(name_of(options.align)) +
-                           "\": must be none for a profile, which is one line");
     how.align = options.align, how.scan_axis = options.scan_axis;
     how.spikes = options.spikes;
     how.fill = options.fill;

@@ -55,8 +55,8 @@ std::string form_warning(const Surface<double>& found, const SurfaceOptions& opt
     if (form.is_parabola())
         return shown_percent(form.parabola) + " of the mean square height is one " +
                (found.profile ? "parabola" : "quadratic surface") + "; " +
-               option("detrend", found.profile ? "parabola" : "quadratic") + " removes it" +
-               (found.profile ? ", of a round part \"circle\"" : ", of a round part \"sphere\" or \"cylinder\"");
+               option("detrend", found.profile ? "parabola" : "quadratic") + ", or of a round part " +
+               (found.profile ? "\"circle\"" : "\"sphere\" or \"cylinder\"") + ", removes it";
     if (!form.is_step()) return "";
     const bool straight = (form.along_x || form.along_y) && options.crop.empty();
     return shown_percent(form.step) + " of the mean square height is one step" +

@@ -66,11 +66,18 @@ bool is_document(std::string_view bytes) {
            bytes.substr(first, 200).find("\"fstiff_version\"") != std::string_view::npos;
 }
 
-void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
+/// \throws option_error for parts of a file, where one surface is read.
+void refuse_parts(const SurfaceOptions& options) {
     for (const auto& [key, parts] : {std::pair("columns", &options.columns), std::pair("channels", &options.channels)})
         if (!parts->empty())
             throw option_error(options.name(key) + " = \"" + *parts +
                                "\": must not be given where one surface is read");
+}
+
+void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
+    if (options.align != LineAlignment::none && input.surface.is_profile())
+        throw option_error(options.name("align") + " = \"" + std::string(name_of(options.align)) +
+                           "\": must be none for a profile, which is one line");
     about_file(options.file, [&] {
         clean(options, input.surface);
         for (std::string& hint : cleaning_hints(options, input.surface))
@@ -85,6 +92,7 @@ SurfaceInput input_of(const SurfaceOptions& options, std::optional<SurfaceInput>
 }
 
 SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights, const std::string& origin) {
+    refuse_parts(options);
     SurfaceInput input;
     std::visit([&](const auto& surface) { about_file(options.file, [&] { surface.validate(); }); }, heights);
     const double* const first =
@@ -103,6 +111,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options) {
 }
 
 SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes) {
+    refuse_parts(options);
     if (is_document(bytes))
         throw domain_error(display_name(options.file) +
                            ": is JSON that fstiff printed; must be a profile or a map (run --surface and surface.from "
@@ -160,11 +169,12 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
                            std::to_string(input.surface.map().columns()) + " x " +
                            std::to_string(input.surface.map().rows()) + " points); must be a profile");
     const Form form = form_of_profile(options);
+    const double radius = radius_of_form(options, form == Form::circle);
     const Profile<double>& read = input.surface.profile();
     return about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
         how.form = form;
-        how.form_radius = radius_of_form(options, form == Form::circle);
+        how.form_radius = radius;
         if (options.detrend == gaussian_form) how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
         how.height_step = input.surface.record.resolution;
         require_cut_offs(options, how, read.spacing, read.length());
@@ -178,11 +188,12 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
     const MapForm form = options.detrend.empty() ? MapForm::plane : form_of<MapForm>(options, options.detrend, "map");
     refuse_cutoff(options);
+    const double radius = radius_of_form(options, form > MapForm::cubic);
     const HeightMap<double>& map = input.surface.map();
     return about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
         how.map_form = form;
-        how.form_radius = radius_of_form(options, form > MapForm::cubic);
+        how.form_radius = radius;
         how.height_step = input.surface.record.resolution;
         require_cut_offs(
             options, how, std::max(map.dx, map.dy),
