@@ -2,7 +2,7 @@
 // Contacts and tabulated laws, evaluated on whole arrays without the GIL.
 #include "module.hpp"
 
-#include "scene/one_contact.hpp"
+#include "actions/one_contact.hpp"
 
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>

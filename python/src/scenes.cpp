@@ -2,12 +2,12 @@
 // Scenes: their curves as columns, their contacts, their laws for other programs, and parameters of measured curves.
 #include "given.hpp"
 
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/one_contact.hpp"
-#include "scene/reflections.hpp"
-#include "scene/result_rows.hpp"
-#include "surface/documents.hpp"
+#include "actions/export.hpp"
+#include "actions/identify.hpp"
+#include "actions/measure.hpp"
+#include "actions/one_contact.hpp"
+#include "actions/run.hpp"
+#include "actions/ultrasound.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>

@@ -2,14 +2,14 @@
 // Measured surfaces, from files and from arrays, and what is found of them: the JSON documents of the command.
 #include "given.hpp"
 
-#include "scene/scales.hpp"
-#include "surface/documents.hpp"
-#include "surface/fractal.hpp"
-#include "surface/generated.hpp"
-#include "surface/islands_of_map.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
-#include "surface/truth_of_map.hpp"
+#include "actions/fractal.hpp"
+#include "actions/generate.hpp"
+#include "actions/islands.hpp"
+#include "actions/measure.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/scales.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/truth.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>

@@ -2,15 +2,15 @@
 // Answers of commands to requests, as documents.
 #include "c/measure.hpp"
 
+#include "actions/export.hpp"
+#include "actions/generate.hpp"
+#include "actions/identify.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/run.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/ultrasound.hpp"
 #include "io/number.hpp"
 #include "request/values.hpp"
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/reflections.hpp"
-#include "scene/result_rows.hpp"
-#include "surface/generated.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
 #include "surface/surface_option_table.hpp"
 
 #include <algorithm>

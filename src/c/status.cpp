@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Status, messages and the version.
+#include "actions/one_contact.hpp"
 #include "c/guard.hpp"
-#include "scene/one_contact.hpp"
 
 #include <fstiff/core/version.hpp>
 

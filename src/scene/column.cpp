@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/column.hpp"
 
-#include "scene/results.hpp"
+#include "scene/scene.hpp"
 
 #include <fstiff/answer/curves.hpp>
 
@@ -28,7 +28,7 @@ std::optional<Derived> derived_of(CurveQuantity quantity) {
 }
 
 /// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
-Estimate<double> estimate_of(const Column& column, const Problem& problem, const Curve& curve, std::size_t i,
+Estimate<double> estimate_of(const Column& column, const Problem& problem, const LawCurve& curve, std::size_t i,
                              const ContactState<double>& s) {
     if (const auto which = derived_of(column.quantity))
         return derived(*which, problem, curve, i, s,
@@ -52,10 +52,6 @@ Estimate<double> estimate_of(const Column& column, const Problem& problem, const
         default: return {};
     }
 }
-
-}  // namespace
-
-namespace {
 
 bool always(const Scene&) { return true; }
 bool never(const Scene&) { return false; }
@@ -156,7 +152,7 @@ const std::string& Column::key() const {
     return keys[static_cast<std::size_t>(quantity)][static_cast<std::size_t>(statistic)];
 }
 
-std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool bands) {
+std::vector<Column> columns_of(const Scene& scene, const LawCurve& curve, bool bands) {
     std::vector<Column> columns;
     const auto add = [&](const CurveQuantityRow& row, Statistic statistic) {
         Column& column = columns.emplace_back(Column{row.quantity, statistic});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/lines.hpp"
 
+#include "actions/results.hpp"
 #include "document/file.hpp"
 #include "document/json.hpp"
-#include "scene/results.hpp"
 
 #include <fstiff/core/text.hpp>
 

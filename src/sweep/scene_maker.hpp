@@ -6,7 +6,7 @@
 // Reference   table_of and read_table of each scene alone give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
 
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 #include "sweep/grid.hpp"
 
 #include <array>

@@ -10,7 +10,7 @@
 #include <fstiff/tabulated/tangential_law.hpp>
 #include <fstiff/topography/form.hpp>
 
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hybrid and plastic of numbers and traces with a bearing curve. Truth: the Gaussian law, the library's hybrid_of_band,
 // and the same surface written in another way.
-#include "scene/one_contact.hpp"
-#include "scene/results.hpp"
+#include "actions/measure.hpp"
+#include "actions/one_contact.hpp"
+#include "actions/results.hpp"
 #include "scene/scene.hpp"
-#include "surface/documents.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"

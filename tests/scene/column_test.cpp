@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns: names, units and headings of every quantity; CSV and JSON of any bytes. Truth: lists by hand, nlohmann.
-#include "scene/result_rows.hpp"
+#include "actions/run.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heat and current through a contact: k K/E of every law, the gap in parallel, and refusals.
-#include "scene/result_rows.hpp"
-#include "scene/results.hpp"
+#include "actions/results.hpp"
+#include "actions/run.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -4,7 +4,7 @@
 #include "support/half_space_maps.hpp"
 #include "support/library.hpp"
 
-#include "scene/overclosure.hpp"
+#include "actions/overclosure.hpp"
 
 #include <cmath>
 #include <numbers>

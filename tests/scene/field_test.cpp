@@ -6,16 +6,16 @@
 
 #include "cli/command.hpp"
 
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/reflections.hpp"
-#include "surface/fractal.hpp"
-#include "surface/generated.hpp"
-#include "surface/islands_of_map.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
+#include "actions/export.hpp"
+#include "actions/fractal.hpp"
+#include "actions/generate.hpp"
+#include "actions/identify.hpp"
+#include "actions/islands.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/truth.hpp"
+#include "actions/ultrasound.hpp"
 #include "surface/surface_option_table.hpp"
-#include "surface/truth_of_map.hpp"
 
 #include "support/accuracy.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The loss factor of a scene with friction, against the tangential law of the same contact, and what is refused.
-#include "scene/result_rows.hpp"
-#include "scene/results.hpp"
+#include "actions/results.hpp"
+#include "actions/run.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/one_contact.hpp"
+#include "actions/one_contact.hpp"
 
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 
 #include "support/catch.hpp"
 

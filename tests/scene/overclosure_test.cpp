@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of pressures over overclosures. Truth: the chords of an exponential in closed form; the library's contacts,
 // made by hand, at pressures that the table was not made of.
-#include "scene/overclosure.hpp"
+#include "actions/overclosure.hpp"
 
 #include <fstiff/contact/rough_contact.hpp>
 

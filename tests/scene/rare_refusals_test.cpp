@@ -2,7 +2,7 @@
 // Values that scenes, documents and files rarely have: each is refused in one sentence that names what is allowed.
 #include "support/library.hpp"
 
-#include "scene/overclosure.hpp"
+#include "actions/overclosure.hpp"
 
 namespace rare_refusals_test {
 

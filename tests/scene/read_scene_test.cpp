@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contents of a scene and their messages: ranges of keys, values that contradict each other, values that were
 // assumed, files that are listed twice.
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 
 #include "cli/command.hpp"
 
+#include "actions/truth.hpp"
 #include "document/file.hpp"
 #include "document/rows.hpp"
 #include "document/shown_unit.hpp"
-#include "surface/truth_of_map.hpp"
 
 #include <fstiff/io/write.hpp>
 #include <fstiff/math/statistics.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The requests of commands, in-process. Truth: closed forms, and the functions of the headers.
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/reflections.hpp"
-#include "surface/generated.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
+#include "actions/export.hpp"
+#include "actions/generate.hpp"
+#include "actions/identify.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/ultrasound.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff::scene by itself: read_scene and compute, against the numbers that the command prints.
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 #include "scene/joint.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
 
+#include "actions/identify.hpp"
+#include "actions/measured_curve.hpp"
+#include "actions/run.hpp"
 #include "document/file.hpp"
-#include "scene/identified.hpp"
-#include "scene/measured_curve.hpp"
-#include "scene/result_rows.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // A surface with other cut-offs: each row is the measurement, and the K, with these cut-offs.
 #include "support/library.hpp"
 
-#include "scene/scales.hpp"
+#include "actions/scales.hpp"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 
 #include "cli/command.hpp"
 
+#include "actions/measure.hpp"
 #include "scene/scene.hpp"
-#include "surface/documents.hpp"
 
 #include "support/accuracy.hpp"
 

@@ -3,11 +3,11 @@
 // Work of the command on a file or a scene, done by the library in this process: options as they are written on a
 // command line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by
 // CMake.
-#include "scene/result_rows.hpp"
-#include "scene/results.hpp"
-#include "surface/documents.hpp"
-#include "surface/fractal.hpp"
-#include "surface/islands_of_map.hpp"
+#include "actions/fractal.hpp"
+#include "actions/islands.hpp"
+#include "actions/measure.hpp"
+#include "actions/results.hpp"
+#include "actions/run.hpp"
 #include "surface/measured_surface.hpp"
 #include "surface/surface_option_table.hpp"
 

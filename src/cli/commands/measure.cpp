@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff measure: every parameter of a scene's [surface] from a measured profile or map, with errors.
+#include "actions/measure.hpp"
+#include "actions/scales.hpp"
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "scene/scales.hpp"
-#include "surface/documents.hpp"
 
 #include <fstiff/io/units.hpp>
 

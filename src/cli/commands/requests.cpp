@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The commands that are a request: their options, and the document that answers.
+#include "actions/export.hpp"
+#include "actions/fractal.hpp"
+#include "actions/generate.hpp"
+#include "actions/identify.hpp"
+#include "actions/islands.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/truth.hpp"
+#include "actions/ultrasound.hpp"
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/reflections.hpp"
-#include "surface/fractal.hpp"
-#include "surface/generated.hpp"
-#include "surface/islands_of_map.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
-#include "surface/truth_of_map.hpp"
 
 #include <fstiff/asperity/material.hpp>
 

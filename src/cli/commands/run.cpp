@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff run: a scene to its curves, one per law and peak density.
+#include "actions/run.hpp"
 #include "commands/commands.hpp"
 #include "input/scene_options.hpp"
 #include "picture/plot.hpp"
-#include "scene/result_rows.hpp"
 
 #include <memory>
 

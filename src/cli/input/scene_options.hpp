@@ -2,9 +2,9 @@
 #pragma once
 // The scene of a subcommand: its options, its reading, and its results.
 
+#include "actions/results.hpp"
 #include "document/output.hpp"
 #include "input/arguments.hpp"
-#include "scene/results.hpp"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // The figure of results, and its files: the picture, and its numbers as CSV.
 #include "picture/plot.hpp"
 
-#include "scene/result_rows.hpp"
+#include "actions/run.hpp"
 
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/core/error.hpp>

@@ -5,8 +5,8 @@
 //
 // panels.cpp makes the figure of results and its files, svg.cpp draws it by the ticks of scale.hpp.
 
+#include "actions/results.hpp"
 #include "document/output.hpp"
-#include "scene/results.hpp"
 
 #include <functional>
 #include <optional>
