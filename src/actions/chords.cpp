@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 /// Raises \p worst to the errors of the chords from the points \p begin to the points \p end of \p lines.
@@ -45,4 +45,4 @@ ChordErrors error_of_rows(const std::vector<Line>& lines, const std::vector<std:
     return worst;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// A point of a line y(x).
 struct LinePoint {
@@ -26,4 +26,4 @@ struct ChordErrors {
 /// The errors of the chords between \p rows of \p lines.
 [[nodiscard]] ChordErrors error_of_rows(const std::vector<Line>& lines, const std::vector<std::size_t>& rows);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
-std::string number(double value) { return rounded(value, 10); }
+std::string number(double value) { return document::rounded(value, 10); }
 
 /// Conductances against what a program looks them up by.
 struct CardRows {
@@ -57,7 +57,8 @@ std::string pressure_rows(const LawInModel& law) {
 
 std::string comment_of_heat(const LawInModel& law, const CardRows& rows) {
     return "** heat      " + law.units.of_heat() + ", of which 1 W/(m^2 K) is " + number(law.units.heat(1)) + "; " +
-           std::to_string(rows.count) + " rows, at most " + rounded(100 * rows.error, 3) + " % off between them\n";
+           std::to_string(rows.count) + " rows, at most " + document::rounded(100 * rows.error, 3) +
+           " % off between them\n";
 }
 
 /// The tangential stiffness at \p pressure [Pa], by a power law between two points of the fine grid: to six digits.
@@ -73,8 +74,8 @@ double tangential_at(const LawColumns& columns, double pressure) {
 template <class Value>
 std::string where_it_holds(const LawInModel& law, const std::string& unit, Value value) {
     const auto at = [&](double p) { return " at " + law.pressure(p) + " " + law.units.pressure; };
-    return "holds" + at(law.at) + "; it is " + rounded(value(law.table.from), 4) + at(law.table.from) + " and " +
-           rounded(value(law.table.to), 4) + at(law.table.to) + " [" + unit + "]";
+    return "holds" + at(law.at) + "; it is " + document::rounded(value(law.table.from), 4) + at(law.table.from) +
+           " and " + document::rounded(value(law.table.to), 4) + at(law.table.to) + " [" + unit + "]";
 }
 
 /// The overclosure as CalculiX sees it where it looks up a conductance: see calculix_heat().
@@ -101,7 +102,7 @@ std::string calculix_friction(const LawInModel& law) {
     const auto slope = [&](double p) { return law.units.stiffness(tangential_at(law.table.columns, p)); };
     return "** friction  the stick slope, the tangential stiffness, " +
            where_it_holds(law, law.units.of_stiffness(), slope) + "\n*FRICTION\n" + number(*law.friction) + ", " +
-           rounded(slope(law.at), 6) + "\n";
+           document::rounded(slope(law.at), 6) + "\n";
 }
 
 /// A card of Abaqus with conductances against the pressure.
@@ -117,7 +118,7 @@ std::string abaqus_current(const LawInModel& law) {
     if (law.table.columns.current.empty()) return {};
     const CardRows rows = card_rows(law, current_of(law), pressures_of(law));
     return "** current   " + law.units.of_current() + ", of volts and amperes; " + std::to_string(rows.count) +
-           " rows, at most " + rounded(100 * rows.error, 3) + " % off between them\n" +
+           " rows, at most " + document::rounded(100 * rows.error, 3) + " % off between them\n" +
            abaqus_rows("*Gap Electrical Conductance", rows);
 }
 
@@ -128,8 +129,8 @@ std::string abaqus_friction(const LawInModel& law) {
         return *law.friction * p / tangential_at(law.table.columns, p) * law.units.metre;
     };
     return "** friction  the elastic slip, mu p over the tangential stiffness, " +
-           where_it_holds(law, law.units.length, slip) + "\n*Friction, elastic slip=" + rounded(slip(law.at), 6) +
-           "\n" + number(*law.friction) + ",\n";
+           where_it_holds(law, law.units.length, slip) +
+           "\n*Friction, elastic slip=" + document::rounded(slip(law.at), 6) + "\n" + number(*law.friction) + ",\n";
 }
 
 /// A column of a table, by the name of what it holds.
@@ -179,9 +180,10 @@ std::string table_of(const LawInModel& law, const std::vector<NamedColumn>& colu
     for (const NamedColumn& column : columns) units.push_back(column.name + " [" + column.unit + "]");
     std::string text = comment + "columns   " + joined(units, ", ") + "\n";
     if (law.friction) text += comment + "friction  coefficient " + number(*law.friction) + "\n";
-    text += comment + "rows      " + std::to_string(chosen.size() + 1) + ", at most " + rounded(100 * error.value, 3) +
-            " % off between them in every column" +
-            (error.slope > 0 ? ", and " + rounded(100 * error.slope, 3) + " % in the slope of the pressure" : "") +
+    text += comment + "rows      " + std::to_string(chosen.size() + 1) + ", at most " +
+            document::rounded(100 * error.value, 3) + " % off between them in every column" +
+            (error.slope > 0 ? ", and " + document::rounded(100 * error.slope, 3) + " % in the slope of the pressure"
+                             : "") +
             "\n" + names;
     const auto add = [&](std::size_t row) {
         std::vector<std::string> numbers;
@@ -207,7 +209,7 @@ std::string LawInModel::length(double metres) const { return number(metres * uni
 std::string comment_of_pressure(const LawInModel& law) {
     const auto [p, slope] = law.table.error;
     const auto within = [](double error, double tolerance) {
-        return rounded(100 * error, 3) + " % (tolerance " + rounded(100 * tolerance, 3) + " %)";
+        return document::rounded(100 * error, 3) + " % (tolerance " + document::rounded(100 * tolerance, 3) + " %)";
     };
     return "** rows      " + std::to_string(law.table.rows.size()) + "; lines between them, against the law at " +
            std::to_string(law.table.columns.pressure.size() - 1) +
@@ -241,4 +243,4 @@ std::string comsol_columns(const LawInModel& law) {
     return table_of(law, columns, "% ", "% " + joined(names_of(columns), " ") + "\n", " ");
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// A law, and in which units and how closely it is written.
 struct LawInModel {
@@ -33,4 +33,4 @@ struct LawInModel {
 /// The same with spaces, and the names in a comment.
 [[nodiscard]] std::string comsol_columns(const LawInModel& law);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

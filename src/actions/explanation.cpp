@@ -11,7 +11,10 @@
 #include <limits>
 #include <numeric>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using scene::Scene;
+
 namespace {
 
 /// \p cause for people.
@@ -44,9 +47,10 @@ bool is_nearly_elastic(const Scene& scene, const StiffnessAnswer& answer) {
 std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     const std::optional<double>& ratio = answer.relative_hardness;
-    const std::string number = ratio ? " (H/(E g) = " + rounded(*ratio, 2) + ")" : "";
-    const bool loads = std::any_of(answer.reasons.begin(), answer.reasons.end(),
-                                   [](const AnswerReason& reason) { return reason.loading_stiffness.has_value(); });
+    const std::string number = ratio ? " (H/(E g) = " + document::rounded(*ratio, 2) + ")" : "";
+    const bool loads =
+        std::any_of(answer.reasons.begin(), answer.reasons.end(),
+                    [](const detail::AnswerReason& reason) { return reason.loading_stiffness.has_value(); });
     if (is_nearly_elastic(scene, answer))
         return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves."};
     if (answer.flows)
@@ -63,10 +67,11 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
 /// Source of K beyond the names of the laws; may be empty.
 std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     const Curve& curve = answer.curve;
-    const auto solved = [](const Law* law) { return law->which == LawName::boundary_elements; };
+    const auto solved = [](const detail::Law* law) { return law->which == LawName::boundary_elements; };
     const auto count = static_cast<std::size_t>(std::count_if(curve.by.begin(), curve.by.end(), solved));
     const auto& map = scene.face.map;
-    const std::string missing = missing_phrase(scene.face), least = rounded(detail::min_points_in_contact);
+    const std::string missing = scene::missing_phrase(scene.face),
+                      least = document::rounded(detail::min_points_in_contact);
     std::string text;
     if (!missing.empty())
         text = "K is computed from the map's numbers: " + missing;
@@ -83,13 +88,13 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
                    ? "K is computed from the map's summits and bearing curve"
                    : "K is computed from R and D_p of the map, which has no summits for law hybrid";
     else if (has_lay(scene))
-        text = "The profile repeats itself, like one across a lay: K may be up to " + rounded(detail::lay_factor) +
-               " times higher; only a map shows this";
+        text = "The profile repeats itself, like one across a lay: K may be up to " +
+               document::rounded(detail::lay_factor) + " times higher; only a map shows this";
     return text.empty() ? text : text + ".";
 }
 
 /// What to measure, for people.
-std::string words_of(const NextMeasurement& next, const Problem& problem) {
+std::string words_of(const detail::NextMeasurement& next, const detail::Problem& problem) {
     if (!next.which)
         return measured_faces(problem).front()->measured->is_profile ? "four times the length" : "four times the area";
     const bool lay = detail::prior_of(rough_faces(problem).front()->process).has_lay;
@@ -108,7 +113,7 @@ std::string words_of(const NextMeasurement& next, const Problem& problem) {
 
 }  // namespace
 
-std::string shown_causes(const AnswerReason& reason, std::size_t most) {
+std::string shown_causes(const detail::AnswerReason& reason, std::size_t most) {
     const auto shares = shares_of(reason.causes);
     std::array<std::size_t, detail::cause_count> order{};
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -117,18 +122,18 @@ std::string shown_causes(const AnswerReason& reason, std::size_t most) {
     for (std::size_t k = 0; k < most; ++k)
         if (const std::size_t i = order[k]; shares[i] >= 0.1)
             text += (text.empty() ? "" : ", ") + std::string(words_of(static_cast<Cause>(i))) + " " +
-                    shown_percent(shares[i]);
+                    document::shown_percent(shares[i]);
     return text;
 }
 
-std::string outside_band(const Problem& problem, const Results& results) {
+std::string outside_band(const detail::Problem& problem, const Results& results) {
     std::string text = "Not in the band: wear, dirt, films, misaligned faces";
     if (!problem.nominal_area)
         text += std::string(results.answer && results.answer->of_map_itself ? ", other parts of the face"
                             : measured_faces(problem).empty()               ? ", few contacts"
                                                                             : ", long waves") +
                 " (give contact.nominal_area)";
-    for (const Face* face : rough_faces(problem))
+    for (const detail::Face* face : rough_faces(problem))
         if (!face->measured && face->process == Process::unknown && face->is_open(Unknown::skewness))
             return text +
                    "; for a worn or honed face K may be several times higher (give process, or skewness and "
@@ -146,18 +151,19 @@ std::string measure_next(const Scene& scene, const Results& results) {
     if (!next) return "";
     const double wide = curve.band[*at].high / curve.band[*at].low;
     const auto factor = [&](double value) {
-        return rounded(value, rounded(wide, 2) == rounded(next->factor, 2) ? 3 : 2);
+        return document::rounded(value, document::rounded(wide, 2) == document::rounded(next->factor, 2) ? 3 : 2);
     };
     return "measure " + words_of(*next, scene) + ": the band at " +
-           with_unit(curve.states[*at].pressure.value, "Pa", 3) + " narrows from a factor of " + factor(wide) + " to " +
-           factor(next->factor);
+           document::with_unit(curve.states[*at].pressure.value, "Pa", 3) + " narrows from a factor of " +
+           factor(wide) + " to " + factor(next->factor);
 }
 
 std::string origin_of_band(const Scene& scene) {
     if (scene.best) return "the 90 % band of the answer";
     std::string text;
     if (scene.face.has_measured_errors())
-        text = "; " + rounded(scene.samples) + " surfaces sampled from the errors, seed " + std::to_string(scene.seed);
+        text = "; " + document::rounded(scene.samples) + " surfaces sampled from the errors, seed " +
+               std::to_string(scene.seed);
     if (!scene.face.neighbours.empty()) text += "; the choice of lambda_s";
     if (!scene.face.priors.empty()) text += "; unknown parameters of the surface";
     return text.substr(std::min<std::size_t>(2, text.size()));
@@ -184,4 +190,4 @@ Explanation explanation(const Scene& scene, const Results& results) {
     return all;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

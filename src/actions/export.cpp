@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 double share_of(const std::string& text, const std::string& name) {
@@ -31,16 +31,16 @@ std::string slope_of(const PressureTable& table) {
     const auto& ratio = table.slope_over_stiffness;
     const std::string of_law = " of law " + table.law;
     if (!ratio) return "-dp/dd" + of_law + ", not the K of its unloading";
-    const std::string within = ", within " + rounded(100 * table.error.slope, 3) + " %";
+    const std::string within = ", within " + document::rounded(100 * table.error.slope, 3) + " %";
     if (is_stiffness(ratio)) return "-dp/dd, which is K" + of_law + within;
-    const std::string least = rounded(ratio->least, 3), greatest = rounded(ratio->greatest, 3);
+    const std::string least = document::rounded(ratio->least, 3), greatest = document::rounded(ratio->greatest, 3);
     const std::string of_K = least + (least == greatest ? "" : " to " + greatest) + " of K" + of_law;
     if (!table.follows_slope) return of_K + "; no table follows -dp/dd, which jumps between neighbouring pressures";
     return "-dp/dd, " + of_K + within;
 }
 
 ModelUnits units_of(const ExportRequest& request) {
-    return model_units(request.units, option_name(request.prefix, "units"));
+    return model_units(request.units, surface::option_name(request.prefix, "units"));
 }
 
 /// Beginning of a comment of the program.
@@ -57,18 +57,20 @@ std::string beyond(Solver to) {
 }
 
 /// The comments on where the law comes from, how close the table of its pressures is, and what lies outside of it.
-std::string heading_of(const Scene& scene, const LawInModel& law, const ExportRequest& request) {
+std::string heading_of(const scene::Scene& scene, const LawInModel& law, const ExportRequest& request) {
     const PressureTable& table = law.table;
     const ModelUnits& units = law.units;
     std::string text;
-    const auto say = [&](const std::string& line) { text += comment_of(request.to) + printable(line) + "\n"; };
+    const auto say = [&](const std::string& line) {
+        text += comment_of(request.to) + document::printable(line) + "\n";
+    };
     say("fstiff " FSTIFF_VERSION_TEXT ": contact law for " + std::string(name_of(request.to)) +
         ", pressure against overclosure; its slope is " + slope_of(table));
     say("scene     " + scene.name + " (" + scene.file + "), SHA-256 " + scene.sha256);
     for (const auto& [name, face, file] : measured_files(scene))
         say(std::string(name) + "   " + file->file + ", SHA-256 " + file->sha256);
     say("law       " + table.title);
-    const auto slope = [&](double K) { return rounded(units.stiffness(K), 4); };
+    const auto slope = [&](double K) { return document::rounded(units.stiffness(K), 4); };
     for (const auto& [p, K, low, high, by] : table.answer)
         say("answer    at " + law.pressure(p) + " " + units.pressure + " K is " + slope(K) + " " +
             units.of_stiffness() + ", 90 % band " + slope(low) + " to " + slope(high) + ", by " + by +
@@ -97,30 +99,33 @@ std::string body_of(const LawInModel& law, Solver to) {
 }
 
 /// The pressure of the one stiffness that a card of friction holds [Pa].
-double pressure_of_friction(const Problem& problem, const PressureTable& table, const ExportRequest& request) {
+double pressure_of_friction(const detail::Problem& problem, const PressureTable& table, const ExportRequest& request) {
     if (request.at.empty()) return std::sqrt(table.from * table.to);
-    const std::string name = option_name(request.prefix, "at");
+    const std::string name = surface::option_name(request.prefix, "at");
     if (!problem.friction) throw domain_error(name + " is for a scene with [friction]; this scene has none");
     const double at = request.at.positive(io::Dimension::pressure, name);
     constexpr double rounding = 1e-9;
     detail::require(at >= table.from * (1 - rounding) && at <= table.to * (1 + rounding), name, at,
-                    "from " + rounded(table.from) + " Pa to " + rounded(table.to) + " Pa, the range of the table");
+                    "from " + document::rounded(table.from) + " Pa to " + document::rounded(table.to) +
+                        " Pa, the range of the table");
     return at;
 }
 
 PressureTableOptions options_of(const ExportRequest& request) {
-    const auto pressure = [&](const Amount& given, const char* key) {
-        return given.empty() ? std::nullopt
-                             : std::optional(given.positive(io::Dimension::pressure, option_name(request.prefix, key)));
+    const auto pressure = [&](const request::Amount& given, const char* key) {
+        return given.empty()
+                   ? std::nullopt
+                   : std::optional(given.positive(io::Dimension::pressure, surface::option_name(request.prefix, key)));
     };
-    return {.law = request.law,
-            .peaks = request.peaks,
-            .from = pressure(request.from, "from"),
-            .to = pressure(request.until, "until"),
-            .tolerance = share_of(request.tolerance, option_name(request.prefix, "tolerance")),
-            .slope_tolerance = share_of(request.slope_tolerance, option_name(request.prefix, "slope_tolerance")),
-            .prefix = request.prefix,
-            .progress = request.progress};
+    return {
+        .law = request.law,
+        .peaks = request.peaks,
+        .from = pressure(request.from, "from"),
+        .to = pressure(request.until, "until"),
+        .tolerance = share_of(request.tolerance, surface::option_name(request.prefix, "tolerance")),
+        .slope_tolerance = share_of(request.slope_tolerance, surface::option_name(request.prefix, "slope_tolerance")),
+        .prefix = request.prefix,
+        .progress = request.progress};
 }
 
 /// The most rows of numbers below one card of \p text.
@@ -134,12 +139,12 @@ std::size_t longest_table(std::string_view text) {
 }
 
 /// CalculiX makes a table of so many rows from a longer one.
-void warn_of_resampling(const LawInModel& law, std::string_view text, Document& document) {
+void warn_of_resampling(const LawInModel& law, std::string_view text, document::Document& document) {
     constexpr std::size_t kept = 200, sure = 186;  // a shorter range has other points to choose rows from
     if (longest_table(text) <= kept) return;
     std::string way_out = "give larger tolerances or a shorter range";
     const auto& rows = law.table.rows;
-    const auto p = [&](std::size_t row) { return rounded(rows[row].pressure * law.units.pascal, 2); };
+    const auto p = [&](std::size_t row) { return document::rounded(rows[row].pressure * law.units.pascal, 2); };
     if (rows.size() > kept)
         way_out += ", such as " + p(rows.size() - sure) + " to " + p(rows.size() - 1) + " or " + p(1) + " to " +
                    p(sure) + " " + law.units.pressure;
@@ -155,27 +160,29 @@ void check(const ExportRequest& request) {
     (void)options_of(request);
 }
 
-Document document_of(const Scene& scene, const ExportRequest& request) {
+document::Document document_of(const scene::Scene& scene, const ExportRequest& request) {
     const ModelUnits units = units_of(request);
     const PressureTableOptions wanted = options_of(request);
-    const auto of_text = [](std::string text) { return Document::of_file([text = std::move(text)] { return text; }); };
+    const auto of_text = [](std::string text) {
+        return document::Document::of_file([text = std::move(text)] { return text; });
+    };
     if (request.to == Solver::law) return of_text(law_text(scene, wanted));
     const PressureTable table = pressure_table(scene, wanted);
     LawInModel law{.table = table, .units = units, .tolerance = {wanted.tolerance, wanted.slope_tolerance}};
     law.at = pressure_of_friction(scene, table, request);
     if (scene.friction) law.friction = scene.friction->coefficient;
     const std::string text = heading_of(scene, law, request) + body_of(law, request.to);
-    Document document = of_text(text);
+    document::Document document = of_text(text);
     document.warnings = table.warnings;
     document.doubtful = table.doubtful;
     if (!is_stiffness(table.slope_over_stiffness))
         document.warnings.push_back("the slope of the table is " + slope_of(table) +
-                                    (table.follows_slope
-                                         ? ", which fstiff run prints"
-                                         : "; give a larger " + option_name(request.prefix, "slope_tolerance") +
-                                               ", or the law hybrid, whose slope is K"));
+                                    (table.follows_slope ? ", which fstiff run prints"
+                                                         : "; give a larger " +
+                                                               surface::option_name(request.prefix, "slope_tolerance") +
+                                                               ", or the law hybrid, whose slope is K"));
     if (request.to == Solver::calculix) warn_of_resampling(law, text, document);
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

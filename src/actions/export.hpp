@@ -9,36 +9,37 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// The program whose input is written; law: the tabulated law itself.
 enum class Solver { calculix, abaqus, moose, comsol, law };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions
 
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::Solver> = detail::name_list<scene::Solver>({{scene::Solver::calculix, "calculix"},
-                                                                               {scene::Solver::abaqus, "abaqus"},
-                                                                               {scene::Solver::moose, "moose"},
-                                                                               {scene::Solver::comsol, "comsol"},
-                                                                               {scene::Solver::law, "law"}});
+inline constexpr auto names<actions::Solver> = detail::name_list<actions::Solver>({{actions::Solver::calculix,
+                                                                                    "calculix"},
+                                                                                   {actions::Solver::abaqus, "abaqus"},
+                                                                                   {actions::Solver::moose, "moose"},
+                                                                                   {actions::Solver::comsol, "comsol"},
+                                                                                   {actions::Solver::law, "law"}});
 
 }  // namespace fstiff
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 struct ExportRequest {
     Solver to = Solver::calculix;
     std::string units = "mm,N,MPa";      ///< of the model: length, force and pressure
     std::string tolerance = "1%";        ///< of the pressure between two rows: a share, or per cent
     std::string slope_tolerance = "2%";  ///< of the slope between two rows, against -dp/dd
-    Amount from{}, until{};              ///< pressures; empty: the least and the greatest of the scene
+    request::Amount from{}, until{};     ///< pressures; empty: the least and the greatest of the scene
     std::string law{};          ///< of the scene; empty: that of the answer, or its first that has a separation
     int peaks = 1;              ///< which of contact.peaks, from 1 on
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
-    Amount at{};                ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
+    request::Amount at{};       ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
     ProgressHook progress{};
 
     template <class Take>
@@ -68,8 +69,8 @@ struct ExportRequest {
 
 /// The file for the program. \throws domain_error for units that are not consistent and a tolerance that is none; as
 /// pressure_table() and law_text().
-[[nodiscard]] Document document_of(const Scene& scene, const ExportRequest& request);
+[[nodiscard]] document::Document document_of(const scene::Scene& scene, const ExportRequest& request);
 /// \throws domain_error for what no scene can be exported by.
 void check(const ExportRequest& request);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

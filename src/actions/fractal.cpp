@@ -12,27 +12,32 @@
 
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using document::Document, document::Json, surface::SurfaceInput;
+
 namespace {
 
 using Strings = std::vector<std::string>;
 
 /// Why a fit is flagged as curved.
 std::string curved_sentence(const FractalFit<double>& fit) {
-    const std::string slopes =
-        "the local slope of the structure function " +
-        (fit.slope_longest < fit.slope_shortest - 0.3 ? "falls from " + rounded(fit.slope_shortest, 3) + " to " +
-                                                            rounded(fit.slope_longest, 3) + " over the window"
-                                                      : "varies between " + rounded(fit.min_slope, 3) + " and " +
-                                                            rounded(fit.max_slope, 3) + " over the window") +
-        (fit.min_slope < 0.2 ? ": a part of it is a plateau" : "");
+    const std::string slopes = "the local slope of the structure function " +
+                               (fit.slope_longest < fit.slope_shortest - 0.3
+                                    ? "falls from " + document::rounded(fit.slope_shortest, 3) + " to " +
+                                          document::rounded(fit.slope_longest, 3) + " over the window"
+                                    : "varies between " + document::rounded(fit.min_slope, 3) + " and " +
+                                          document::rounded(fit.max_slope, 3) + " over the window") +
+                               (fit.min_slope < 0.2 ? ": a part of it is a plateau" : "");
     for (const auto& beside : fit.neighbours)
         if (beside.disagrees)
             return slopes + "; " + (beside.half ? "its half" : "next to it the window") + " of " +
-                   shown_length(beside.window.from, 3) + " to " + shown_length(beside.window.to, 3) +
-                   " gives D = " + rounded(beside.dimension, 3) + ", which differs by " +
-                   rounded(std::abs(beside.difference), 2) + " where sampling explains " +
-                   rounded(beside.difference_error, 2) + ": this is not a single power law, and D is a mean over it";
+                   document::shown_length(beside.window.from, 3) + " to " +
+                   document::shown_length(beside.window.to, 3) +
+                   " gives D = " + document::rounded(beside.dimension, 3) + ", which differs by " +
+                   document::rounded(std::abs(beside.difference), 2) + " where sampling explains " +
+                   document::rounded(beside.difference_error, 2) +
+                   ": this is not a single power law, and D is a mean over it";
     return slopes + ": this is not a single power law, and D is a mean over it";
 }
 
@@ -40,8 +45,8 @@ std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit, std
     switch (concern) {
         case MeasuredConcern::curved: return curved_sentence(fit);
         case MeasuredConcern::saturated:
-            return "the structure function is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
-                   shown_length(fit.flattest_lag, 3) +
+            return "the structure function is nearly flat (slope " + document::rounded(fit.flattest_slope, 2) +
+                   ") at a lag of " + document::shown_length(fit.flattest_lag, 3) +
                    ", shorter than the window: the roughness has saturated there, and D is that of the waviness; " +
                    std::string(prefix) + "window looks elsewhere";
         case MeasuredConcern::roughness_uncertain:
@@ -87,14 +92,14 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["log_periodic_terms"] = fit.log_periodic;
     document["finite_band_terms"] = fit.finite_band;
     document["bootstrap_seed"] = fit.seed;
-    document["second_differences"] = scene::rows_of(fit, fit.second_differences).arrays();
-    document["fitted"] = scene::rows_of(fit, fit.fitted).arrays();
+    document["second_differences"] = actions::rows_of(fit, fit.second_differences).arrays();
+    document["fitted"] = actions::rows_of(fit, fit.fitted).arrays();
 }
 
 Document begun(const FractalOptions& options, const SurfaceInput& input, const std::string& of,
                const std::string& form) {
     Document document("fit");
-    document.title("fractal fit of " + of + shown_name(options.surface.file));
+    document.title("fractal fit of " + of + document::shown_name(options.surface.file));
     add_source(document, options.surface, input, form);
     document.json["inputs"].update({{"window", options.surface.window.text("m")},
                                     {"tip_radius", options.surface.tip_radius.text("m")},
@@ -112,40 +117,42 @@ Document begun(const FractalOptions& options, const SurfaceInput& input, const s
 /// G with its error, two digits where it is not known to a factor of two, and the convention that it has.
 std::string roughness_text(const FractalOptions& options, const FractalFit<double>& fit) {
     const Measurement<double> g{fit.fractal.roughness, fit.roughness_error};
-    return "G = " + rounded(g.value, detail::is_known(g) ? 5 : 2) + " m +- " + rounded(g.error, 2) +
+    return "G = " + document::rounded(g.value, detail::is_known(g) ? 5 : 2) + " m +- " + document::rounded(g.error, 2) +
            " m   (convention " + std::string(name_of(options.convention));
 }
 
 std::string window_line(const FractalFit<double>& fit) {
-    return shown_length(fit.window.from) + " to " + shown_length(fit.window.to) + " (" +
+    return document::shown_length(fit.window.from) + " to " + document::shown_length(fit.window.to) + " (" +
            (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) + " lags; local slope " +
-           rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
+           document::rounded(fit.slope_shortest, 3) + " to " + document::rounded(fit.slope_longest, 3) + ")";
 }
 
 std::string window_reason(const FractalFit<double>& fit) {
     return "begins " + std::string(detail::describe(fit.begins)) + ", ends " + std::string(detail::describe(fit.ends)) +
-           (fit.reliable_from > 0 ? "; lags below " + shown_length(fit.reliable_from) + " are left out" : "");
+           (fit.reliable_from > 0 ? "; lags below " + document::shown_length(fit.reliable_from) + " are left out" : "");
 }
 
 std::string errors_line(const FractalOptions& options, const FractalFit<double>& fit) {
-    return "errors of D: window " + rounded(fit.window_dimension_error, 2) + ", sampling " +
-           rounded(fit.sampling_dimension_error, 2) + "; of that model " + rounded(fit.model_dimension_error, 2) +
+    return "errors of D: window " + document::rounded(fit.window_dimension_error, 2) + ", sampling " +
+           document::rounded(fit.sampling_dimension_error, 2) + "; of that model " +
+           document::rounded(fit.model_dimension_error, 2) +
            (options.resamples > 0
-                ? ", block bootstrap " + rounded(fit.bootstrap_dimension_error, 2) + " (" +
+                ? ", block bootstrap " + document::rounded(fit.bootstrap_dimension_error, 2) + " (" +
                       std::to_string(options.resamples) + " resamples, seed " + std::to_string(options.seed) + ")"
                 : ", no bootstrap");
 }
 
 std::string note_of(const FractalFit<double>& fit) {
-    return "D = " + shortest(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
-           ", G = " + shortest(fit.fractal.roughness) + " m +- " + rounded(fit.roughness_error, 2) + " m";
+    return "D = " + document::shortest(fit.fractal.dimension) + " +- " + document::rounded(fit.dimension_error, 2) +
+           ", G = " + document::shortest(fit.fractal.roughness) + " m +- " + document::rounded(fit.roughness_error, 2) +
+           " m";
 }
 
 Strings warnings_of(const FractalOptions& options, const ProfileFractal& result) {
     Strings all;
     for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
         all.push_back(concern == MeasuredConcern::spectrum_differs
-                          ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
+                          ? "D from the power spectrum, " + document::rounded(result.spectrum->dimension, 4) +
                                 ", is another one: over its wavelengths the profile follows another law"
                           : sentence(concern, result.fit, options.surface.prefix));
     return all;
@@ -162,11 +169,12 @@ Strings warnings_of(const FractalOptions& options, const DirectionalFit<double>&
     if (!fit.y) all.push_back("along y: no fit: " + fit.why_no_fit_y);
     if (fit.anisotropic())
         all.push_back("the map is anisotropic: " +
-                      (fit.x && fit.y ? "D along x less D along y is " + rounded(fit.dimension_difference, 3) + " +- " +
-                                            rounded(fit.dimension_difference_error, 2) + ", "
-                                      : std::string()) +
-                      "ln S along x less ln S along y " + rounded(fit.log_level_difference, 3) + " +- " +
-                      rounded(fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
+                      (fit.x && fit.y
+                           ? "D along x less D along y is " + document::rounded(fit.dimension_difference, 3) + " +- " +
+                                 document::rounded(fit.dimension_difference_error, 2) + ", "
+                           : std::string()) +
+                      "ln S along x less ln S along y " + document::rounded(fit.log_level_difference, 3) + " +- " +
+                      document::rounded(fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
     return all;
 }
 
@@ -176,14 +184,15 @@ void add_others(Document& document, const ProfileFractal& result) {
         document.json[key] = {{"refused", why}};
         document.line(label, "none: " + why);
     };
-    const std::string by_line = "  D by ordinary least squares " + rounded(result.fit.line_dimension);
+    const std::string by_line = "  D by ordinary least squares " + document::rounded(result.fit.line_dimension);
     if (const auto& s = result.spectrum) {
         document.json["power_spectrum"] = {{"fractal_dimension", s->dimension},
                                            {"fractal_dimension_error", s->dimension_error},
                                            {"wavelengths_m", Json(std::vector<double>{s->window.from, s->window.to})}};
-        document.line(by_line + "; by the power spectrum " + rounded(s->dimension) + " +- " +
-                      rounded(s->dimension_error, 2) + " (wavelengths " + shown_length(s->window.from, 4) + " to " +
-                      shown_length(s->window.to, 4) + ")");
+        document.line(by_line + "; by the power spectrum " + document::rounded(s->dimension) + " +- " +
+                      document::rounded(s->dimension_error, 2) + " (wavelengths " +
+                      document::shown_length(s->window.from, 4) + " to " + document::shown_length(s->window.to, 4) +
+                      ")");
     } else {
         document.json["power_spectrum"] = {{"refused", result.no_spectrum}};
         document.line(by_line + "; by the power spectrum none: " + result.no_spectrum);
@@ -215,27 +224,29 @@ Document of_profile(const FractalOptions& options, const SurfaceInput& input) {
     const ProfileFractal result = fractal_of_profile(options, input);
     const FractalFit<double>& fit = result.fit;
     const PreparedProfile<double>& levelled = result.levelled;
-    const std::string form = form_name(levelled);
+    const std::string form = surface::form_name(levelled);
     Document document = begun(options, input, "", form);
     Json& json = document.json;
     put_fit(json, fit);
     put_cut_offs(json, levelled.cut_offs);
-    document.line("profile", "spacing " + shown_length(levelled.profile.spacing) + ", length " +
-                                 shown_length(levelled.profile.length()));
+    document.line("profile", "spacing " + document::shown_length(levelled.profile.spacing) + ", length " +
+                                 document::shown_length(levelled.profile.length()));
     add_heights(document, "Rq", levelled,
-                form + (levelled.cutoff ? ", cut-off " + shown_length(*levelled.cutoff) : ""));
+                form + (levelled.cutoff ? ", cut-off " + document::shown_length(*levelled.cutoff) : ""));
     json["points"] = input.points();
     json["missing_points"] = input.missing();
     json["spacing_m"] = levelled.profile.spacing;
     document.line("window", window_line(fit));
     document.line("", window_reason(fit) + "\n");
-    document.line("  D = " + rounded(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
-                  "   (regression alone, too small: " + rounded(fit.regression_dimension_error, 2) + ")");
-    document.line("  " + roughness_text(options, fit) + "; ln G +- " + rounded(fit.log_roughness_error, 2) + ")");
+    document.line("  D = " + document::rounded(fit.fractal.dimension) + " +- " +
+                  document::rounded(fit.dimension_error, 2) +
+                  "   (regression alone, too small: " + document::rounded(fit.regression_dimension_error, 2) + ")");
+    document.line("  " + roughness_text(options, fit) + "; ln G +- " + document::rounded(fit.log_roughness_error, 2) +
+                  ")");
     document.line("  " + errors_line(options, fit));
     add_others(document, result);
     document.line();
-    document.table(scene::rows_of(fit, result.structure), {.key = "structure_function", .thinned = "lags"});
+    document.table(actions::rows_of(fit, result.structure), {.key = "structure_function", .thinned = "lags"});
     document.notes = {note_of(fit)};
     document.warnings = warnings_of(options, result);
     add_reading(document, input, "their pairs are left out", levelled.rms_gradient);
@@ -250,17 +261,18 @@ Json add_direction(Document& document, const FractalOptions& options, const std:
         document.line(along + "no fit");
         return {{"refused", refusal}};
     }
-    document.line(along + "D = " + rounded(fit->fractal.dimension) + " +- " + rounded(fit->dimension_error, 2) +
-                  " (ordinary least squares " + rounded(fit->line_dimension) + " +- " +
-                  rounded(fit->regression_dimension_error, 2) + ", too small)");
+    document.line(along + "D = " + document::rounded(fit->fractal.dimension) + " +- " +
+                  document::rounded(fit->dimension_error, 2) + " (ordinary least squares " +
+                  document::rounded(fit->line_dimension) + " +- " +
+                  document::rounded(fit->regression_dimension_error, 2) + ", too small)");
     document.line(indent + roughness_text(options, *fit) + ")");
     document.line(indent + "window " + window_line(*fit));
     document.line(indent + window_reason(*fit));
     document.notes.push_back("along " + name + ": " + note_of(*fit));
-    document.csv([fit = *fit, name] { return scene::rows_of(fit, fit.structure_function, name); });
+    document.csv([fit = *fit, name] { return actions::rows_of(fit, fit.structure_function, name); });
     Json values;
     put_fit(values, *fit);
-    values["structure_function"] = scene::rows_of(*fit, fit->structure_function).arrays();
+    values["structure_function"] = actions::rows_of(*fit, fit->structure_function).arrays();
     return values;
 }
 
@@ -269,7 +281,7 @@ DirectionalFit<double> directions_of(const FractalOptions& options, const Prepar
     FractalFitOptions<double> how = fit_options(options);
     how.progress = options.progress;
     how.lambda_s = levelled.cut_offs.lambda_s.value_or(0);
-    return about_file(options.surface.file, [&] {
+    return document::about_file(options.surface.file, [&] {
         DirectionalFit<double> fit = detail::fit_directions<double>(levelled, how);
         if (!fit.x && !fit.y)
             throw domain_error("no direction of the map allows a fit; along x: " + fit.why_no_fit_x +
@@ -280,13 +292,14 @@ DirectionalFit<double> directions_of(const FractalOptions& options, const Prepar
 
 Document of_map(const FractalOptions& options, SurfaceInput& input) {
     if (options.all_lags)
-        throw option_error(options.surface.name("all_lags") + " is for profiles; must not be given for a map");
+        throw document::option_error(options.surface.name("all_lags") +
+                                     " is for profiles; must not be given for a map");
     const PreparedMap<double> levelled = level_map_of(options.surface, input);
     const DirectionalFit<double> fit = directions_of(options, levelled);
-    Document document = begun(options, input, "the map ", form_name(levelled));
+    Document document = begun(options, input, "the map ", surface::form_name(levelled));
     Json& json = document.json;
     add_grid(document, input, levelled);
-    add_heights(document, "Sq", levelled, form_name(levelled));
+    add_heights(document, "Sq", levelled, surface::form_name(levelled));
     const ArealStatistics<double>& a = levelled.areal;
     document.facts("moments",
                    {{"m0_m2", a.m0},
@@ -321,12 +334,12 @@ Document of_map(const FractalOptions& options, SurfaceInput& input) {
 
 FractalFitOptions<double> fit_options(const FractalOptions& options) {
     FractalFitOptions<double> how;
-    const SurfaceOptions& surface = options.surface;
-    if (!surface.window.empty()) how.window = parse_window(surface.window, surface.name("window"));
+    const surface::SurfaceOptions& surface = options.surface;
+    if (!surface.window.empty()) how.window = surface::parse_window(surface.window, surface.name("window"));
     how.convention = options.convention;
     how.seed = options.seed;
     how.resamples = options.resamples;
-    const Instrument instrument = instrument_of(surface);
+    const surface::Instrument instrument = instrument_of(surface);
     how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
     return how;
 }
@@ -338,7 +351,7 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
     result.levelled = level_profile(options.surface, input);
     const Profile<double>& profile = result.levelled.profile;
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
-    result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
+    result.fit = document::about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     result.no_spectrum = detail::fit_or_reason(result.spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
         std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
@@ -356,9 +369,10 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
     return result;
 }
 
-Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s, const std::string& direction) {
+document::Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
+                       const std::string& direction) {
     const auto used = [&](double lag) { return lag >= fit.window.from && lag <= fit.window.to; };
-    Rows rows;
+    document::Rows rows;
     if (!direction.empty()) rows.repeat({.key = "direction", .json = false}, direction, s.size());
     rows.add({"lag_m", "lag [µm]", 1e6}, s.lag);
     rows.add({"value_m2", "S [µm²]", 1e12}, s.value);
@@ -374,4 +388,4 @@ Document document_of(const FractalOptions& options, std::optional<SurfaceInput> 
     return input.surface.is_profile() ? of_profile(options, input) : of_map(options, input);
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// How a file is read, and how D and G are found.
 struct FractalOptions {
-    SurfaceOptions surface;
+    surface::SurfaceOptions surface;
     StructureConvention convention = StructureConvention::exact;
     std::uint64_t seed = FractalFitOptions<double>{}.seed;
     int resamples = FractalFitOptions<double>{}.resamples;
@@ -55,13 +55,14 @@ struct ProfileFractal {
 [[nodiscard]] FractalFitOptions<double> fit_options(const FractalOptions& options);
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
-[[nodiscard]] ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input);
+[[nodiscard]] ProfileFractal fractal_of_profile(const FractalOptions& options, const surface::SurfaceInput& input);
 
 /// The structure function \p s; \p direction of a map, else empty.
-[[nodiscard]] Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
-                           const std::string& direction = "");
+[[nodiscard]] document::Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
+                                     const std::string& direction = "");
 
 /// The document of fstiff measure --show fit for \p input, or for the file that \p options name. \throws as above.
-[[nodiscard]] Document document_of(const FractalOptions& options, std::optional<SurfaceInput> input = {});
+[[nodiscard]] document::Document document_of(const FractalOptions& options,
+                                             std::optional<surface::SurfaceInput> input = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -12,7 +12,7 @@
 #include <memory>
 #include <sstream>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 /// Refuses the options that the kind has no use for, and those that it misses.
@@ -20,9 +20,9 @@ void check_options(const GenerateRequest& request) {
     const bool wm = request.kind == GeneratedKind::wm, map = request.kind == GeneratedKind::map;
     const std::string kind = "generate " + std::string(name_of(request.kind));
     const auto only = [&](bool given, bool wanted, std::string_view key, bool needed) {
-        const std::string name = option_name(request.prefix, key);
-        if (given && !wanted) throw option_error(name + " is not for " + kind + "; must not be given");
-        if (!given && wanted && needed) throw option_error(kind + " needs " + name);
+        const std::string name = surface::option_name(request.prefix, key);
+        if (given && !wanted) throw document::option_error(name + " is not for " + kind + "; must not be given");
+        if (!given && wanted && needed) throw document::option_error(kind + " needs " + name);
     };
     only(!request.spacing.empty(), true, "spacing", true);
     only(request.dimension.has_value(), wm, "dimension", true);
@@ -47,7 +47,7 @@ GenerateRequest with_points(GenerateRequest request) {
     return request;
 }
 
-std::string in_metres(double value) { return shortest(value) + " m"; }
+std::string in_metres(double value) { return document::shortest(value) + " m"; }
 
 /// The lengths of \p request in metres.
 struct WaveRange {
@@ -55,8 +55,9 @@ struct WaveRange {
 };
 
 Generated weierstrass_mandelbrot(const GenerateRequest& request, const WaveRange& waves) {
-    const Fractal<double> fractal{*request.dimension,
-                                  parse_length(request.roughness, option_name(request.prefix, "roughness"))};
+    const Fractal<double> fractal{
+        *request.dimension,
+        surface::parse_length(request.roughness, surface::option_name(request.prefix, "roughness"))};
     const WeierstrassMandelbrot<double> wm(fractal, {.longest_wavelength = waves.longest,
                                                      .shortest_wavelength = waves.shortest,
                                                      .gamma = request.gamma,
@@ -66,22 +67,22 @@ Generated weierstrass_mandelbrot(const GenerateRequest& request, const WaveRange
         throw domain_error("points times waves = " + std::to_string(request.points) + " x " +
                            std::to_string(wm.terms()) + ": must be at most 2^30");
     return {wm.sample(request.points, waves.spacing),
-            {{"D", shortest(fractal.dimension)},
+            {{"D", document::shortest(fractal.dimension)},
              {"G", in_metres(fractal.roughness)},
-             {"gamma", shortest(request.gamma)},
+             {"gamma", document::shortest(request.gamma)},
              {"waves", std::to_string(wm.terms())}}};
 }
 
 Generated self_affine(const GenerateRequest& request, const WaveRange& waves) {
     SelfAffineOptions<double> how;
     how.hurst = *request.hurst;
-    how.rms = parse_length(request.rms, option_name(request.prefix, "rms"));
+    how.rms = surface::parse_length(request.rms, surface::option_name(request.prefix, "rms"));
     how.longest_wavelength = waves.longest;
     how.shortest_wavelength = waves.shortest;
     how.long_waves = request.long_waves;
     how.seed = request.seed;
     Generated made{.surface = {},
-                   .parameters = {{"H", shortest(how.hurst)},
+                   .parameters = {{"H", document::shortest(how.hurst)},
                                   {"rms", in_metres(how.rms)},
                                   {"beyond the longest wave", std::string(name_of(how.long_waves))}}};
     if (request.kind == GeneratedKind::map)
@@ -91,7 +92,7 @@ Generated self_affine(const GenerateRequest& request, const WaveRange& waves) {
     return made;
 }
 
-Json arrays_of(const io::ProfileOrMap& surface) {
+document::Json arrays_of(const io::ProfileOrMap& surface) {
     if (const auto* profile = std::get_if<Profile<double>>(&surface))
         return {{"heights_m", profile->heights}, {"columns", profile->size()}, {"rows", 1}, {"dx_m", profile->spacing}};
     const auto& map = std::get<HeightMap<double>>(surface);
@@ -112,8 +113,8 @@ std::string Generated::origin() const {
 
 Generated generate(const GenerateRequest& given) {
     const GenerateRequest request = with_points(given);
-    const auto length = [&](const Amount& of, const char* key, double otherwise) {
-        return of.empty() ? otherwise : parse_length(of, option_name(request.prefix, key));
+    const auto length = [&](const request::Amount& of, const char* key, double otherwise) {
+        return of.empty() ? otherwise : surface::parse_length(of, surface::option_name(request.prefix, key));
     };
     const double spacing = length(request.spacing, "spacing", 0);
     const double side = static_cast<double>(std::max(request.points, request.rows)) * spacing;
@@ -142,12 +143,13 @@ std::string file_of(const Generated& generated, GeneratedForm form) {
     return std::move(stream).str();
 }
 
-Document document_of(const GenerateRequest& request) {
+document::Document document_of(const GenerateRequest& request) {
     const auto generated = std::make_shared<const Generated>(generate(request));
-    Document document = Document::of_file([=, form = request.format] { return file_of(*generated, form); });
+    document::Document document =
+        document::Document::of_file([=, form = request.format] { return file_of(*generated, form); });
     if (request.format != GeneratedForm::csv) document.notes = {generated->origin()};  // the file has no room for it
-    document.values([=](Json& to) { to = arrays_of(generated->surface); });
+    document.values([=](document::Json& to) { to = arrays_of(generated->surface); });
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

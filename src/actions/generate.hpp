@@ -16,29 +16,31 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// wm: Weierstrass-Mandelbrot profile; the others are self-affine and Gaussian.
 enum class GeneratedKind { wm, profile, map };
 /// The form of the file; sdf is binary.
 enum class GeneratedForm { csv, sdf, sdf_text };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions
 
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::GeneratedKind> = detail::name_list<scene::GeneratedKind>(
-    {{scene::GeneratedKind::wm, "wm"}, {scene::GeneratedKind::profile, "profile"}, {scene::GeneratedKind::map, "map"}});
+inline constexpr auto names<actions::GeneratedKind> =
+    detail::name_list<actions::GeneratedKind>({{actions::GeneratedKind::wm, "wm"},
+                                               {actions::GeneratedKind::profile, "profile"},
+                                               {actions::GeneratedKind::map, "map"}});
 template <>
-inline constexpr auto names<scene::GeneratedForm> =
-    detail::name_list<scene::GeneratedForm>({{scene::GeneratedForm::csv, "csv"},
-                                             {scene::GeneratedForm::sdf, "sdf"},
-                                             {scene::GeneratedForm::sdf_text, "sdf-text"}});
+inline constexpr auto names<actions::GeneratedForm> =
+    detail::name_list<actions::GeneratedForm>({{actions::GeneratedForm::csv, "csv"},
+                                               {actions::GeneratedForm::sdf, "sdf"},
+                                               {actions::GeneratedForm::sdf_text, "sdf-text"}});
 
 }  // namespace fstiff
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// Request for a surface. wm uses dimension, roughness and gamma; the others use hurst, rms and long_waves, and a map
 /// also rows.
@@ -49,12 +51,12 @@ struct GenerateRequest {
     GeneratedKind kind = GeneratedKind::profile;
     std::size_t points = 0,
                 rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
-    Amount spacing{};
-    std::optional<double> dimension{};    ///< D
-    Amount roughness{};                   ///< G
-    double gamma = 1.5;                   ///< ratio of neighbouring wavelengths
-    std::optional<double> hurst{};        ///< H
-    Amount rms{}, longest{}, shortest{};  ///< wavelengths: the longest side and two spacings by default
+    request::Amount spacing{};
+    std::optional<double> dimension{};             ///< D
+    request::Amount roughness{};                   ///< G
+    double gamma = 1.5;                            ///< ratio of neighbouring wavelengths
+    std::optional<double> hurst{};                 ///< H
+    request::Amount rms{}, longest{}, shortest{};  ///< wavelengths: the longest side and two spacings by default
     LongWaves long_waves = LongWaves::plateau;
     std::uint64_t seed = 1;
     GeneratedForm format = GeneratedForm::csv;
@@ -104,6 +106,6 @@ struct Generated {
 /// The file, which fstiff reads back; the CSV has the origin in its first line.
 [[nodiscard]] std::string file_of(const Generated& generated, GeneratedForm form);
 /// The same as a document; its values are the heights and their steps. \throws as generate().
-[[nodiscard]] Document document_of(const GenerateRequest& request);
+[[nodiscard]] document::Document document_of(const GenerateRequest& request);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

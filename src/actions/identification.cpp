@@ -15,7 +15,10 @@
 #include <memory>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using detail::Problem;
+
 namespace {
 
 /// "a, b and c", with \p last before the last one.
@@ -37,8 +40,8 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
     std::vector<Observation<double>> data;
     for (const MeasuredPoint& point : points) {
         const auto refuse = [&](const char* what, double value, const char* allowed) {
-            throw domain_error(curve.name + ":" + std::to_string(point.line) + ": " + what + " = " + shortest(value) +
-                               ": must be " + allowed);
+            throw domain_error(curve.name + ":" + std::to_string(point.line) + ": " + what + " = " +
+                               document::shortest(value) + ": must be " + allowed);
         };
         if (curve.has_errors && !(point.error > 0)) refuse("error", point.error, "greater than 0 to weigh the point");
         if (curve.is_reflection && !(point.value < 2)) refuse("reflection", point.value, "at most 1, apart from noise");
@@ -56,7 +59,7 @@ bool of_spectrum(const std::vector<Parameter>& wanted) {
     return has(wanted, Parameter::rms_gradient) || has(wanted, Parameter::alpha);
 }
 
-ContactParameters<double> start_of(const Problem& problem, const Peaks* peaks) {
+ContactParameters<double> start_of(const Problem& problem, const detail::Peaks* peaks) {
     ContactParameters<double> start;
     const SpectralMoments<double> moments = spectral_moments(problem.face);
     const Roughness<double> of = problem.face.roughness();
@@ -83,7 +86,7 @@ Problem lean_problem(const Problem& problem, const Fit& fit) {
 }
 
 /// \p map with heights that are \p factor times as high.
-std::shared_ptr<const MapOfSurface> made_taller(MapOfSurface map, double factor) {
+std::shared_ptr<const detail::MapOfSurface> made_taller(detail::MapOfSurface map, double factor) {
     map.taller *= factor;
     for (Summits<double>& of : map.summits) {
         of.rms_height *= factor;
@@ -92,11 +95,12 @@ std::shared_ptr<const MapOfSurface> made_taller(MapOfSurface map, double factor)
             summit.load_factor /= std::sqrt(factor), summit.area_factor /= factor;  // R^(1/2) and R
         }
     }
-    return std::make_shared<const MapOfSurface>(std::move(map));
+    return std::make_shared<const detail::MapOfSurface>(std::move(map));
 }
 
 /// \p face with those of \p x that are \p wanted.
-Face with_parameters(Face face, const ContactParameters<double>& x, const std::vector<Parameter>& wanted) {
+detail::Face with_parameters(detail::Face face, const ContactParameters<double>& x,
+                             const std::vector<Parameter>& wanted) {
     const double taller = x.rms_height / face.parameters.rms_height.value;
     for (const Parameter each : wanted)
         if (auto* known = face.parameters.find(each)) known->value = x[each];
@@ -114,7 +118,7 @@ Face with_parameters(Face face, const ContactParameters<double>& x, const std::v
 }
 
 /// The contact that \p lean makes by \p law with those of \p x that are \p wanted, under \p pressures.
-std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, const ContactParameters<double>& x,
+std::vector<ContactPoint<double>> points_with(Problem lean, const detail::Law& law, const ContactParameters<double>& x,
                                               const std::vector<Parameter>& wanted, std::span<const double> pressures) {
     lean.face = with_parameters(std::move(lean.face), x, wanted);
     if (has(wanted, Parameter::hardness)) lean = with_hardness(std::move(lean), x.hardness);
@@ -123,13 +127,13 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
     lean.default_peaks = lean.default_peaks && of_spectrum(wanted) && !own_peaks;  // r follows alpha
     lean.effective_modulus = x.effective_modulus;
     std::vector<ContactPoint<double>> points;
-    for_each_contact(lean, {&law}, {}, [&](const ContactOfLaw& of) {
+    for_each_contact(lean, {&law}, {}, [&](const detail::ContactOfLaw& of) {
         if (points.empty()) points = of.make()->at_pressures(pressures, Quantity::stiffness);
     });
     return points;
 }
 
-Identification<double> found_by(const Problem& problem, const Fit& fit, const FitInputs& inputs) {
+Identification<double> found_by(const Problem& problem, const Fit& fit, const detail::FitInputs& inputs) {
     const bool exact = !of_spectrum(inputs.wanted) && !has(inputs.wanted, Parameter::hardness);
     if (fit.law->fit && exact) return fit.law->fit(inputs);
     return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
@@ -152,7 +156,7 @@ Observation<double> scaled(Observation<double> one, double factor, const std::op
 
 /// Puts into \p fit the intervals that are widened by squares by what the fits find where K of the law is at either end
 /// of its error, which is on one side of K at all pressures.
-void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
+void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) try {
     constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
     inputs.start = fit.found.all, inputs.options.search.max_iterations = 30;
     Problem fitted = lean_problem(problem, fit);
@@ -161,8 +165,10 @@ void widen_by_law(const Problem& problem, Fit& fit, FitInputs inputs) try {
     const auto shifted = [&](double LawError<double>::*end) {
         std::vector<Observation<double>> data = inputs.data;
         for (Observation<double>& observation : data) {
-            AnswerReason reason;
-            if (g) reason.p_star = dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
+            detail::AnswerReason reason;
+            if (g)
+                reason.p_star =
+                    detail::dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
             observation = scaled(observation, std::exp(-wider * law_error(problem, fit.law->which, reason).*end),
                                  inputs.options.wave);
         }
@@ -200,18 +206,18 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
         case FitConcern::not_converged:
             return "the search did not converge: start closer to the data, or fit fewer parameters";
         case FitConcern::misfit:
-            return "chi^2/dof = " + rounded(finding.value, 3) +
+            return "chi^2/dof = " + document::rounded(finding.value, 3) +
                    ": the model does not describe the data within their errors, and the standard errors are too small";
         case FitConcern::scattered:
             return "the points scatter by " + std::to_string(std::lround(100 * finding.value)) +
                    " % about the model: the model does not describe them, or some of them are wrong";
         case FitConcern::outlier:
             return "the point at p = " +
-                   unit_of_pressure(fit.points[finding.point].pressure)(fit.points[finding.point].pressure) + " is " +
-                   rounded(finding.value, 2) +
+                   document::unit_of_pressure(fit.points[finding.point].pressure)(fit.points[finding.point].pressure) +
+                   " is " + document::rounded(finding.value, 2) +
                    " times as far from the model as the median of the points: it distorts the fit";
         case FitConcern::far_from_start:
-            return names + " is " + rounded(finding.value, 2) +
+            return names + " is " + document::rounded(finding.value, 2) +
                    " times its starting value: check the units of the measured columns; if they are right, start from "
                    "the value found";
         case FitConcern::no_errors: return "no standard errors: as many parameters as points, and no column of errors";
@@ -222,16 +228,17 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
             return "the data hardly constrain " + names +
                    ": the ends of its interval differ by a factor of 100 or more";
         case FitConcern::correlated:
-            return names + " can hardly be separated (correlation " + rounded(finding.value, 4) + ")";
+            return names + " can hardly be separated (correlation " + document::rounded(finding.value, 4) + ")";
     }
     return {};
 }
 
-std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
-    const std::string name = option_name(request.prefix, "wave");
+std::optional<Wave<double>> wave_of(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+    const std::string name = surface::option_name(request.prefix, "wave");
     if (!curve.is_reflection) {
         if (request.shear)
-            throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
+            throw document::option_error(name + " shear is for measured reflections; " + curve.name +
+                                         " holds stiffnesses");
         return std::nullopt;
     }
     if (!scene.ultrasound)
@@ -246,40 +253,40 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
 }
 
 /// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.
-std::vector<const Law*> laws_of(const Scene& scene, const FitRequest& request) {
+std::vector<const detail::Law*> laws_of(const scene::Scene& scene, const FitRequest& request) {
     if (request.law.empty()) return scene.laws;
-    const Law* law = find_law(request.law);
+    const detail::Law* law = detail::find_law(request.law);
     const std::string why = law->needs_dimension && !scene.face.dimension()
                                 ? "needs surface.fractal_dimension, which is missing"
                                 : refusal_of(*law, scene);
     if (!why.empty())
-        throw domain_error(scene.file + ": law \"" + request.law + "\", which " + option_name(request.prefix, "law") +
-                           " asks for, " + why);
+        throw domain_error(scene.file + ": law \"" + request.law + "\", which " +
+                           surface::option_name(request.prefix, "law") + " asks for, " + why);
     return {law};
 }
 
 /// The fits that are asked for, still without what they find.
-std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request,
+std::vector<Fit> fits_of(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request,
                          std::vector<std::string>& warnings) {
     std::vector<Fit> fits;
     std::string skipped;
-    for (const Law* law : laws_of(scene, request)) {
+    for (const detail::Law* law : laws_of(scene, request)) {
         if (!law->varies) {
             skipped = law->name;
             continue;
         }
-        const auto add = [&](const Peaks* peaks) {
+        const auto add = [&](const detail::Peaks* peaks) {
             Fit fit{law, {}, {}, start_of(scene, peaks), {}, {}};
             if (law->has_peaks) fit.theta = fit.start.theta, fit.r = fit.start.r;
             fit.points = curve.points_of({std::string(law->name), fit.theta, fit.r});
             fits.push_back(std::move(fit));
         };
-        for (const Peaks& peaks : peaks_of(*law, scene)) add(&peaks);
+        for (const detail::Peaks& peaks : peaks_of(*law, scene)) add(&peaks);
         if (!law->has_peaks) add(scene.peaks.empty() ? nullptr : &scene.peaks.front());
     }
     if (fits.empty())
-        throw domain_error(scene.file + ": contact.laws: must name " + joined(fitted_law_names(), " or ") + "; " +
-                           skipped + " is too slow to fit");
+        throw domain_error(scene.file + ": contact.laws: must name " + joined(detail::fitted_law_names(), " or ") +
+                           "; " + skipped + " is too slow to fit");
     if (std::erase_if(fits, [](const Fit& fit) { return fit.points.empty(); }) > 0 && fits.empty())
         throw domain_error(curve.name + ": holds " + std::to_string(curve.computed.size()) +
                            " computed curves, none of a law and peaks of " + scene.file +
@@ -289,8 +296,8 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
 }
 
 /// Refuses parameters that \p scene has no value of, or that follow from others. \throws option_error, domain_error
-void require_known(const Scene& scene, const FitRequest& request) {
-    const std::string option = option_name(request.prefix, "fit");
+void require_known(const scene::Scene& scene, const FitRequest& request) {
+    const std::string option = surface::option_name(request.prefix, "fit");
     if (has(request.wanted, Parameter::fractal_dimension) && !scene.face.dimension())
         throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " + option + " D starts from it");
     if (has(request.wanted, Parameter::hardness) && !std::isfinite(hardness_of(scene)))
@@ -298,9 +305,10 @@ void require_known(const Scene& scene, const FitRequest& request) {
                            " hardness starts from it, or from its range");
     for (const Parameter each : {Parameter::peak_radius, Parameter::peak_density})
         if (of_spectrum(request.wanted) && has(request.wanted, each))
-            throw option_error(option + " " + std::string(detail::row_of(each).short_name) +
-                               ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the "
-                               "other");
+            throw document::option_error(
+                option + " " + std::string(detail::row_of(each).short_name) +
+                ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the "
+                "other");
     for (const Parameter each : {Parameter::rms_gradient, Parameter::alpha})
         if (has(request.wanted, each) && scene.face.map && scene.face.spectrum_of_map)
             throw domain_error(scene.file + ": " + option + " " + std::string(detail::row_of(each).short_name) +
@@ -333,10 +341,10 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
     const std::optional<double> g = gradient(fitted);
     if (!(g ? rises_by_flow(problem, fit, hardness, *g) : psi > detail::max_elastic_plasticity_index<double>))
         return "";
-    const bool has_plastic = lack_of(find_law(LawName::plastic), problem) == Lack::nothing;
+    const bool has_plastic = lack_of(detail::find_law(LawName::plastic), problem) == detail::Lack::nothing;
     return "the peaks of the fitted surface yield (" +
-           (g ? "H/(E g) = " + rounded(hardness / (x.effective_modulus * *g), 2) : "") +
-           (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +
+           (g ? "H/(E g) = " + document::rounded(hardness / (x.effective_modulus * *g), 2) : "") +
+           (psi > 0 ? (g ? "; " : "") + ("plasticity index " + document::rounded(psi, 3)) : "") +
            "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
            (has_plastic ? "plastic" : "jackson_green");
 }
@@ -345,7 +353,7 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
 
 std::string title(const Fit& fit) {
     const std::string law(fit.law->name);
-    return fit.theta ? law + ", theta = " + rounded(*fit.theta) + ", r = " + rounded(*fit.r) : law;
+    return fit.theta ? law + ", theta = " + document::rounded(*fit.theta) + ", r = " + document::rounded(*fit.r) : law;
 }
 
 std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fit& fit,
@@ -355,7 +363,7 @@ std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fi
     return points_with(lean_problem(problem, fit), *fit.law, fit.found.all, wanted, pressures);
 }
 
-Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+Fits identify(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
     if (scene.reading != InteractionReading::none)
         throw domain_error(scene.file +
                            ": contact.interaction: must be \"none\" to identify parameters: the fitted K is that of "
@@ -369,7 +377,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     options.wave = all.wave;
     for (Fit& fit : all.fits) {
         const auto data = observations(curve, fit.points);
-        const FitInputs inputs{data, request.wanted, fit.start, options};
+        const detail::FitInputs inputs{data, request.wanted, fit.start, options};
         detail::located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
             fit.found = found_by(scene, fit, inputs);
             widen_by_law(scene, fit, inputs);
@@ -396,4 +404,4 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     return all;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

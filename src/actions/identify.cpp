@@ -13,7 +13,10 @@
 #include <numbers>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using document::Cell, document::Json, document::Rows;
+
 namespace {
 
 Json matrix_json(const Eigen::MatrixXd& matrix) {
@@ -49,10 +52,10 @@ Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
 Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
     std::vector<double> values;
     for (const MeasuredPoint& point : curve.points) values.push_back(point.value);
-    const ShownUnit unit = shown_unit(values, "Pa/m");
-    const Heading value = curve.is_reflection
-                              ? Heading{"reflection", "|R| measured"}
-                              : Heading{"stiffness_Pa_per_m", unit.heading("K/A0 measured"), unit.factor};
+    const document::ShownUnit unit = document::shown_unit(values, "Pa/m");
+    const document::Heading value =
+        curve.is_reflection ? document::Heading{"reflection", "|R| measured"}
+                            : document::Heading{"stiffness_Pa_per_m", unit.heading("K/A0 measured"), unit.factor};
     Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, fit.points, &MeasuredPoint::pressure);
     rows.add(value, fit.points, &MeasuredPoint::value);
@@ -64,7 +67,7 @@ Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
 }
 
 /// The fitted model from the least pressure to the greatest, at enough pressures for a smooth picture.
-Json curve_json(const Problem& problem, const Identified& identified, const Fit& fit) {
+Json curve_json(const detail::Problem& problem, const Identified& identified, const Fit& fit) {
     constexpr int steps = 40;
     const auto [least, most] = std::minmax_element(
         fit.points.begin(), fit.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
@@ -87,7 +90,7 @@ Json curve_json(const Problem& problem, const Identified& identified, const Fit&
     return rows.arrays();
 }
 
-Json fit_json(const Problem& problem, const Identified& identified, const Fit& fit) {
+Json fit_json(const detail::Problem& problem, const Identified& identified, const Fit& fit) {
     const auto& found = fit.found;
     Json entry{{"law", fit.law->name}};
     if (fit.theta) entry["theta"] = *fit.theta, entry["r"] = *fit.r;
@@ -111,16 +114,17 @@ Json fit_json(const Problem& problem, const Identified& identified, const Fit& f
 }
 
 /// What is fitted to what.
-void introduce(Document& document, const Scene& scene, const Identified& identified) {
+void introduce(document::Document& document, const scene::Scene& scene, const Identified& identified) {
     const MeasuredCurve& curve = identified.curve;
     const auto [least, most] = std::minmax_element(
         curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
-    document.title("parameters of " + printable(scene.name + " (" + scene.file + ")") + " from " +
-                   (curve.is_reflection ? "R(p)" : "K(p)") + " of " + printable(curve.name));
-    document.line("measured", std::to_string(curve.points.size()) + " points, p " + rounded(least->pressure / 1e6) +
-                                  " to " + rounded(most->pressure / 1e6) + " MPa, " +
-                                  (curve.has_errors ? "weighed by their errors"
-                                                    : "no errors: equal weights, errors from the scatter"));
+    document.title("parameters of " + document::printable(scene.name + " (" + scene.file + ")") + " from " +
+                   (curve.is_reflection ? "R(p)" : "K(p)") + " of " + document::printable(curve.name));
+    document.line(
+        "measured",
+        std::to_string(curve.points.size()) + " points, p " + document::rounded(least->pressure / 1e6) + " to " +
+            document::rounded(most->pressure / 1e6) + " MPa, " +
+            (curve.has_errors ? "weighed by their errors" : "no errors: equal weights, errors from the scatter"));
     document.json["scene"] = scene_json(scene);
     document.json["measured"] = {{"file", curve.name},
                                  {"sha256", curve.sha256},
@@ -133,10 +137,10 @@ void introduce(Document& document, const Scene& scene, const Identified& identif
                              {"impedance_Rayl", wave->media.incident},
                              {"impedance2_Rayl", wave->media.beyond},
                              {"stiffness_ratio", wave->stiffness_ratio}};
-    document.line("wave", rounded(wave->angular_frequency / (2 * std::numbers::pi) / 1e6) + " MHz, impedances " +
-                              rounded(wave->media.incident / 1e6) + " and " + rounded(wave->media.beyond / 1e6) +
-                              " MRayl, sees " +
-                              (wave->stiffness_ratio == 1 ? "K" : rounded(wave->stiffness_ratio) + " K"));
+    document.line("wave", document::rounded(wave->angular_frequency / (2 * std::numbers::pi) / 1e6) +
+                              " MHz, impedances " + document::rounded(wave->media.incident / 1e6) + " and " +
+                              document::rounded(wave->media.beyond / 1e6) + " MRayl, sees " +
+                              (wave->stiffness_ratio == 1 ? "K" : document::rounded(wave->stiffness_ratio) + " K"));
 }
 
 /// A row for each parameter of \p fit: in SI for the CSV, in the units of headings for people.
@@ -184,7 +188,7 @@ Rows correlation_rows(const std::vector<Parameter>& wanted, const Eigen::MatrixX
     return rows;
 }
 
-void add_fit(Document& document, const Identified& identified, const Fit& fit) {
+void add_fit(document::Document& document, const Identified& identified, const Fit& fit) {
     const auto& found = fit.found;
     document.line("\n" + title(fit) + ": " +
                   (found.status == math::FitStatus::not_converged ? "not converged"
@@ -198,7 +202,7 @@ void add_fit(Document& document, const Identified& identified, const Fit& fit) {
         document.line();
     document.line("  degrees of freedom " + std::to_string(found.degrees_of_freedom) +
                   (found.errors_known && found.degrees_of_freedom > 0
-                       ? ", chi²/dof " + rounded(found.chi_squared / found.degrees_of_freedom, 3)
+                       ? ", chi²/dof " + document::rounded(found.chi_squared / found.degrees_of_freedom, 3)
                        : "") +
                   "\n");
     document.text([rows = rows_of(identified.curve, fit)] { return rows.text(); });
@@ -208,23 +212,24 @@ void add_fit(Document& document, const Identified& identified, const Fit& fit) {
 
 std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
     std::vector<Parameter> wanted;
-    const std::string option = option_name(request.prefix, "fit");
+    const std::string option = surface::option_name(request.prefix, "fit");
     for (const std::string& written : request.fit) {
         const std::string name(io::detail::trimmed(written));
         const auto found =
             std::find_if(detail::parameter_table.begin(), detail::parameter_table.end(),
                          [&](const detail::ParameterRow& row) { return name == row.short_name || name == row.key; });
         if (found == detail::parameter_table.end())
-            throw option_error(option + ": \"" + name + "\" is not a parameter; must be one of " +
-                               list_of(parameter_short_names));
+            throw document::option_error(option + ": \"" + name + "\" is not a parameter; must be one of " +
+                                         document::list_of(parameter_short_names));
         if (std::count(wanted.begin(), wanted.end(), found->parameter) > 0)
-            throw option_error(option + ": \"" + name + "\" is listed twice");
+            throw document::option_error(option + ": \"" + name + "\" is listed twice");
         wanted.push_back(found->parameter);
     }
     return wanted;
 }
 
-Identified identify_scene(const Scene& scene, const IdentifyRequest& request, std::optional<MeasuredCurve> curve) {
+Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& request,
+                          std::optional<MeasuredCurve> curve) {
     Identified all;
     all.wanted = parameters_of(request);
     all.curve = curve ? *std::move(curve) : read_measured_curve(request.measured);
@@ -232,11 +237,11 @@ Identified identify_scene(const Scene& scene, const IdentifyRequest& request, st
     return all;
 }
 
-Document document_of(const Scene& scene, const Identified& identified) {
-    Document document("identify", 10);
+document::Document document_of(const scene::Scene& scene, const Identified& identified) {
+    document::Document document("identify", 10);
     introduce(document, scene, identified);
     for (const Fit& fit : identified.found.fits) add_fit(document, identified, fit);
-    document.values([problem = Problem(scene), identified](Json& to) {
+    document.values([problem = detail::Problem(scene), identified](Json& to) {
         Json& fits = to["fits"] = Json::array();
         for (const Fit& fit : identified.found.fits) fits.push_back(fit_json(problem, identified, fit));
     });
@@ -246,4 +251,4 @@ Document document_of(const Scene& scene, const Identified& identified) {
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

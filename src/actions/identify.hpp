@@ -17,22 +17,22 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// The kind of wave whose reflections were measured.
 enum class WaveKind { longitudinal, shear };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions
 
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::WaveKind> = detail::name_list<scene::WaveKind>(
-    {{scene::WaveKind::longitudinal, "longitudinal"}, {scene::WaveKind::shear, "shear"}});
+inline constexpr auto names<actions::WaveKind> = detail::name_list<actions::WaveKind>(
+    {{actions::WaveKind::longitudinal, "longitudinal"}, {actions::WaveKind::shear, "shear"}});
 
 }  // namespace fstiff
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// How parameters are called in requests and documents.
 inline constexpr auto parameter_short_names = [] {
@@ -64,7 +64,7 @@ struct IdentifyRequest {
               .type = "NAME,..."});
         take("law", law,
              {.help = "law to fit; the default is contact.laws or, without it, plastic or hybrid",
-              .words = fitted_law_names()});
+              .words = detail::fitted_law_names()});
         take("wave", wave,
              {"kind of wave whose reflection coefficients were measured: longitudinal (default) or shear"});
     }
@@ -79,7 +79,7 @@ struct FitRequest {
 };
 
 struct Fit {
-    const Law* law = nullptr;
+    const detail::Law* law = nullptr;
     std::optional<double> theta, r;  ///< of the scene; none: a law without a joint distribution of peaks
     ContactParameters<double> start{};
     std::vector<MeasuredPoint> points;  ///< that were fitted
@@ -98,10 +98,10 @@ struct Fits {
 
 /// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve
 /// lacks.
-[[nodiscard]] Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request);
+[[nodiscard]] Fits identify(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request);
 
 /// The contact that \p fit found, under \p pressures [Pa], with its stiffness alone.
-[[nodiscard]] std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fit& fit,
+[[nodiscard]] std::vector<ContactPoint<double>> fitted_points(const detail::Problem& problem, const Fit& fit,
                                                               std::span<const double> pressures);
 
 struct Identified {
@@ -114,9 +114,9 @@ struct Identified {
 [[nodiscard]] std::vector<Parameter> parameters_of(const IdentifyRequest& request);
 /// Fits \p curve, or the one in the file of \p request, which is read. \throws as parameters_of(),
 /// read_measured_curve() and identify().
-[[nodiscard]] Identified identify_scene(const Scene& scene, const IdentifyRequest& request,
+[[nodiscard]] Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& request,
                                         std::optional<MeasuredCurve> curve = {});
 /// The document of fstiff identify.
-[[nodiscard]] Document document_of(const Scene& scene, const Identified& identified);
+[[nodiscard]] document::Document document_of(const scene::Scene& scene, const Identified& identified);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -12,11 +12,11 @@
 #include <cstddef>
 #include <optional>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// How a file is read, and what counts as an island.
 struct IslandsRequest {
-    SurfaceOptions surface;
+    surface::SurfaceOptions surface;
     int neighbours = 8;  ///< of a point: 8 or 4
     BorderIslands border = BorderIslands::kept;
     IslandHeight height = IslandHeight::peak;
@@ -53,6 +53,7 @@ struct IslandsRequest {
 
 /// The document of fstiff measure --show islands for \p input, or for the file that \p options name.
 /// \throws domain_error in one sentence with the name of the file.
-[[nodiscard]] Document document_of(const IslandsRequest& options, std::optional<SurfaceInput> input = {});
+[[nodiscard]] document::Document document_of(const IslandsRequest& options,
+                                             std::optional<surface::SurfaceInput> input = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

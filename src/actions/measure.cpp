@@ -8,7 +8,10 @@
 
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using document::Document, document::Json, surface::MeasuredSurface, surface::ParameterLine;
+
 namespace {
 
 Json json_of(const RoughnessTable& table) {
@@ -29,9 +32,9 @@ Json json_of(const RoughnessTable& table) {
     return object;
 }
 
-Json json_of_option(const SurfaceOptionRow& row, const SurfaceOptions& options) {
+Json json_of_option(const surface::SurfaceOptionRow& row, const surface::SurfaceOptions& options) {
     return row.visit(options, []<class Value>(const Value& value) -> Json {
-        if constexpr (std::is_same_v<Value, Amount>)
+        if constexpr (std::is_same_v<Value, request::Amount>)
             return value.text("m");
         else if constexpr (std::is_same_v<Value, std::optional<io::X3pIncrement>>)
             return value ? Json(name_of(*value)) : Json("");
@@ -43,12 +46,12 @@ Json json_of_option(const SurfaceOptionRow& row, const SurfaceOptions& options) 
 }
 
 /// The options as they were given.
-Json json_inputs(const SurfaceOptions& options, const std::string& form) {
-    const SurfaceOptions defaults;
+Json json_inputs(const surface::SurfaceOptions& options, const std::string& form) {
+    const surface::SurfaceOptions defaults;
     Json inputs = Json::object();
     for (const bool always : {true, false})
-        for (const SurfaceOptionRow& row : surface_option_table()) {
-            if (row.group == OptionGroup::estimate || (row.echo == Echo::always) != always) continue;
+        for (const surface::SurfaceOptionRow& row : surface::surface_option_table()) {
+            if (row.group == surface::OptionGroup::estimate || (row.echo == surface::Echo::always) != always) continue;
             if (always || !row.has_same(options, defaults)) inputs[row.json_name()] = json_of_option(row, options);
         }
     inputs["detrend"] = form;
@@ -61,7 +64,7 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
     Json& values = document["surface"] = Json::object();
     for (const ParameterLine& line : parameter_lines(of, found)) {
         Json& entry = values[line.name] = Json::object();
-        if (!line.unit.empty()) entry["quantity"] = shortest(line.measured.value) + " " + line.unit;
+        if (!line.unit.empty()) entry["quantity"] = document::shortest(line.measured.value) + " " + line.unit;
         entry["value"] = line.measured.value;
         entry["error"] = line.measured.error;
         if (!line.unit.empty()) entry["unit"] = line.unit;
@@ -80,7 +83,7 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
     document["shape_share"] = found.shape_share;
 }
 
-Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface) {
+Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
     for (const MeasuredSurface& part : surface.parts) {
         Json one = measured_document(part);
@@ -92,8 +95,8 @@ Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface)
                                      {"warnings", one["warnings"]}});
     }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
-    for (const SurfaceOptionRow& row : surface_option_table())
-        if (row.group == OptionGroup::estimate)
+    for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
+        if (row.group == surface::OptionGroup::estimate)
             document["inputs"][row.json_name()] = json_of_option(row, options.input);
     document["inputs"].update({{"resamples", options.resamples}, {"seed", options.seed}});
     document["roughness"] = json_of(roughness_of(surface));
@@ -101,25 +104,25 @@ Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface)
 }
 
 /// A parameter a row; \p file is the first column of the CSV, or empty.
-Rows rows_of(const MeasuredSurface& surface, const std::string& file) {
+document::Rows rows_of(const MeasuredSurface& surface, const std::string& file) {
     const std::vector<ParameterLine> lines = parameter_lines(surface);
-    const auto unit = [](const ParameterLine& line) { return shown_unit(line.measured.value, line.unit); };
-    Rows rows;
+    const auto unit = [](const ParameterLine& line) { return document::shown_unit(line.measured.value, line.unit); };
+    document::Rows rows;
     if (!file.empty()) rows.repeat({.key = "file"}, file, lines.size());
     rows.add({"parameter", "parameter"}, lines, &ParameterLine::name);
     rows.add({"value"}, lines, [](const ParameterLine& line) { return line.measured.value; });
     rows.add({"error"}, lines, [](const ParameterLine& line) { return line.measured.error; });
     rows.add({"unit"}, lines, &ParameterLine::unit);
     rows.add({"", "value"}, lines, [&](const ParameterLine& line) {
-        return rounded(line.measured.value * unit(line).factor, line.known ? 5 : 2);
+        return document::rounded(line.measured.value * unit(line).factor, line.known ? 5 : 2);
     });
     rows.add({"", "+-"}, lines,
-             [&](const ParameterLine& line) { return rounded(line.measured.error * unit(line).factor, 2); });
+             [&](const ParameterLine& line) { return document::rounded(line.measured.error * unit(line).factor, 2); });
     rows.add({"", "unit"}, lines, [&](const ParameterLine& line) { return unit(line).name; });
     rows.add({"", "found by"}, lines, &ParameterLine::how);
     for (const Parameter which : {Parameter::peak_radius, Parameter::peak_density}) {
         if (surface.found.find(which)) continue;
-        std::vector<Cell> cells{
+        std::vector<document::Cell> cells{
             detail::row_of(which).key, {}, {}, "", {}, {}, "", "not known: " + surface.found.why_no_density};
         if (!file.empty()) cells.insert(cells.begin(), file);
         rows.add_row(std::move(cells));
@@ -129,20 +132,21 @@ Rows rows_of(const MeasuredSurface& surface, const std::string& file) {
 
 std::string text_of(const RoughnessTable& table) {
     const auto& lines = table.lines;
-    const auto unit = [](const RoughnessLine& line) { return shown_unit(line.value.value_or(0), line.unit); };
-    Rows rows;
+    const auto unit = [](const RoughnessLine& line) { return document::shown_unit(line.value.value_or(0), line.unit); };
+    document::Rows rows;
     rows.add({"", "parameter"}, lines, &RoughnessLine::symbol);
-    rows.add({"", "value"}, lines,
-             [&](const RoughnessLine& line) { return line.value ? Cell(*line.value * unit(line).factor) : Cell(); });
+    rows.add({"", "value"}, lines, [&](const RoughnessLine& line) {
+        return line.value ? document::Cell(*line.value * unit(line).factor) : document::Cell();
+    });
     rows.add({"", "unit"}, lines, [&](const RoughnessLine& line) { return line.value ? unit(line).name : ""; });
     rows.add({"", "meaning"}, lines, &RoughnessLine::meaning);
     return "\n  by " + table.standard + ", about the mean" +
            (table.files > 1 ? ": means of " + std::to_string(table.files) + " files" : "") + "\n  " +
-           sentence_of(table.cut_offs) + "\n" +
+           surface::sentence_of(table.cut_offs) + "\n" +
            (table.sections.empty()
                 ? ""
                 : "  sections: " + table.sections +
-                      (table.section_length > 0 ? ", " + shown_length(table.section_length) : "") + "\n") +
+                      (table.section_length > 0 ? ", " + document::shown_length(table.section_length) : "") + "\n") +
            "\n" + rows.text();
 }
 
@@ -164,7 +168,7 @@ void put_cut_offs(Json& document, const CutOffs<double>& cut_offs) {
     document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
 }
 
-void add_grid(Document& document, const SurfaceInput& input, const PreparedMap<double>& levelled) {
+void add_grid(Document& document, const surface::SurfaceInput& input, const PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
     document.json.update({{"columns", map.columns()},
                           {"rows", map.rows()},
@@ -173,12 +177,13 @@ void add_grid(Document& document, const SurfaceInput& input, const PreparedMap<d
                           {"missing_points", input.missing()}});
     put_cut_offs(document.json, levelled.cut_offs);
     document.line("map", std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
-                             shown_length(map.dx) + ", dy " + shown_length(map.dy));
+                             document::shown_length(map.dx) + ", dy " + document::shown_length(map.dy));
 }
 
-void add_source(Document& document, const SurfaceOptions& options, const SurfaceInput& input, const std::string& form) {
+void add_source(Document& document, const surface::SurfaceOptions& options, const surface::SurfaceInput& input,
+                const std::string& form) {
     const std::vector<std::string> decisions = input.surface.record.sentences();
-    document.json["source"] = {{"file", display_name(options.file)},
+    document.json["source"] = {{"file", document::display_name(options.file)},
                                {"sha256", input.sha256},
                                {"format", name_of(input.surface.record.format)},
                                {"kind", input.surface.is_profile() ? "profile" : "map"},
@@ -187,7 +192,8 @@ void add_source(Document& document, const SurfaceOptions& options, const Surface
     for (const std::string& decision : decisions) document.line("file", decision);
 }
 
-void add_reading(Document& document, const SurfaceInput& input, std::string_view consequence, double rms_gradient) {
+void add_reading(Document& document, const surface::SurfaceInput& input, std::string_view consequence,
+                 double rms_gradient) {
     for (std::string& warning : reading_warnings(input, consequence, rms_gradient))
         document.warnings.push_back(std::move(warning));
     document.doubtful = document.doubtful || !detail::is_plausible_gradient(rms_gradient);
@@ -195,7 +201,7 @@ void add_reading(Document& document, const SurfaceInput& input, std::string_view
 
 Json measured_document(const MeasuredSurface& surface) {
     const Surface<double>& found = surface.found;
-    Json document = json_document("measure");
+    Json document = document::json_document("measure");
     document["source"] = {{"file", surface.file},
                           {"sha256", surface.sha256},
                           {"kind", surface.kind},
@@ -229,7 +235,7 @@ Json measured_document(const MeasuredSurface& surface) {
 
 RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c) {
     if (surface.parts.empty())
-        return about_file(surface.file, [&] {
+        return document::about_file(surface.file, [&] {
             const Surface<double>& found = surface.found;
             return found.profile ? roughness_table(*found.profile, lambda_c) : roughness_table(*found.map);
         });
@@ -243,18 +249,18 @@ RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>
     return mean_of(shared.automatic() ? by_table : tables(shared));
 }
 
-Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface) {
+Document document_of(const surface::MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface) {
     Document document("measure");
     document.warnings = surface->warnings;
     document.doubtful = is_doubtful(*surface);
-    document.title("surface of " + printable(surface->file));
+    document.title("surface of " + document::printable(surface->file));
     add_surface(document, surface, surface->parts.empty() ? "" : "pooled", "\n");
     for (const MeasuredSurface& part : surface->parts) {
-        document.line("\n" + printable(part.file));
+        document.line("\n" + document::printable(part.file));
         add_surface(document, SharedSurface(surface, &part), part.file, "");
     }
     document.values([=](Json& to) { to = measure_json(options, *surface); });
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -12,7 +12,7 @@
 #include <limits>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 namespace text = io::detail;
@@ -214,9 +214,9 @@ std::vector<MeasuredPoint> MeasuredCurve::points_of(const ComputedCurve& wanted)
 
 MeasuredCurve read_measured_curve(const std::string& file) {
     MeasuredCurve curve;
-    curve.name = display_name(file);
-    const std::string bytes = read_all(file);
-    curve.sha256 = sha256(bytes);
+    curve.name = document::display_name(file);
+    const std::string bytes = document::read_all(file);
+    curve.sha256 = document::sha256(bytes);
     const std::string content = text::text_of(bytes, curve.name, "the columns pressure and stiffness or reflection");
     std::size_t count = 0;
     auto lines = text::lines_of(content, curve.name, count);
@@ -269,7 +269,7 @@ MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<cons
     std::string bytes;
     for (const auto& list : {pressures, values, errors})
         bytes.append(reinterpret_cast<const char*>(list.data()), list.size_bytes());
-    curve.sha256 = sha256(bytes);
+    curve.sha256 = document::sha256(bytes);
     for (std::size_t i = 0; i < pressures.size(); ++i) {
         const double error = curve.has_errors ? errors[i] : 0;
         detail::located(Place{.file = name, .line = i + 1, .before_line = ":"}, [&] {
@@ -283,4 +283,4 @@ MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<cons
     return curve;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 struct MeasuredPoint {
     double pressure, value;  ///< [Pa]; [Pa/m] or dimensionless
@@ -51,4 +51,4 @@ struct MeasuredCurve {
                                              std::span<const double> errors, bool is_reflection,
                                              const std::string& name);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

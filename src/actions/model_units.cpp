@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 ModelUnits model_units(const std::string& list, const std::string& name) {
     const std::size_t first = list.find(','), second = list.find(',', first + 1);
@@ -26,11 +26,11 @@ ModelUnits model_units(const std::string& list, const std::string& name) {
     const double force = io::unit_factor(units.force, io::Dimension::force);
     if (std::abs(force / (length * length) / pressure - 1) > 1e-9)
         throw domain_error(name + " = \"" + list + "\": must be consistent: 1 " + units.force + "/" + units.length +
-                           "^2 is " + shortest(force / (length * length) / pressure) + " " + units.pressure);
+                           "^2 is " + document::shortest(force / (length * length) / pressure) + " " + units.pressure);
     units.metre = 1 / length;
     units.newton = 1 / force;
     units.pascal = 1 / pressure;
     return units;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// Numbers of a law in the units of a model; power is force times length over second, temperature kelvin.
 struct ModelUnits {
@@ -24,4 +24,4 @@ struct ModelUnits {
 /// is not a unit and for units that are not consistent.
 [[nodiscard]] ModelUnits model_units(const std::string& list, const std::string& name);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -14,17 +14,17 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 [[noreturn]] void refuse_entry(const char* name, std::size_t value, const char* allowed) {
     throw no_such_entry(std::string(name) + " = " + std::to_string(value) + ": must be " + allowed);
 }
 
-OneContact only_contact(std::shared_ptr<const Problem> problem, const Law& law, std::size_t peaks,
+OneContact only_contact(std::shared_ptr<const detail::Problem> problem, const detail::Law& law, std::size_t peaks,
                         const ProgressHook& progress) {
     OneContact one{.problem = std::move(problem), .law = &law};
-    for_each_contact(*one.problem, {&law}, progress, [&](const ContactOfLaw& of) {
+    for_each_contact(*one.problem, {&law}, progress, [&](const detail::ContactOfLaw& of) {
         if (peaks-- == 0) one.contact = of.make();
     });
     return one;
@@ -48,7 +48,7 @@ std::vector<Number> known_numbers(Joint& of) {
     JointFace& face = of.face;
     add("rms_height", face.rms_height), add("peak_radius", face.peak_radius), add("peak_density", face.peak_density);
     add("max_peak_height", face.max_peak_height), add("rms_gradient", face.rms_gradient);
-    add("fractal_dimension", face.fractal_dimension, 1, greatest_dimension);
+    add("fractal_dimension", face.fractal_dimension, 1, detail::greatest_dimension);
     add("skewness", face.skewness, -most), add("kurtosis", face.kurtosis, 1);
     add("r", face.r, 0, 1), add("theta", face.theta, 0, std::numbers::pi / 2);
     add("effective_modulus", of.effective_modulus);
@@ -75,10 +75,10 @@ double difference(const Number& of, double x, const F& f) {
 }  // namespace
 
 OneContact contact_of(const std::string& law, Joint joint, const ProgressHook& progress) {
-    const Law* const found = find_law(law);
+    const detail::Law* const found = detail::find_law(law);
     if (!found) {
-        const auto names = law_names();
-        throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " + list_of(names));
+        const auto names = detail::law_names();
+        throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " + document::list_of(names));
     }
     const std::string name = "law " + law + ": needs ";
     if (found->needs_yield && std::isnan(joint.upper.elastic.poisson_ratio)) throw domain_error(name + "poisson_ratio");
@@ -87,22 +87,22 @@ OneContact contact_of(const std::string& law, Joint joint, const ProgressHook& p
         throw domain_error(name + "peak_radius and peak_density" + (found->needs_radius() ? "" : ", or rms_gradient"));
     if (JointFace& face = joint.face; face.peak_radius && face.peak_density && !face.skewness && !face.bearing)
         face.skewness = 0, face.kurtosis = 3;
-    auto problem = std::make_shared<Problem>(problem_of(joint, {}));
+    auto problem = std::make_shared<detail::Problem>(detail::problem_of(joint, {}));
     if (found->has_peaks && problem->default_peaks)
         throw domain_error(name + "r and theta" +
                            (joint.face.measured ? " of the surface: " + joint.face.measured->why_no_peaks : ""));
-    (void)possible_law(found->which, *problem);
-    if (problem->hardness_range && feels_hardness(*problem, {found}))
+    (void)detail::possible_law(found->which, *problem);
+    if (problem->hardness_range && detail::feels_hardness(*problem, {found}))
         throw domain_error(name + "hardness or yield_strength");
     return only_contact(std::move(problem), *found, 0, progress);
 }
 
-OneContact contact_of(const Scene& of, std::size_t law, std::size_t peaks, const ProgressHook& progress) {
+OneContact contact_of(const scene::Scene& of, std::size_t law, std::size_t peaks, const ProgressHook& progress) {
     if (law >= of.laws.size()) refuse_entry("law", law, "an entry of contact.laws");
-    const Law& one = *of.laws[law];
+    const detail::Law& one = *of.laws[law];
     if (peaks >= (one.has_peaks ? peaks_of(one, of).size() : 1))
         refuse_entry("peaks", peaks, "an entry of contact.peaks, 0 without joint peaks");
-    return only_contact(std::make_shared<const Problem>(of), one, peaks, progress);
+    return only_contact(std::make_shared<const detail::Problem>(of), one, peaks, progress);
 }
 
 std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint, double pressure) {
@@ -127,4 +127,4 @@ std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint
     return slopes;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// A place in contact.laws or contact.peaks that is not there.
 class no_such_entry : public domain_error {
@@ -19,8 +19,8 @@ public:
 };
 
 struct OneContact {
-    std::shared_ptr<const Problem> problem;  ///< what the contact was made of lives as long as it
-    const Law* law = nullptr;
+    std::shared_ptr<const detail::Problem> problem;  ///< what the contact was made of lives as long as it
+    const detail::Law* law = nullptr;
     std::shared_ptr<const AnyContact> contact;
 };
 
@@ -31,7 +31,7 @@ struct OneContact {
 [[nodiscard]] OneContact contact_of(const std::string& law, Joint joint, const ProgressHook& progress = {});
 /// The contact of entry \p law of the laws of \p of on entry \p peaks of its distributions of peaks, both from 0.
 /// \throws no_such_entry, domain_error as the law.
-[[nodiscard]] OneContact contact_of(const Scene& of, std::size_t law, std::size_t peaks,
+[[nodiscard]] OneContact contact_of(const scene::Scene& of, std::size_t law, std::size_t peaks,
                                     const ProgressHook& progress = {});
 
 /// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of the face
@@ -40,4 +40,4 @@ struct OneContact {
 /// \throws domain_error as contact_of, and for a pressure that the law does not reach.
 [[nodiscard]] std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint, double pressure);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -13,29 +13,33 @@
 #include <cmath>
 #include <limits>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using scene::CurveQuantity, scene::Scene;
+
 namespace {
 
-bool has_separation(const Law& law) { return detail::has(law.quantities, Quantity::separation); }
+bool has_separation(const detail::Law& law) { return detail::has(law.quantities, Quantity::separation); }
 
-const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
+const detail::Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     const std::string& name = options.law;
-    const std::vector<const Law*> all = name.empty() ? scene.laws : offered_laws(scene);
+    const std::vector<const detail::Law*> all = name.empty() ? scene.laws : offered_laws(scene);
     std::vector<std::string_view> names;
-    for (const Law* law : all) {
+    for (const detail::Law* law : all) {
         if (has_separation(*law) && (name.empty() || name == law->name)) return *law;
         if (has_separation(*law)) names.push_back(law->name);
     }
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
-    throw domain_error(option_name(options.prefix, "law") + " = \"" + name +
-                       "\": is not a law of the scene that gives a separation; must be one of " + list_of(names));
+    throw domain_error(surface::option_name(options.prefix, "law") + " = \"" + name +
+                       "\": is not a law of the scene that gives a separation; must be one of " +
+                       document::list_of(names));
 }
 
 /// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows,
 /// eight where the slope rules, or one for a law that takes seconds for each.
 Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
-    const std::string least_name = option_name(options.prefix, "from");
-    const std::string most_name = option_name(options.prefix, "until");
+    const std::string least_name = surface::option_name(options.prefix, "from");
+    const std::string most_name = surface::option_name(options.prefix, "until");
     if (scene.at_separations && !(options.from && options.to))
         throw domain_error("the scene has separations; " + least_name + " and " + most_name +
                            " must give the range of pressures");
@@ -43,14 +47,14 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
     detail::require_positive(least_name, from);
     detail::require(to > from, most_name, to,
-                    "greater than " + least_name + ", " + shortest(from) + " Pa" +
+                    "greater than " + least_name + ", " + document::shortest(from) + " Pa" +
                         (*least == *greatest ? "; the scene has only one pressure" : ""));
 
     Scene fine = scene;
     fine.laws = {&law_of(scene, options)};
     if (!scene.peaks.empty()) {
         detail::require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(),
-                        option_name(options.prefix, "peaks"), options.peaks,
+                        surface::option_name(options.prefix, "peaks"), options.peaks,
                         "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
         fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
     }
@@ -110,7 +114,7 @@ Line points_of(const Curve& curve) {
                           state.loading_stiffness.value});
         if (points.size() > 1 && !(points.back().x > points[points.size() - 2].x))
             throw domain_error("law " + std::string(curve.law->name) + ": the separation does not fall at " +
-                               shortest(state.pressure.value) +
+                               document::shortest(state.pressure.value) +
                                " Pa; a table needs one that falls as the pressure rises");
     }
     if (points.size() < 2)
@@ -128,8 +132,8 @@ void set_slopes_of_chords(Line& points, const std::vector<std::size_t>& rows) {
 
 /// The value \p at_zero, then those of \p quantity along \p curve; empty where it has none.
 std::vector<double> values_after(double at_zero, const Curve& curve, CurveQuantity quantity) {
-    for (const Column& column : curve.columns)
-        if (column.quantity == quantity && column.statistic == Statistic::value && !column.values.empty()) {
+    for (const scene::Column& column : curve.columns)
+        if (column.quantity == quantity && column.statistic == scene::Statistic::value && !column.values.empty()) {
             std::vector<double> values{at_zero};
             values.insert(values.end(), column.values.begin(), column.values.end());
             return values;
@@ -150,7 +154,7 @@ LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& poin
     columns.current = values_after(0, curve, CurveQuantity::electrical_conductance);
     columns.heat = values_after(0, curve, CurveQuantity::thermal_conductance);
     if (columns.heat.empty() || !scene.asks(CurveQuantity::thermal_conductance_gap)) return columns;
-    const double open = conductance_of_gap(scene.conduction, zero_separation);
+    const double open = detail::conductance_of_gap(scene.conduction, zero_separation);
     const std::vector<double> gap = values_after(open, curve, CurveQuantity::thermal_conductance_gap);
     for (std::size_t i = 0; i < columns.heat.size(); ++i) columns.heat[i] += gap[i];
     return columns;
@@ -173,10 +177,11 @@ std::string law_text(const Scene& scene, const PressureTableOptions& options) {
 }
 
 PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {
-    detail::require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, option_name(options.prefix, "tolerance"),
-                    options.tolerance, "between 0.001 % and 20 %");
+    detail::require(options.tolerance >= 1e-5 && options.tolerance <= 0.2,
+                    surface::option_name(options.prefix, "tolerance"), options.tolerance, "between 0.001 % and 20 %");
     detail::require(options.slope_tolerance >= 1e-3 && options.slope_tolerance <= 1,
-                    option_name(options.prefix, "slope_tolerance"), options.slope_tolerance, "between 0.1 % and 100 %");
+                    surface::option_name(options.prefix, "slope_tolerance"), options.slope_tolerance,
+                    "between 0.1 % and 100 %");
     const Results results = compute(fine_scene(scene, options), options.progress);
     const Curve& curve = results.curves.front();
     Line points = points_of(curve);
@@ -210,4 +215,4 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
     return table;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

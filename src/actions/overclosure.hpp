@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 struct PressureTableOptions {
     std::string
@@ -82,11 +82,11 @@ struct PressureTable {
 
 /// \throws domain_error where the scene has no such law or no separation, for a range without two pressures, and where
 /// the separation does not fall with the pressure; as compute().
-[[nodiscard]] PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options);
+[[nodiscard]] PressureTable pressure_table(const scene::Scene& scene, const PressureTableOptions& options);
 
 /// The law of \p options tabulated over its range, as text for ContactLaw::from_text; it goes on smoothly outside. The
 /// tolerance is not asked for: the law has its own error. \throws domain_error as pressure_table, and for a law without
 /// a table.
-[[nodiscard]] std::string law_text(const Scene& scene, const PressureTableOptions& options);
+[[nodiscard]] std::string law_text(const scene::Scene& scene, const PressureTableOptions& options);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 /// The points of \p text, within which the density is a normal number.
@@ -16,8 +16,9 @@ std::vector<double> heights_of(const std::string& text, const std::string& name)
     constexpr double farthest = 30;
     constexpr int most = 100000;
     const auto refuse = [&] {
-        return option_error(name + " = \"" + text +
-                            "\": must be FROM,TO,COUNT with -30 <= FROM < TO <= 30 and a COUNT from 2 to 100000");
+        return document::option_error(
+            name + " = \"" + text +
+            "\": must be FROM,TO,COUNT with -30 <= FROM < TO <= 30 and a COUNT from 2 to 100000");
     };
     std::vector<double> parts;
     std::istringstream stream(text);
@@ -40,9 +41,9 @@ std::vector<double> heights_of(const std::string& text, const std::string& name)
     return heights;
 }
 
-PeakDensity of_profile(const SurfaceOptions& options, SurfaceInput input) {
+PeakDensity of_profile(const surface::SurfaceOptions& options, surface::SurfaceInput input) {
     PreparedProfile<double> levelled = level_profile(options, input);
-    const auto statistics = about_file(options.file, [&] { return peak_statistics(levelled.profile); });
+    const auto statistics = document::about_file(options.file, [&] { return peak_statistics(levelled.profile); });
     return {.density = PeakDistribution<double>(statistics.r, statistics.theta),
             .from = "profile",
             .heights = {},
@@ -52,52 +53,53 @@ PeakDensity of_profile(const SurfaceOptions& options, SurfaceInput input) {
 }
 
 PeakDensity of_numbers(const PeakDensityRequest& request) {
-    const auto name = [&](std::string_view key) { return option_name(request.surface.prefix, key); };
+    const auto name = [&](std::string_view key) { return surface::option_name(request.surface.prefix, key); };
     if (request.rho1 || request.rho2) {
         if (!request.rho1 || !request.rho2)
-            throw option_error(name("rho1") + " and " + name("rho2") + " belong together; give both");
+            throw document::option_error(name("rho1") + " and " + name("rho2") + " belong together; give both");
         return {PeakDistribution<double>::from_autocorrelation(*request.rho1, *request.rho2), "rho1, rho2", {}};
     }
     if (request.theta.empty() || request.exponential == request.r.has_value())
-        throw option_error(name("theta") + " needs one of " + name("r") + " and " + name("exponential") + " too");
+        throw document::option_error(name("theta") + " needs one of " + name("r") + " and " + name("exponential") +
+                                     " too");
     const double theta = request.theta.value(io::Dimension::angle, name("theta"));
     if (request.exponential) return {PeakDistribution<double>::exponential(theta), "exponential autocorrelation", {}};
     return {PeakDistribution<double>(*request.r, theta), "r, theta", {}};
 }
 
 /// The profile that the density is of.
-void add_profile(Document& document, const PeakDensityRequest& request, const PeakDensity& found) {
+void add_profile(document::Document& document, const PeakDensityRequest& request, const PeakDensity& found) {
     const PreparedProfile<double>& levelled = *found.levelled;
-    const std::string form = form_name(levelled);
+    const std::string form = surface::form_name(levelled);
     add_source(document, request.surface, *found.input, form);
     document.json.update({{"points", found.input->points()},
                           {"missing_points", found.input->missing()},
                           {"spacing_m", levelled.profile.spacing},
                           {"detrend", form}});
-    document.line("form removed", form + "; Rq " + shown_length(levelled.rms_as_read) + " before, " +
-                                      shown_length(levelled.rms) + " after" +
-                                      (levelled.cut_offs.any() ? "; " + sentence_of(levelled.cut_offs) : ""));
+    document.line("form removed", form + "; Rq " + document::shown_length(levelled.rms_as_read) + " before, " +
+                                      document::shown_length(levelled.rms) + " after" +
+                                      (levelled.cut_offs.any() ? "; " + surface::sentence_of(levelled.cut_offs) : ""));
     add_reading(document, *found.input, "their neighbours are no peaks", levelled.rms_gradient);
 }
 
 /// r, theta, the moments, and what was counted.
-void add_moments(Document& document, const PeakDistribution<double>& p,
+void add_moments(document::Document& document, const PeakDistribution<double>& p,
                  const std::optional<PeakStatistics<double>>& counted) {
     document.facts("r, theta", {{"r", p.r(), "", 1, "", 6}, {"theta", p.theta(), ", ", 1, " rad", 6}});
     document.facts("peaks/ordinates",
                    {{"peak_ratio", p.peak_ratio(), "", 1,
-                     " (4.3)" + (counted ? ", counted " + rounded(counted->counted_peak_ratio, 6) : ""), 6}});
+                     " (4.3)" + (counted ? ", counted " + document::rounded(counted->counted_peak_ratio, 6) : ""), 6}});
     document.facts("peak height", {{"mean_height", p.mean_height(), "mean "},
                                    {"height_variance", p.height_variance(), ", variance "},
                                    {"height_skewness", p.height_skewness(), ", skewness "},
                                    {"height_kurtosis", p.height_kurtosis(), ", kurtosis ", 1, " (in rms heights)", 6}});
-    std::vector<Fact> curvature;
+    std::vector<document::Fact> curvature;
     for (int n = 1; n <= 4; ++n)
         curvature.push_back({"curvature_moment_" + std::to_string(n), p.curvature_moment(n),
                              n == 1 ? "E t^n, n = 1 to 4: " : ", ", 1, n == 4 ? " (in rms curvatures)" : "", 6});
     document.facts("peak curvature", curvature);
     if (!counted) return;
-    const ShownUnit height = unit_of_length(counted->rms_height);
+    const document::ShownUnit height = document::unit_of_length(counted->rms_height);
     document.facts("ordinates",
                    {{"rms_height_m", counted->rms_height, "rms height ", height.factor, " " + std::string(height.name)},
                     {"rms_slope", counted->rms_slope, ", rms slope "},
@@ -110,35 +112,35 @@ void add_moments(Document& document, const PeakDistribution<double>& p,
 
 }  // namespace
 
-PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input) {
-    const auto name = [&](std::string_view key) { return option_name(request.surface.prefix, key); };
+PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<surface::SurfaceInput> input) {
+    const auto name = [&](std::string_view key) { return surface::option_name(request.surface.prefix, key); };
     std::vector<double> heights;
     if (!request.heights.empty()) heights = heights_of(request.heights, name("heights"));
     const bool angles = request.r || !request.theta.empty() || request.exponential;
     const bool correlations = request.rho1 || request.rho2;
     const bool measured = input || !request.surface.file.empty();
     if (int(angles) + int(correlations) + int(measured) != 1)
-        throw option_error("give one of " + name("r") + " and " + name("theta") + ", " + name("theta") + " and " +
-                           name("exponential") + ", " + name("rho1") + " and " + name("rho2") + ", " +
-                           std::string(request.profile));
+        throw document::option_error("give one of " + name("r") + " and " + name("theta") + ", " + name("theta") +
+                                     " and " + name("exponential") + ", " + name("rho1") + " and " + name("rho2") +
+                                     ", " + std::string(request.profile));
     if (measured && !input) input = read_surface_input(request.surface);
     PeakDensity found = measured ? of_profile(request.surface, std::move(*input)) : of_numbers(request);
     found.heights = std::move(heights);
     return found;
 }
 
-Document document_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input) {
+document::Document document_of(const PeakDensityRequest& request, std::optional<surface::SurfaceInput> input) {
     const PeakDensity found = peak_density_of(request, std::move(input));
-    Document document("peaks", 18);
+    document::Document document("peaks", 18);
     document.json["from"] = found.from;
     document.json["equations"] = {{"density", "(4.4)"}, {"peak_ratio", "(4.3)"}};
     document.title("peak density (4.4) from " + found.from +
-                   (found.input ? " " + shown_name(request.surface.file) : ""));
+                   (found.input ? " " + document::shown_name(request.surface.file) : ""));
     if (found.input) add_profile(document, request, found);
     add_moments(document, found.density, found.statistics);
     if (found.heights.empty()) return document;
     document.line();
-    Rows rows;
+    document::Rows rows;
     rows.repeat({.key = "r", .json = false}, found.density.r(), found.heights.size());
     rows.repeat({.key = "theta", .json = false}, found.density.theta(), found.heights.size());
     rows.add({"height", "height"}, found.heights);
@@ -148,4 +150,4 @@ Document document_of(const PeakDensityRequest& request, std::optional<SurfaceInp
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

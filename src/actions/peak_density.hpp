@@ -14,15 +14,15 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// One of: r and theta, theta and exponential, rho1 and rho2, a profile. And the places of the density of the height
 /// alone.
 struct PeakDensityRequest {
-    SurfaceOptions surface{};              ///< of a profile, or without a file; its prefix is that of all options
+    surface::SurfaceOptions surface{};     ///< of a profile, or without a file; its prefix is that of all options
     std::string_view profile = "profile";  ///< how messages call its file
     std::optional<double> r{};             ///< correlation of heights and curvatures, 0 <= r < 1
-    Amount theta{};                        ///< angle of the sampling
+    request::Amount theta{};               ///< angle of the sampling
     bool exponential = false;              ///< r is that of an exponential autocorrelation
     std::optional<double> rho1{}, rho2{};  ///< autocorrelation at one sampling step, and at two
     std::string heights{};                 ///< "FROM,TO,COUNT" in rms heights, -30 to 30; empty: none
@@ -43,15 +43,17 @@ struct PeakDensity {
     PeakDistribution<double> density;
     std::string from;             ///< "r, theta", "profile" ...
     std::vector<double> heights;  ///< in rms heights
-    std::optional<SurfaceInput> input{};
+    std::optional<surface::SurfaceInput> input{};
     std::optional<PreparedProfile<double>> levelled{};
     std::optional<PeakStatistics<double>> statistics{};
 };
 
 /// Density of \p input, or of the file that \p request names. \throws option_error where it names none or two, and for
 /// heights that are no range; domain_error as PeakDistribution and level_profile().
-[[nodiscard]] PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input = {});
+[[nodiscard]] PeakDensity peak_density_of(const PeakDensityRequest& request,
+                                          std::optional<surface::SurfaceInput> input = {});
 /// The document of fstiff measure --show peaks for \p input, or for what \p request names. \throws as above.
-[[nodiscard]] Document document_of(const PeakDensityRequest& request, std::optional<SurfaceInput> input = {});
+[[nodiscard]] document::Document document_of(const PeakDensityRequest& request,
+                                             std::optional<surface::SurfaceInput> input = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -10,10 +10,13 @@
 #include <cmath>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using document::Cell, document::Json, scene::CurveQuantity, scene::Scene;
+
 Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
 
-Units units_of(const Problem& problem, const Results& results) {
+Units units_of(const detail::Problem& problem, const Results& results) {
     double least = 0, most = 0;
     std::vector<double> joint;
     for (const Curve& curve : results.curves)
@@ -24,50 +27,50 @@ Units units_of(const Problem& problem, const Results& results) {
             joint.push_back(state.stiffness.value * problem.nominal_area.value_or(0));
         }
     const double middle = std::sqrt(least * most);
-    return {.pressure = unit_of_pressure(middle),
-            .height = unit_of_length(problem.face.parameters.rms_height.value),
-            .density = unit_of_density(problem.face.parameters.peak_density.value),
-            .force = shown_unit(middle * problem.nominal_area.value_or(0), "N"),
-            .joint_stiffness = shown_unit(joint, "N/m")};
+    return {.pressure = document::unit_of_pressure(middle),
+            .height = document::unit_of_length(problem.face.parameters.rms_height.value),
+            .density = document::unit_of_density(problem.face.parameters.peak_density.value),
+            .force = document::shown_unit(middle * problem.nominal_area.value_or(0), "N"),
+            .joint_stiffness = document::shown_unit(joint, "N/m")};
 }
 
-Heading heading_of(const Column& column, const Units& units) {
+document::Heading heading_of(const scene::Column& column, const Units& units) {
     const std::string_view si = column.row().unit, symbol = column.row().symbol;
-    const ShownUnit unit = si == "Pa"          ? units.pressure
-                           : si == "m"         ? units.height
-                           : si == "1/m^2"     ? units.density
-                           : si == "Pa/m"      ? units.stiffness
-                           : si == "N"         ? units.force
-                           : si == "N/m"       ? units.joint_stiffness
-                           : si == "S/m^2"     ? ShownUnit{"S/m²"}
-                           : si == "W/(m^2 K)" ? ShownUnit{"W/(m² K)"}
-                                               : ShownUnit{si};
+    const document::ShownUnit unit = si == "Pa"          ? units.pressure
+                                     : si == "m"         ? units.height
+                                     : si == "1/m^2"     ? units.density
+                                     : si == "Pa/m"      ? units.stiffness
+                                     : si == "N"         ? units.force
+                                     : si == "N/m"       ? units.joint_stiffness
+                                     : si == "S/m^2"     ? document::ShownUnit{"S/m²"}
+                                     : si == "W/(m^2 K)" ? document::ShownUnit{"W/(m² K)"}
+                                                         : document::ShownUnit{si};
     switch (column.statistic) {
-        case Statistic::value: return {column.key(), unit.heading(symbol), unit.factor};
-        case Statistic::error:  // the others have that of K
+        case scene::Statistic::value: return {column.key(), unit.heading(symbol), unit.factor};
+        case scene::Statistic::error:  // the others have that of K
             if (column.quantity != CurveQuantity::stiffness) return {column.key()};
             return {column.key(), "numerical error [Pa/m]", 1, 2};
-        case Statistic::p05: return {column.key(), unit.heading("5 %"), unit.factor};
-        case Statistic::p95: return {column.key(), unit.heading("95 %"), unit.factor};
+        case scene::Statistic::p05: return {column.key(), unit.heading("5 %"), unit.factor};
+        case scene::Statistic::p95: return {column.key(), unit.heading("95 %"), unit.factor};
     }
     return {};
 }
 
-Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
-    Rows rows;
+document::Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
+    document::Rows rows;
     const std::size_t size = curve.states.size();
     std::vector<std::string_view> laws;
     for (std::size_t i = 0; i < size; ++i) laws.push_back(curve.law_at(i).name);
     rows.add({"law"}, laws);
     rows.repeat({"theta"}, curve.theta, size);
     rows.repeat({"r"}, curve.r, size);
-    for (const Column& column : curve.columns) {
+    for (const scene::Column& column : curve.columns) {
         rows.add(heading_of(column, units), column.values,
                  [](double value) { return std::isnan(value) ? Cell() : Cell(value); });
         if (column.quantity == CurveQuantity::pressure && curve.rms_gradient)
             rows.add({"", "p*", 1, 3}, column.values,
                      [&](double p) { return detail::dimensionless_pressure(p, results.modulus, *curve.rms_gradient); });
-        else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value)
+        else if (column.quantity == CurveQuantity::stiffness && column.statistic == scene::Statistic::value)
             rows.add({"", "K/A0 [Pa/m]", 1, 6}, column.values);
         else if (column.quantity == CurveQuantity::real_area)
             rows.add({"", "mean pressure [GPa]", 1e-9}, curve.states, [](const ContactState<double>& state) {
@@ -81,8 +84,8 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
 }
 
 std::string shown_point(const Scene& scene, std::size_t i) {
-    const std::string point = with_unit(scene.points[i], scene.at_separations ? "m" : "Pa", 3);
-    return scene.forces.empty() ? point : with_unit(scene.forces[i], "N", 3) + ", " + point;
+    const std::string point = document::with_unit(scene.points[i], scene.at_separations ? "m" : "Pa", 3);
+    return scene.forces.empty() ? point : document::with_unit(scene.forces[i], "N", 3) + ", " + point;
 }
 
 Json answer_json(const Scene& scene, const Results& results) {
@@ -90,7 +93,7 @@ Json answer_json(const Scene& scene, const Results& results) {
     if (!results.answer) return rows;
     const Curve& curve = results.answer->curve;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        const AnswerReason& reason = results.answer->reasons[i];
+        const detail::AnswerReason& reason = results.answer->reasons[i];
         const detail::SampledBand<double>& band = curve.band[i];
         const double K = curve.states[i].stiffness.value;
         Json row = {{"pressure_Pa", curve.states[i].pressure.value},
@@ -107,7 +110,7 @@ Json answer_json(const Scene& scene, const Results& results) {
             row["stiffness_p05_N_per_m"] = band.low * *scene.nominal_area;
             row["stiffness_p95_N_per_m"] = std::min(band.high * *scene.nominal_area, 1e300);
         }
-        for (const Column& column : curve.columns)
+        for (const scene::Column& column : curve.columns)
             if (column.quantity >= CurveQuantity::thermal_conductance &&
                 column.quantity <= CurveQuantity::electrical_conductance && !column.values.empty() &&
                 !std::isnan(column.values[i]))
@@ -125,7 +128,7 @@ Json answer_json(const Scene& scene, const Results& results) {
 }
 
 Json run_document(const Scene& scene, const Results& results) {
-    Json document = json_document("run");
+    Json document = document::json_document("run");
     document["scene"] = scene_json(scene);
     for (const auto& [name, face, file] : measured_files(scene)) {
         Json measured = measured_document(*file);
@@ -137,7 +140,7 @@ Json run_document(const Scene& scene, const Results& results) {
         document["uncertainty"] = {
             {"samples", scene.samples}, {"seed", scene.seed}, {"quantiles", {0.05, 0.95}}, {"of", "stiffness"}};
     Json& inputs = document["inputs"] = Json::object();
-    for (const Input& input : scene.inputs) {
+    for (const request::Input& input : scene.inputs) {
         Json& entry = inputs[input.key] = {{"written", input.shown()}};
         if (input.value) entry["value"] = *input.value;
         if (!input.unit.empty()) entry["unit"] = input.unit;
@@ -163,7 +166,7 @@ Json run_document(const Scene& scene, const Results& results) {
         }
     }
     Json& laws = document["laws"] = Json::object();
-    for (const Law* law : scene.laws)
+    for (const detail::Law* law : scene.laws)
         laws[law->name] = {{"load", law->load}, {"stiffness", law->stiffness}, {"peaks", law->peaks}};
     Json& rows = document["rows"] = Json::array();
     for (const Curve& curve : results.curves) rows_of(results, curve).append_to(rows);
@@ -180,11 +183,11 @@ Units summary_units(const Scene& scene, const Results& results) {
     for (const Curve& curve : results.curves)
         if (!results.answer) add(curve);
     Units units = units_of(scene, results);
-    units.stiffness = shown_unit(values, "Pa/m");
+    units.stiffness = document::shown_unit(values, "Pa/m");
     return units;
 }
 
-TextRows answer_table(const Scene& scene, const Results& results, std::size_t causes) {
+document::TextRows answer_table(const Scene& scene, const Results& results, std::size_t causes) {
     const StiffnessAnswer& answer = *results.answer;
     const Curve& curve = answer.curve;
     const std::vector<std::size_t> places = points_of_answer(scene);
@@ -192,18 +195,19 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
     const double area = scene.nominal_area.value_or(0);
     for (const std::size_t place : places)
         if (const auto at = curve.state_at(place)) joint.push_back(area * curve.states[*at].stiffness.value);
-    const ShownUnit unit = summary_units(scene, results).stiffness, joint_unit = shown_unit(joint, "N/m"),
-                    height = unit_of_length(scene.face.parameters.rms_height.value);
+    const document::ShownUnit unit = summary_units(scene, results).stiffness,
+                              joint_unit = document::shown_unit(joint, "N/m"),
+                              height = document::unit_of_length(scene.face.parameters.rms_height.value);
     const auto at_state = [&](const auto& value) {
         return [&curve, value](std::size_t place) {
             const auto at = curve.state_at(place);
             return at ? Cell(value(*at)) : Cell();
         };
     };
-    Rows rows;
+    document::Rows rows;
     rows.add({"", scene.forces.empty() ? "pressure" : "force, pressure"}, places, [&](std::size_t place) {
         const auto at = curve.state_at(place);
-        return at && scene.forces.empty() ? with_unit(curve.states[*at].pressure.value, "Pa", 3)
+        return at && scene.forces.empty() ? document::with_unit(curve.states[*at].pressure.value, "Pa", 3)
                                           : shown_point(scene, place);
     });
     rows.add({"", unit.heading("K/A0"), unit.factor, 3}, places,
@@ -211,7 +215,8 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
     rows.add({"", "90 % band"}, places, at_state([&](std::size_t i) {
                  const auto& [low, median, high, failed] = curve.band[i];
                  const int digits = high - low < 0.2 * median ? 3 : 2;  // enough to distinguish the ends
-                 return rounded(low * unit.factor, digits) + "–" + rounded(high * unit.factor, digits);
+                 return document::rounded(low * unit.factor, digits) + "–" +
+                        document::rounded(high * unit.factor, digits);
              }));
     if (area > 0)
         rows.add({"", joint_unit.heading("K"), joint_unit.factor, 3}, places,
@@ -227,13 +232,13 @@ TextRows answer_table(const Scene& scene, const Results& results, std::size_t ca
     if (causes > 0)
         rows.add({"", "band due to"}, places,
                  at_state([&](std::size_t i) { return shown_causes(answer.reasons[i], causes); }));
-    TextRows table = rows.table();
+    document::TextRows table = rows.table();
     for (std::size_t column = law; column < table[0].size(); ++column) {  // text begins on the left
         std::size_t most = 0;
-        for (const auto& row : table) most = std::max(most, shown_width(row[column]));
-        for (auto& row : table) row[column] += std::string(most - shown_width(row[column]), ' ');
+        for (const auto& row : table) most = std::max(most, document::shown_width(row[column]));
+        for (auto& row : table) row[column] += std::string(most - document::shown_width(row[column]), ' ');
     }
     return table;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -16,7 +16,10 @@
 #include <string_view>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using detail::LawCurve, scene::Scene;
+
 namespace {
 
 /// \throws domain_error where no curve has a state, with the reason of the first law at its first point.
@@ -28,7 +31,7 @@ void require_states(const Scene& scene, const std::vector<LawCurve>& curves) {
                                reason_of(scene, curve.missed.front()));
 }
 
-std::vector<LawCurve> moved(Curves& from) {
+std::vector<LawCurve> moved(detail::Curves& from) {
     if (from.named.empty()) from.named.push_back(*from.answer);
     return std::move(from.named);
 }
@@ -46,7 +49,7 @@ std::vector<Curve> with_columns(const Scene& scene, std::vector<LawCurve> curves
 }
 
 /// The answer that \p found has next to the laws that are named, or a warning.
-void take_answer(const Scene& scene, Curves& found, Results& results) {
+void take_answer(const Scene& scene, detail::Curves& found, Results& results) {
     const auto refuse = [&](const std::string& why) {
         results.warnings.push_back("the answer has no K: " + why);
         results.doubtful = true;
@@ -58,39 +61,40 @@ void take_answer(const Scene& scene, Curves& found, Results& results) {
         return refuse(error.what());
     }
     StiffnessAnswer& answer = results.answer.emplace();
-    static_cast<AnswerFacts&>(answer) = std::move(found.facts);
+    static_cast<detail::AnswerFacts&>(answer) = std::move(found.facts);
     static_cast<LawCurve&>(answer.curve) = std::move(*found.answer);
     answer.curve.columns = columns_of(scene, answer.curve, true);
 }
 
 }  // namespace
 
-std::string reason_of(const Scene& scene, const MissedPoint& missed) {
-    if (missed.why == Miss::range)
-        return "a result for " + shortest(scene.points[missed.place]) +
+std::string reason_of(const Scene& scene, const detail::MissedPoint& missed) {
+    if (missed.why == detail::Miss::range)
+        return "a result for " + document::shortest(scene.points[missed.place]) +
                " is beyond the range of double precision; the values of the scene must be less extreme";
-    return detail::reason_of(missed, with_unit(missed.limit, "Pa", 3));
+    return detail::reason_of(missed, document::with_unit(missed.limit, "Pa", 3));
 }
 
 std::string laws_of(const Curve& curve) {
-    std::vector<const Law*> laws;
-    for (const Law* law : curve.by)
+    std::vector<const detail::Law*> laws;
+    for (const detail::Law* law : curve.by)
         if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
     if (laws.empty()) laws.push_back(curve.law);
     std::string text;
-    for (const Law* law : laws) text += (text.empty() ? "" : " and ") + std::string(law->name);
+    for (const detail::Law* law : laws) text += (text.empty() ? "" : " and ") + std::string(law->name);
     return text;
 }
 
 std::string title(const Curve& curve) {
     std::string text = laws_of(curve);
-    if (curve.theta) text += ", theta = " + rounded(*curve.theta) + ", r = " + rounded(*curve.r);
+    if (curve.theta) text += ", theta = " + document::rounded(*curve.theta) + ", r = " + document::rounded(*curve.r);
     return text;
 }
 
-std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity, Statistic statistic) const {
+std::optional<double> Curve::value_at(std::size_t place, scene::CurveQuantity quantity,
+                                      scene::Statistic statistic) const {
     const auto at = state_at(place);
-    for (const Column& column : columns)
+    for (const scene::Column& column : columns)
         if (at && column.quantity == quantity && column.statistic == statistic && !column.values.empty() &&
             !std::isnan(column.values[*at]))
             return column.values[*at];
@@ -134,10 +138,10 @@ bool has_band(const Results& results) {
                        [](const Curve& curve) { return !curve.band.empty(); });
 }
 
-std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>& contacts) {
-    Request request = request_of(scene);
+std::vector<Curve> curves_of(const Scene& scene, const std::vector<detail::MadeContact>& contacts) {
+    detail::Request request = request_of(scene);
     request.answers = request.checked = false;
-    Curves found = curves_of(scene, request, {}, &contacts);
+    detail::Curves found = curves_of(scene, request, {}, &contacts);
     std::vector<LawCurve> curves = moved(found);
     require_states(scene, curves);
     return with_columns(scene, std::move(curves));
@@ -155,11 +159,11 @@ Results compute(const Scene& scene, const ProgressHook& progress, const Parallel
     if (has_peaks)
         results.surface_checks =
             detail::check_surface(scene.face.roughness(), scene.effective_modulus, scene.yield_strength);
-    Request request = request_of(scene);
+    detail::Request request = request_of(scene);
     request.parallel = parallel;
     // warnings and the explanation need the contacts and the area, whichever columns are shown
     request.quantities = request.quantities | Quantity::contact_density | Quantity::real_area_fraction;
-    Curves found = curves_of(scene, request, progress);
+    detail::Curves found = curves_of(scene, request, progress);
     const bool best = found.named.empty();
     std::vector<LawCurve> curves = moved(found);
     for (const LawCurve& curve : curves)
@@ -173,7 +177,7 @@ Results compute(const Scene& scene, const ProgressHook& progress, const Parallel
     results.curves = with_columns(scene, std::move(curves));
     if (best) {
         StiffnessAnswer& answer = results.answer.emplace();
-        static_cast<AnswerFacts&>(answer) = std::move(found.facts);
+        static_cast<detail::AnswerFacts&>(answer) = std::move(found.facts);
         answer.curve = results.curves.front();
     } else {
         take_answer(scene, found, results);
@@ -185,4 +189,4 @@ Results compute(const Scene& scene, const ProgressHook& progress, const Parallel
     return results;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -8,7 +8,6 @@
 //         for (const Column& column : curve.columns) use(curve.law->name, column.key(), column.values);
 
 #include "scene/column.hpp"
-#include "scene/joint.hpp"
 #include "scene/scene.hpp"
 
 #include <fstiff/core/parallel.hpp>
@@ -18,15 +17,15 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// A curve with what Scene asks for.
-struct Curve : LawCurve {
-    std::vector<Column> columns{};  ///< the same keys in every curve
+struct Curve : detail::LawCurve {
+    std::vector<scene::Column> columns{};  ///< the same keys in every curve
 
     /// \p statistic of \p quantity at the point \p place of the scene; none where there is no such column or state.
-    [[nodiscard]] std::optional<double> value_at(std::size_t place, CurveQuantity quantity,
-                                                 Statistic statistic = Statistic::value) const;
+    [[nodiscard]] std::optional<double> value_at(std::size_t place, scene::CurveQuantity quantity,
+                                                 scene::Statistic statistic = scene::Statistic::value) const;
 };
 
 /// The names of the laws that gave the states of \p curve: "boundary_elements and hybrid".
@@ -35,7 +34,7 @@ struct Curve : LawCurve {
 [[nodiscard]] std::string title(const Curve& curve);
 
 /// One K for each point, by the law that holds there.
-struct StiffnessAnswer : AnswerFacts {
+struct StiffnessAnswer : detail::AnswerFacts {
     Curve curve;  ///< its band is that of the surface
 };
 
@@ -63,15 +62,16 @@ struct Results {
 /// Everything the scene asks for. A point that a law does not reach leaves the others alone, with a warning. \p
 /// progress is called while a band is sampled; \p parallel runs what takes long.
 /// \throws domain_error where the model cannot give it, or no law reaches any point, naming the place in the scene.
-[[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {}, const ParallelHook& parallel = {});
+[[nodiscard]] Results compute(const scene::Scene& scene, const ProgressHook& progress = {},
+                              const ParallelHook& parallel = {});
 /// The curves of compute() with their states, bands and columns, but without checks, means and warnings.
 /// \p contacts are those of the scene, or of one with other points. \throws domain_error as compute().
-[[nodiscard]] std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>& contacts);
+[[nodiscard]] std::vector<Curve> curves_of(const scene::Scene& scene, const std::vector<detail::MadeContact>& contacts);
 
 /// \p scene with enough points for a smooth curve through those it has, which it keeps, or \p between them alone.
-[[nodiscard]] Scene with_finer_points(Scene scene, bool between = false);
+[[nodiscard]] scene::Scene with_finer_points(scene::Scene scene, bool between = false);
 
 /// Why \p missed, a point of \p scene, has no state.
-[[nodiscard]] std::string reason_of(const Scene& scene, const MissedPoint& missed);
+[[nodiscard]] std::string reason_of(const scene::Scene& scene, const detail::MissedPoint& missed);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

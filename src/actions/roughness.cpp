@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 /// Appended to the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
@@ -85,8 +85,9 @@ RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
     if (map.rows() >= 4 && map.columns() >= 4) {
         texture = detail::texture_parameters(detail::areal_autocorrelation(map));
         if (texture.shortest && !texture.aspect_ratio)
-            no_ratio = "below " + rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
-                       rounded(texture.longest_direction * 180 / std::numbers::pi_v<double>, 3) + " degrees from x";
+            no_ratio = "below " + document::rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
+                       document::rounded(texture.longest_direction * 180 / std::numbers::pi_v<double>, 3) +
+                       " degrees from x";
     } else {
         no_length = no_ratio = "the map has fewer than 4 x 4 points";
     }
@@ -118,4 +119,4 @@ RoughnessTable mean_of(const std::vector<RoughnessTable>& tables) {
     return mean;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// One parameter by its symbol in the standard.
 struct RoughnessLine {
@@ -35,4 +35,4 @@ struct RoughnessTable {
 /// The means of \p tables, of one kind of surface; none where one of them has none.
 [[nodiscard]] RoughnessTable mean_of(const std::vector<RoughnessTable>& tables);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

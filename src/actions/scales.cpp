@@ -4,31 +4,31 @@
 #include "actions/measure.hpp"
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/joint.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
-std::optional<double> stiffness_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
+std::optional<double> stiffness_of(const surface::MeasuredSurface& surface, const detail::Law& law,
+                                   const ScalesOptions& how) {
     try {
-        Problem problem;
-        problem.face = face_of(std::make_shared<const Surface<double>>(surface.found));
+        detail::Problem problem;
+        problem.face = detail::face_of(std::make_shared<const Surface<double>>(surface.found));
         const Material<double> body{2 * how.modulus, 0.0};  // of which both are
         problem.effective_modulus = effective_modulus(body, body);
         if (problem.face.has_peaks())
             problem.peaks = {
                 {*problem.face.value(Parameter::theta), problem.face.value(Parameter::r), true, {}, "surface."}};
-        if (lack_of(law, problem) != Lack::nothing) return {};
-        const Request request{.points = {how.pressure},
-                              .laws = {&law},
-                              .quantities = Quantity::stiffness,
-                              .samples = 0,
-                              .answers = false};
-        const Curves curves = curves_of(problem, request);
+        if (lack_of(law, problem) != detail::Lack::nothing) return {};
+        const detail::Request request{.points = {how.pressure},
+                                      .laws = {&law},
+                                      .quantities = Quantity::stiffness,
+                                      .samples = 0,
+                                      .answers = false};
+        const detail::Curves curves = curves_of(problem, request);
         if (curves.named.empty() || curves.named.front().states.empty()) return {};
         return curves.named.front().states.front().stiffness.value;
     } catch (const domain_error&) {
@@ -36,16 +36,19 @@ std::optional<double> stiffness_of(const MeasuredSurface& surface, const Law& la
     }
 }
 
-const Law& law_for(const MeasuredSurface& surface) {
-    const Face face = face_of(std::make_shared<const Surface<double>>(surface.found));
-    if (lack_of_spectrum(face) == Lack::nothing && (face.has_peaks() || face.map)) return *find_law("hybrid");
-    return *find_law(face.has_peaks() ? "hertz" : "greenwood_williamson");
+const detail::Law& law_for(const surface::MeasuredSurface& surface) {
+    const detail::Face face = detail::face_of(std::make_shared<const Surface<double>>(surface.found));
+    if (lack_of_spectrum(face) == detail::Lack::nothing && (face.has_peaks() || face.map))
+        return *detail::find_law("hybrid");
+    return *detail::find_law(face.has_peaks() ? "hertz" : "greenwood_williamson");
 }
 
-Amount option_of(const std::optional<double>& cut_off) { return cut_off ? Amount(*cut_off) : Amount("none"); }
+request::Amount option_of(const std::optional<double>& cut_off) {
+    return cut_off ? request::Amount(*cut_off) : request::Amount("none");
+}
 
 /// The row of the cut-offs that \p surface has.
-Scale scale_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
+Scale scale_of(const surface::MeasuredSurface& surface, const detail::Law& law, const ScalesOptions& how) {
     Scale scale{.cut_offs = surface.found.cut_offs, .chosen = true};
     scale.surface = surface;
     scale.stiffness = stiffness_of(surface, law, how);
@@ -53,8 +56,8 @@ Scale scale_of(const MeasuredSurface& surface, const Law& law, const ScalesOptio
     return scale;
 }
 
-Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs<double>& cut_offs, const Law& law,
-               const ScalesOptions& how) {
+Scale scale_at(surface::MeasureOptions options, const surface::SurfaceInput& input, const CutOffs<double>& cut_offs,
+               const detail::Law& law, const ScalesOptions& how) {
     options.neighbours = false;
     options.resamples = 2;  // errors are not asked
     options.input.lambda_s = option_of(cut_offs.lambda_s);
@@ -72,15 +75,15 @@ Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs<
 
 using ScaleRows = std::vector<std::reference_wrapper<const Scale>>;
 
-Rows rows_of(const ScaleRows& scales) {
+document::Rows rows_of(const ScaleRows& scales) {
     const auto length = [](const std::optional<double>& cut_off) {
-        return cut_off ? shown_length(*cut_off, 4) : "none";
+        return cut_off ? document::shown_length(*cut_off, 4) : "none";
     };
     const auto parameter = [](Parameter which) { return [which](const Scale& scale) { return scale.value(which); }; };
     std::vector<double> stiffnesses;
     for (const Scale& scale : scales) stiffnesses.push_back(scale.stiffness.value_or(0));
-    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
-    Rows rows;
+    const document::ShownUnit unit = document::shown_unit(stiffnesses, "Pa/m");
+    document::Rows rows;
     rows.add({.key = "lambda_s_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_s; });
     rows.add({.key = "lambda_c_m"}, scales, [](const Scale& scale) { return scale.cut_offs.lambda_c; });
     rows.add({"", "lambda_s"}, scales,
@@ -98,8 +101,8 @@ Rows rows_of(const ScaleRows& scales) {
 
 }  // namespace
 
-Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how) {
-    const Law& law = law_for(chosen);
+Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceInput& input, const ScalesOptions& how) {
+    const detail::Law& law = law_for(chosen);
     double step = 0, length = 0;
     if (chosen.found.profile) {
         step = chosen.found.profile->profile.spacing;
@@ -157,8 +160,9 @@ std::vector<std::string> what_is_settled(const Scales& scales) {
             ++known;
         }
         if (known == 0) return "no other " + name + " is possible for this file: its effect on K is not known";
-        return "the next " + name + " below and above change K by " + shown_change(1 + low) + " to " +
-               shown_change(1 + high) + (std::max(high, -low) <= 0.1 ? ": settled to 10 %" : ": not settled to 10 %");
+        return "the next " + name + " below and above change K by " + document::shown_change(1 + low) + " to " +
+               document::shown_change(1 + high) +
+               (std::max(high, -low) <= 0.1 ? ": settled to 10 %" : ": not settled to 10 %");
     };
     return {about(scales.short_waves, "lambda_s"), about(scales.long_waves, "lambda_c")};
 }
@@ -172,26 +176,28 @@ std::optional<double> Scale::gradient() const {
     return surface && surface->found.heights ? std::optional(surface->found.rms_gradient.value) : std::nullopt;
 }
 
-Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface,
-                     const Scales& scales, const ScalesOptions& how) {
+document::Document document_of(const surface::MeasureOptions& options,
+                               const std::shared_ptr<const surface::MeasuredSurface>& surface, const Scales& scales,
+                               const ScalesOptions& how) {
     ScaleRows all(scales.short_waves.begin(), scales.short_waves.end());
     all.insert(all.end(), scales.long_waves.begin(), scales.long_waves.end());
-    const Rows rows = rows_of(all);
+    const document::Rows rows = rows_of(all);
     const std::vector<std::string> settled = what_is_settled(scales);
-    Document document = document_of(options, surface);
-    document.line("\nwith other cut-offs (* chosen), K by " + scales.law + " at " + rounded(how.pressure / 1e6) +
-                  " MPa, effective modulus " + rounded(how.modulus / 1e9) + " GPa\n");
+    document::Document document = document_of(options, surface);
+    document.line("\nwith other cut-offs (* chosen), K by " + scales.law + " at " +
+                  document::rounded(how.pressure / 1e6) + " MPa, effective modulus " +
+                  document::rounded(how.modulus / 1e9) + " GPa\n");
     document.text([rows] { return rows.text() + "\n"; });
     for (const std::string& sentence : settled) document.line("  " + sentence);
     for (const Scale& scale : all)
-        if (!scale.refusal.empty()) document.line("  " + sentence_of(scale.cut_offs) + ": " + scale.refusal);
+        if (!scale.refusal.empty()) document.line("  " + surface::sentence_of(scale.cut_offs) + ": " + scale.refusal);
     document.csv_alone([rows] { return rows; });
-    document.values([=, law = scales.law, pressure = how.pressure, modulus = how.modulus](Json& to) {
-        Json& of = to["scales"] = {
+    document.values([=, law = scales.law, pressure = how.pressure, modulus = how.modulus](document::Json& to) {
+        document::Json& of = to["scales"] = {
             {"law", law}, {"pressure_Pa", pressure}, {"effective_modulus_Pa", modulus}, {"settled", settled}};
         rows.append_to(of["rows"]);
     });
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

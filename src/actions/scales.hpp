@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// At what K is computed.
 struct ScalesOptions {
@@ -24,9 +24,9 @@ struct ScalesOptions {
 /// The surface filtered with one pair of cut-offs.
 struct Scale {
     CutOffs<double> cut_offs;
-    bool chosen = false;                       ///< the cut-offs that the measurement has
-    std::optional<MeasuredSurface> surface{};  ///< none: `refusal` has the reason
-    std::optional<double> stiffness{};         ///< K [Pa/m] by Scales::law
+    bool chosen = false;                                ///< the cut-offs that the measurement has
+    std::optional<surface::MeasuredSurface> surface{};  ///< none: `refusal` has the reason
+    std::optional<double> stiffness{};                  ///< K [Pa/m] by Scales::law
     std::string refusal{};
 
     [[nodiscard]] std::optional<double> value(Parameter parameter) const;
@@ -42,14 +42,16 @@ struct Scales {
 
 /// \p chosen, which was measured of \p input, and the same input with each of the other cut-offs, without errors.
 /// Refusals are in their rows.
-[[nodiscard]] Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how);
+[[nodiscard]] Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceInput& input,
+                               const ScalesOptions& how);
 
 /// The document of fstiff measure --scales: that of \p surface, measured by \p options, with a row for each pair of
 /// cut-offs, those of lambda_s first, and what of K is settled.
-[[nodiscard]] Document document_of(const MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface,
-                                   const Scales& scales, const ScalesOptions& how);
+[[nodiscard]] document::Document document_of(const surface::MeasureOptions& options,
+                                             const std::shared_ptr<const surface::MeasuredSurface>& surface,
+                                             const Scales& scales, const ScalesOptions& how);
 
 /// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.
 [[nodiscard]] std::vector<std::string> what_is_settled(const Scales& scales);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

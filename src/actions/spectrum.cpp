@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
+
+using document::Cell;
+
 namespace {
 
 SpectrumCurve psd_curve(const std::string& label, const std::string& suffix, std::vector<double> wavenumber,
@@ -111,10 +114,10 @@ std::vector<Cell> padded(const Values& values, std::size_t size) {
 }
 
 /// A position a row.
-Rows rows_of(const Spectrum& spectrum) {
+document::Rows rows_of(const Spectrum& spectrum) {
     std::size_t size = 0;
     for (const SpectrumCurve& curve : spectrum.curves) size = std::max(size, curve.x.size());
-    Rows rows;
+    document::Rows rows;
     for (const SpectrumCurve& curve : spectrum.curves) {
         rows.add({curve.x_key, curve.x_shown, curve.x_factor}, padded(curve.x, size));
         rows.add({curve.key, curve.shown, curve.factor}, padded(curve.y, size));
@@ -130,16 +133,17 @@ std::string window_of(const SpectrumRequest& request) {
     return request.taper == SpectrumWindow::hann ? "Hann window, divided by its mean square" : "no window";
 }
 
-Spectrum spectrum_of(const SpectrumRequest& request, const SurfaceInput& input) {
+Spectrum spectrum_of(const SpectrumRequest& request, const surface::SurfaceInput& input) {
     const auto result_of = [&](const auto& levelled, const auto& heights, bool profile, double gradient) {
-        return Spectrum{.curves = about_file(request.surface.file, [&] { return curves_of(request, heights); }),
-                        .form = form_name(levelled),
-                        .convention = convention_of(request, profile),
-                        .source = source_of(request, profile),
-                        .rms_as_read = levelled.rms_as_read,
-                        .rms = levelled.rms,
-                        .rms_gradient = gradient,
-                        .cut_offs = levelled.cut_offs};
+        return Spectrum{
+            .curves = document::about_file(request.surface.file, [&] { return curves_of(request, heights); }),
+            .form = surface::form_name(levelled),
+            .convention = convention_of(request, profile),
+            .source = source_of(request, profile),
+            .rms_as_read = levelled.rms_as_read,
+            .rms = levelled.rms,
+            .rms_gradient = gradient,
+            .cut_offs = levelled.cut_offs};
     };
     if (input.surface.is_profile()) {
         const PreparedProfile<double> levelled = level_profile(request.surface, input);
@@ -149,10 +153,11 @@ Spectrum spectrum_of(const SpectrumRequest& request, const SurfaceInput& input) 
     return result_of(levelled, levelled.map, false, levelled.areal.rms_gradient);
 }
 
-Document document_of(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& spectrum) {
-    Document document("spectrum");
+document::Document document_of(const SpectrumRequest& request, const surface::SurfaceInput& input,
+                               const Spectrum& spectrum) {
+    document::Document document("spectrum");
     document.title((request.of == SpectrumKind::psd ? "power spectral density of " : "autocorrelation function of ") +
-                   shown_name(request.surface.file));
+                   document::shown_name(request.surface.file));
     add_source(document, request.surface, input, spectrum.form);
     document.json["inputs"].update({{"of", name_of(request.of)}, {"taper", name_of(request.taper)}});
     document.json["convention"] = spectrum.convention;
@@ -167,9 +172,9 @@ Document document_of(const SpectrumRequest& request, const SurfaceInput& input, 
     return document;
 }
 
-Document document_of(const SpectrumRequest& request, std::optional<SurfaceInput> given) {
-    const SurfaceInput input = input_of(request.surface, std::move(given));
+document::Document document_of(const SpectrumRequest& request, std::optional<surface::SurfaceInput> given) {
+    const surface::SurfaceInput input = input_of(request.surface, std::move(given));
     return document_of(request, input, spectrum_of(request, input));
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -13,26 +13,26 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// Quantity to compute.
 enum class SpectrumKind { psd, acf };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions
 
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::SpectrumKind> =
-    detail::name_list<scene::SpectrumKind>({{scene::SpectrumKind::psd, "psd"}, {scene::SpectrumKind::acf, "acf"}});
+inline constexpr auto names<actions::SpectrumKind> = detail::name_list<actions::SpectrumKind>(
+    {{actions::SpectrumKind::psd, "psd"}, {actions::SpectrumKind::acf, "acf"}});
 
 }  // namespace fstiff
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// How a file is read, and what is computed.
 struct SpectrumRequest {
-    SurfaceOptions surface{};
+    surface::SurfaceOptions surface{};
     SpectrumKind of = SpectrumKind::psd;
     SpectrumWindow taper = SpectrumWindow::hann;  ///< of a psd
 
@@ -62,12 +62,14 @@ struct Spectrum {
 };
 
 /// \throws domain_error in one sentence with the name of the file, and for the psd of a profile with missing points.
-[[nodiscard]] Spectrum spectrum_of(const SpectrumRequest& request, const SurfaceInput& input);
+[[nodiscard]] Spectrum spectrum_of(const SpectrumRequest& request, const surface::SurfaceInput& input);
 /// "Hann window, divided by its mean square".
 [[nodiscard]] std::string window_of(const SpectrumRequest& request);
 /// The document of fstiff measure --show spectrum.
-[[nodiscard]] Document document_of(const SpectrumRequest& request, const SurfaceInput& input, const Spectrum& spectrum);
+[[nodiscard]] document::Document document_of(const SpectrumRequest& request, const surface::SurfaceInput& input,
+                                             const Spectrum& spectrum);
 /// The same for \p input, or for the file that \p request names. \throws as spectrum_of().
-[[nodiscard]] Document document_of(const SpectrumRequest& request, std::optional<SurfaceInput> input = {});
+[[nodiscard]] document::Document document_of(const SpectrumRequest& request,
+                                             std::optional<surface::SurfaceInput> input = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 namespace {
 
@@ -22,7 +22,7 @@ std::size_t count(const TruthOfMap& solved, const Test& test) {
 /// All of the map is in contact, so that there is no K.
 bool is_closed(const TruthPoint<double>& point) { return std::isinf(point.state.stiffness); }
 
-std::string shown_pressure(double pressure) { return unit_of_pressure(pressure)(pressure, 3); }
+std::string shown_pressure(double pressure) { return document::unit_of_pressure(pressure)(pressure, 3); }
 
 /// The first pressure at which a contact carries more than its hardness; null where none does.
 const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
@@ -34,7 +34,7 @@ const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
 }
 
 /// Adds the doubts about K.
-void add_doubts(Document& document, const TruthOfMap& solved, const std::string& points_option) {
+void add_doubts(document::Document& document, const TruthOfMap& solved, const std::string& points_option) {
     const auto doubt = [&](std::size_t points, const std::string& before, const std::string& after) {
         if (points == 0) return;
         document.warnings.push_back(before + std::to_string(points) + after);
@@ -56,17 +56,18 @@ void add_doubts(Document& document, const TruthOfMap& solved, const std::string&
 
 }  // namespace
 
-TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) {
+TruthOfMap truth_of_map(const TruthRequest& options, const surface::SurfaceInput& input) {
     if (input.surface.is_profile())
-        throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
+        throw domain_error(document::display_name(options.surface.file) +
+                           ": is a profile; boundary elements need a map");
     for (const double pressure : options.pressures) detail::require_positive("pressure", pressure);
-    SurfaceOptions surface = options.surface;
+    surface::SurfaceOptions surface = options.surface;
     if (const std::string text = surface.lambda_s.text("m"); text.empty() || text == "auto")
         surface.lambda_s = "none";  // K is of all short waves
     const PreparedMap<double> map = level_map(surface, input);
     TruthOfMap solved;
-    solved.file = display_name(options.surface.file);
-    solved.form = form_name(map) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");
+    solved.file = document::display_name(options.surface.file);
+    solved.form = surface::form_name(map) + (map.cut_offs.any() ? ", " + surface::sentence_of(map.cut_offs) : "");
     solved.modulus = options.modulus;
     solved.rms_height = map.rms;
     solved.rms_gradient = map.areal.rms_gradient;
@@ -78,30 +79,32 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     for (const auto& [state, stiffness_error, gap_error] : solved.at)
         if (std::isnan(state.stiffness) || std::isnan(stiffness_error) || !std::isfinite(state.mean_gap) ||
             !std::isfinite(gap_error) || !std::isfinite(state.max_pressure))
-            throw domain_error(solved.file + ": a result for pressure = " + shortest(state.pressure) +
+            throw domain_error(solved.file + ": a result for pressure = " + document::shortest(state.pressure) +
                                " is beyond the range of double precision; pressures must be less extreme");
     if (count(solved, is_closed) == solved.at.size())
         throw domain_error(solved.file + ": all points of the map are in contact" +
                            (solved.at.size() == 1 ? " at " : " at every pressure, the least of them ") +
-                           shortest(*std::min_element(options.pressures.begin(), options.pressures.end())) +
+                           document::shortest(*std::min_element(options.pressures.begin(), options.pressures.end())) +
                            " Pa, so that there is no K; pressures must be lower, or the effective modulus higher");
     return solved;
 }
 
-Rows rows_of(const TruthOfMap& solved) {
+document::Rows rows_of(const TruthOfMap& solved) {
     using Point = const TruthPoint<double>&;
     std::vector<double> stiffnesses;
     for (const auto& point : solved.at) stiffnesses.push_back(point.state.stiffness);
-    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
-    Rows rows;
+    const document::ShownUnit unit = document::shown_unit(stiffnesses, "Pa/m");
+    document::Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, solved.at, [](Point one) { return one.state.pressure; });
     rows.add({"p_star", "p*", 1, 3}, solved.at, [&](Point one) {
-        return Cell::finite(detail::dimensionless_pressure(one.state.pressure, solved.modulus, solved.rms_gradient));
+        return document::Cell::finite(
+            detail::dimensionless_pressure(one.state.pressure, solved.modulus, solved.rms_gradient));
     });
     rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, solved.at,
-             [](Point one) { return Cell::finite(one.state.stiffness); });
+             [](Point one) { return document::Cell::finite(one.state.stiffness); });
     rows.add({"stiffness_error_Pa_per_m", "+- grid", unit.factor, 2}, solved.at, [](Point one) {
-        return std::isfinite(one.state.stiffness) ? Cell::finite(one.stiffness_error) : Cell(Cell::Kind::null);
+        return std::isfinite(one.state.stiffness) ? document::Cell::finite(one.stiffness_error)
+                                                  : document::Cell(document::Cell::Kind::null);
     });
     rows.add({"separation_m", "separation [µm]", 1e6}, solved.at, [](Point one) { return one.state.mean_gap; });
     rows.add({"separation_error_m", "+- grid", 1e6, 2}, solved.at, [](Point one) { return one.gap_error; });
@@ -112,26 +115,28 @@ Rows rows_of(const TruthOfMap& solved) {
     return rows;
 }
 
-Document document_of(const TruthRequest& options, std::optional<SurfaceInput> given) {
-    const SurfaceInput input = input_of(options.surface, std::move(given));
+document::Document document_of(const TruthRequest& options, std::optional<surface::SurfaceInput> given) {
+    const surface::SurfaceInput input = input_of(options.surface, std::move(given));
     const TruthOfMap solved = truth_of_map(options, input);
-    Document document("truth");
+    document::Document document("truth");
     document.json.update({{"map", solved.file},
                           {"points", solved.points},
                           {"edges", name_of(options.edges)},
                           {"effective_modulus_Pa", solved.modulus},
                           {"rms_height_m", solved.rms_height},
                           {"rms_gradient", solved.rms_gradient}});
-    document.title("boundary elements of " + printable(solved.file));
+    document.title("boundary elements of " + document::printable(solved.file));
     document.line("  " + std::to_string(solved.points) + " points along the longer side, edges " +
                   std::string(name_of(options.edges)) + ", form removed: " + solved.form);
-    document.line("  sigma " + rounded(solved.rms_height * 1e6) + " µm, rms gradient " + rounded(solved.rms_gradient) +
-                  ", effective modulus " + rounded(solved.modulus / 1e9) + " GPa" +
-                  (options.hardness > 0 ? ", pressures cut at " + with_unit(options.hardness, "Pa") : "") + "\n");
+    document.line("  sigma " + document::rounded(solved.rms_height * 1e6) + " µm, rms gradient " +
+                  document::rounded(solved.rms_gradient) + ", effective modulus " +
+                  document::rounded(solved.modulus / 1e9) + " GPa" +
+                  (options.hardness > 0 ? ", pressures cut at " + document::with_unit(options.hardness, "Pa") : "") +
+                  "\n");
     document.table(rows_of(solved), {.key = "rows", .as_list = true});
     add_reading(document, input, "truth needs them filled", solved.rms_gradient);
     add_doubts(document, solved, std::string(options.surface.prefix) + "points");
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// How a file is read, and what is solved.
 struct TruthRequest {
-    SurfaceOptions surface;
+    surface::SurfaceOptions surface;
     double modulus = 0;             ///< effective [Pa]
     std::vector<double> pressures;  ///< nominal [Pa]
     double hardness = 0;            ///< at which pressures are cut [Pa]; 0: elastic
@@ -44,10 +44,11 @@ struct TruthOfMap {
 };
 
 /// \throws domain_error in one sentence, for a profile too, and where all of the map is in contact at every pressure.
-[[nodiscard]] TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input);
+[[nodiscard]] TruthOfMap truth_of_map(const TruthRequest& options, const surface::SurfaceInput& input);
 /// A pressure a row.
-[[nodiscard]] Rows rows_of(const TruthOfMap& solved);
+[[nodiscard]] document::Rows rows_of(const TruthOfMap& solved);
 /// The document of fstiff truth for \p input, or for the file that \p options name. \throws as truth_of_map().
-[[nodiscard]] Document document_of(const TruthRequest& options, std::optional<SurfaceInput> input = {});
+[[nodiscard]] document::Document document_of(const TruthRequest& options,
+                                             std::optional<surface::SurfaceInput> input = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -10,25 +10,25 @@
 #include <filesystem>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 double impedance_of(const BodyRequest& body, const ReflectionRequest& request, const std::string& suffix) {
-    const auto name = [&](std::string_view key) { return option_name(request.prefix, key) + suffix; };
+    const auto name = [&](std::string_view key) { return surface::option_name(request.prefix, key) + suffix; };
     if (!body.impedance.empty() && (!body.density.empty() || !body.velocity.empty()))
-        throw option_error(name("impedance") + " is given with " + name("density") + " or " + name("velocity") +
-                           "; give the impedance or the other two");
+        throw document::option_error(name("impedance") + " is given with " + name("density") + " or " +
+                                     name("velocity") + "; give the impedance or the other two");
     if (!body.impedance.empty()) return body.impedance.positive(io::Dimension::impedance, name("impedance"));
     if (body.density.empty() || body.velocity.empty())
-        throw option_error("the impedance is not known; give " + name("impedance") + ", or " + name("density") +
-                           " and " + name("velocity"));
+        throw document::option_error("the impedance is not known; give " + name("impedance") + ", or " +
+                                     name("density") + " and " + name("velocity"));
     return acoustic_impedance(body.density.positive(io::Dimension::density, name("density")),
                               body.velocity.positive(io::Dimension::velocity, name("velocity")));
 }
 
 /// The number that \p given is; none: the name of a file. "nan" and "inf" are numbers, so that they are refused as
 /// such.
-std::optional<double> as_number(const Amount& given) {
+std::optional<double> as_number(const request::Amount& given) {
     if (!given.numbers().empty()) return given.numbers().front();
     const std::string text = given.text();
     const std::string word = io::detail::lower_case(text);
@@ -73,13 +73,13 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
         if (!of.stiffness.back()->bounded) doubtful.add(point.line);
     }
     if (beyond.count > 0 && beyond.count == curve.points.size())
-        throw domain_error(curve.name + ":" + std::to_string(beyond.first_line) +
-                           ": reflection = " + shortest(curve.points.front().value) + ": must be greater than " +
-                           shortest(all.welded) + ", that of the welded joint, and less than 1; no row is");
+        throw domain_error(curve.name + ":" + std::to_string(beyond.first_line) + ": reflection = " +
+                           document::shortest(curve.points.front().value) + ": must be greater than " +
+                           document::shortest(all.welded) + ", that of the welded joint, and less than 1; no row is");
     all.doubtful = beyond.count > 0;
     if (beyond.count > 0)
-        all.warnings.push_back("R is not between that of the welded joint, " + rounded(all.welded) + ", and 1" +
-                               beyond.in(curve) + ": no stiffness there");
+        all.warnings.push_back("R is not between that of the welded joint, " + document::rounded(all.welded) +
+                               ", and 1" + beyond.in(curve) + ": no stiffness there");
     if (doubtful.count > 0)
         all.warnings.push_back("R is within two errors of 1 or of the welded joint" + doubtful.in(curve) +
                                ": the first-order error of K is unreliable there");
@@ -93,9 +93,9 @@ Reflected at_one(const ReflectionRequest& request, const Impedances<double>& med
         one.reflection_error = request.reflection_error;
         one.stiffness_error = detail::measured_stiffness(*given, *request.reflection_error, media, omega).error;
     }
-    one.stiffness =
-        given ? stiffness_from_reflection(*given, media, omega)
-              : request.stiffness.value(io::Dimension::stiffness_per_area, option_name(request.prefix, "stiffness"));
+    one.stiffness = given ? stiffness_from_reflection(*given, media, omega)
+                          : request.stiffness.value(io::Dimension::stiffness_per_area,
+                                                    surface::option_name(request.prefix, "stiffness"));
     one.reflection = given ? *given : reflection(one.stiffness, media, omega);
     one.transmission = std::abs(detail::complex_transmission(one.stiffness, media, omega));
     one.phase = std::arg(detail::complex_reflection(one.stiffness, media, omega));
@@ -106,27 +106,27 @@ Reflected at_one(const ReflectionRequest& request, const Impedances<double>& med
 /// The curve in \p file.
 MeasuredCurve curve_of(const std::string& file, const std::string& name) {
     std::error_code ignored;
-    if (file != "-" && !std::filesystem::exists(path_of(file), ignored))
+    if (file != "-" && !std::filesystem::exists(document::path_of(file), ignored))
         throw domain_error(name + " = \"" + file + "\": must be a number or an existing file of measured reflections");
     return read_measured_curve(file);
 }
 
 /// A row of the curve a row.
-Rows rows_of(const CurveOfStiffness& found) {
+document::Rows rows_of(const CurveOfStiffness& found) {
     using K = detail::MeasuredStiffness<double>;
-    const auto of = [](const auto& value, Cell::Kind otherwise = Cell::Kind::absent) {
-        return [=](const std::optional<K>& k) { return k ? Cell(value(*k)) : Cell(otherwise); };
+    const auto of = [](const auto& value, document::Cell::Kind otherwise = document::Cell::Kind::absent) {
+        return [=](const std::optional<K>& k) { return k ? document::Cell(value(*k)) : document::Cell(otherwise); };
     };
     const bool errors = !found.errors.empty();
     std::vector<double> stiffnesses;
     for (const auto& stiffness : found.stiffness) stiffnesses.push_back(stiffness ? stiffness->value : 0);
-    const ShownUnit unit = shown_unit(stiffnesses, "Pa/m");
-    Rows rows;
+    const document::ShownUnit unit = document::shown_unit(stiffnesses, "Pa/m");
+    document::Rows rows;
     rows.add({"pressure_Pa", "p [MPa]", 1e-6}, found.curve.points, &MeasuredPoint::pressure);
     rows.add({.key = "reflection", .shown = "|R|", .csv = false}, found.curve.points, &MeasuredPoint::value);
     if (errors) rows.add({.key = "reflection_error", .shown = "error", .digits = 2, .csv = false}, found.errors);
     rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, found.stiffness,
-             of([](const K& k) { return k.value; }, Cell::Kind::null));
+             of([](const K& k) { return k.value; }, document::Cell::Kind::null));
     if (errors) {
         rows.add({"stiffness_error_Pa_per_m", unit.heading("error"), unit.factor, 2}, found.stiffness,
                  of([](const K& k) { return k.error; }));
@@ -136,7 +136,7 @@ Rows rows_of(const CurveOfStiffness& found) {
     return rows;
 }
 
-void add_curve(Document& document, const Reflection& found) {
+void add_curve(document::Document& document, const Reflection& found) {
     const CurveOfStiffness& of = *found.curve;
     document.title("stiffness from the reflections of " + of.curve.name + ", interface as a spring, eq. (5.1)");
     document.json["file"] = {{"name", of.curve.name}, {"sha256", of.curve.sha256}};
@@ -153,10 +153,10 @@ void add_curve(Document& document, const Reflection& found) {
 }
 
 /// Reflection and transmission of a wave at one stiffness.
-void add_one(Document& document, const Reflection& found) {
+void add_one(document::Document& document, const Reflection& found) {
     const Reflected& one = found.one;
-    const ShownUnit unit = shown_unit(one.stiffness, "Pa/m");
-    const std::string K = rounded(one.stiffness, 6),
+    const document::ShownUnit unit = document::shown_unit(one.stiffness, "Pa/m");
+    const std::string K = document::rounded(one.stiffness, 6),
                       error = one.stiffness_error ? " +- " + unit(*one.stiffness_error, 2) : "";
     document.line("interface as a spring, eq. (5.1)");
     document.json["equations"] = {"(5.1)"};
@@ -165,8 +165,8 @@ void add_one(Document& document, const Reflection& found) {
                                   {"impedance2_Rayl", found.media.beyond, "", 1e-6, " MRayl", 6}});
     document.facts("K per nominal area", {{"stiffness_Pa_per_m", one.stiffness, "", unit.factor,
                                            " " + std::string(unit.name) + " = " + K + " Pa/m" + error, 6}});
-    document.facts("|R|",
-                   {{"reflection", one.reflection, "", 1, " (welded joint " + rounded(found.welded, 6) + ")", 6}});
+    document.facts("|R|", {{"reflection", one.reflection, "", 1,
+                            " (welded joint " + document::rounded(found.welded, 6) + ")", 6}});
     document.facts("phase of R", {{"reflection_phase_rad", one.phase, "", 1, " rad", 6}});
     document.facts("|T|", {{"transmission", one.transmission, "", 1, " of displacement, ", 6},
                            {"transmitted_energy", one.transmitted_energy, "", 1, " of the energy", 6},
@@ -179,16 +179,16 @@ void add_one(Document& document, const Reflection& found) {
 }  // namespace
 
 Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
-    const auto name = [&](std::string_view key) { return option_name(request.prefix, key); };
+    const auto name = [&](std::string_view key) { return surface::option_name(request.prefix, key); };
     const bool of_reflection = curve || !request.reflection.empty();
     const std::string error = name("reflection_error");
     if (request.stiffness.empty() != of_reflection)
-        throw option_error("give one of " + name("stiffness") + " and " + name("reflection") +
-                           "; the other is computed");
+        throw document::option_error("give one of " + name("stiffness") + " and " + name("reflection") +
+                                     "; the other is computed");
     if (request.reflection_error && !of_reflection)
-        throw option_error(error + " is that of " + name("reflection") + ", which is not there");
+        throw document::option_error(error + " is that of " + name("reflection") + ", which is not there");
     if (request.reflection_error && !(*request.reflection_error >= 0 && *request.reflection_error < 1))
-        throw domain_error(error + " = " + shortest(*request.reflection_error) +
+        throw domain_error(error + " = " + document::shortest(*request.reflection_error) +
                            ": must be at least 0 and less than 1");
     Reflection all;
     all.frequency = request.frequency.positive(io::Dimension::frequency, name("frequency"));
@@ -207,9 +207,9 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
     return all;
 }
 
-Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
+document::Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
     const Reflection found = reflection_of(request, std::move(curve));
-    Document document("ultrasound", 19);
+    document::Document document("ultrasound", 19);
     document.warnings = found.warnings;
     document.doubtful = found.doubtful;
     document.json["given"] = found.one.from_stiffness ? "stiffness" : "reflection";
@@ -217,4 +217,4 @@ Document document_of(const ReflectionRequest& request, std::optional<MeasuredCur
     return document;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

@@ -13,20 +13,20 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 
 /// A body: its acoustic impedance, or the density and velocity that give it.
 struct BodyRequest {
-    Amount impedance{}, density{}, velocity{};
+    request::Amount impedance{}, density{}, velocity{};
     [[nodiscard]] bool given() const { return !impedance.empty() || !density.empty() || !velocity.empty(); }
 };
 
 /// One of a stiffness, a reflection, a file of reflections and a curve of them; the wave; and both bodies.
 struct ReflectionRequest {
-    Amount stiffness{};                        ///< K per nominal area
-    Amount reflection{};                       ///< |R|, or the file of a measured curve
+    request::Amount stiffness{};               ///< K per nominal area
+    request::Amount reflection{};              ///< |R|, or the file of a measured curve
     std::optional<double> reflection_error{};  ///< standard error of |R|, where no curve has its own
-    Amount frequency{};
+    request::Amount frequency{};
     BodyRequest incident{}, beyond{};  ///< of the wave; beyond: as incident where it is not given
     std::string prefix{};              ///< of the names of options in messages: "--" on a command line
 
@@ -83,6 +83,6 @@ struct Reflection {
 [[nodiscard]] Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve = {});
 /// The document of fstiff ultrasound. The CSV of a curve has no column of R: it reads back as a measured K(p).
 /// \throws as reflection_of().
-[[nodiscard]] Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve = {});
+[[nodiscard]] document::Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

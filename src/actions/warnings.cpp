@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::actions {
 namespace {
 
 /// A warning for each law that is named and lacks points. One that ends above some pressure is expected to.
-void warn_of_missed(const Scene& scene, Results& results) {
-    for (const Law* law : scene.laws) {
+void warn_of_missed(const scene::Scene& scene, Results& results) {
+    for (const detail::Law* law : scene.laws) {
         std::size_t count = 0, points = 0;
         const Curve* first = nullptr;
         for (const Curve& curve : results.curves) {
@@ -24,9 +24,9 @@ void warn_of_missed(const Scene& scene, Results& results) {
             if (!first && !curve.missed.empty()) first = &curve;
         }
         if (count == 0) continue;
-        const MissedPoint& missed = first->missed.front();
+        const detail::MissedPoint& missed = first->missed.front();
         const std::string name = "law " + std::string(law->name),
-                          at = shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
+                          at = document::shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
         const bool ends = law->ends && !first->states.empty();
         results.doubtful = results.doubtful || !ends;
         results.warnings.push_back(
@@ -37,8 +37,8 @@ void warn_of_missed(const Scene& scene, Results& results) {
 }
 
 /// A warning where the answer lacks points.
-void warn_of_lost(const Scene& scene, Results& results) {
-    const std::vector<MissedPoint>& missed = results.answer->curve.missed;
+void warn_of_lost(const scene::Scene& scene, Results& results) {
+    const std::vector<detail::MissedPoint>& missed = results.answer->curve.missed;
     if (missed.empty()) return;
     results.doubtful = true;
     const std::size_t all = missed.size() + results.answer->curve.states.size();
@@ -51,15 +51,15 @@ void warn_of_lost(const Scene& scene, Results& results) {
 }
 
 /// A warning where law plastic is nearer to the hardness than any comparison of it.
-void warn_of_hardness(const Problem& problem, Results& results) {
+void warn_of_hardness(const detail::Problem& problem, Results& results) {
     for (const Curve* curve : shown_curves(results))
         if (const auto check = beyond_comparison(problem, *curve)) {
             results.doubtful = results.doubtful || !curve->by.empty();
-            return results.warnings.push_back("law plastic was compared up to " + with_unit(check->limit, "Pa", 3) +
-                                              ", " + shown_percent(detail::max_compared_flow) +
-                                              " of the hardness: K at " +
-                                              with_unit(curve->states[check->first].pressure.value, "Pa", 3) +
-                                              " may be far off, and outside of its band");
+            return results.warnings.push_back(
+                "law plastic was compared up to " + document::with_unit(check->limit, "Pa", 3) + ", " +
+                document::shown_percent(detail::max_compared_flow) + " of the hardness: K at " +
+                document::with_unit(curve->states[check->first].pressure.value, "Pa", 3) +
+                " may be far off, and outside of its band");
         }
 }
 
@@ -88,7 +88,8 @@ void warn_if_any(Results& results, Concern concern) {
     for (const Curve& curve : results.curves) {
         const Check<double>* check = detail::find_check(curve.checks, concern);
         if (check && !check->holds() && count++ == 0)
-            where = title(curve) + " at p = " + rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
+            where =
+                title(curve) + " at p = " + document::rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
     }
     if (count > 0)
         results.warnings.push_back(std::string(sentence(concern)) + " (" + std::to_string(count) + " of " +
@@ -96,12 +97,12 @@ void warn_if_any(Results& results, Concern concern) {
 }
 
 /// The part of \p means outside of the range of \p law; may be empty.
-std::string outside_range(const Law& law, const LoadMeans<double>& means) {
+std::string outside_range(const detail::Law& law, const LoadMeans<double>& means) {
     const double s = means.interference.value, ratio = means.radius_ratio.value;
     std::string text;
     const auto say = [&](const char* name, double value, const char* side, double limit) {
-        text += (text.empty() ? "" : " and ") + std::string(name) + " = " + rounded(value, 4) + ", " + side + " " +
-                rounded(limit, 3);
+        text += (text.empty() ? "" : " and ") + std::string(name) + " = " + document::rounded(value, 4) + ", " + side +
+                " " + document::rounded(limit, 3);
     };
     if (s < law.range.least_interference) say("omega/omega_c", s, "below", law.range.least_interference);
     if (s > law.range.most_interference) say("omega/omega_c", s, "above", law.range.most_interference);
@@ -110,8 +111,8 @@ std::string outside_range(const Law& law, const LoadMeans<double>& means) {
 }
 
 /// A warning for each plastic law with a point where its peaks, each weighted by its load, are outside of its range.
-void warn_of_plastic_ranges(const std::vector<const Law*>& laws, Results& results) {
-    for (const Law* law : laws) {
+void warn_of_plastic_ranges(const std::vector<const detail::Law*>& laws, Results& results) {
+    for (const detail::Law* law : laws) {
         std::size_t count = 0, points = 0;
         std::string first;
         for (const Curve& curve : results.curves) {
@@ -120,8 +121,8 @@ void warn_of_plastic_ranges(const std::vector<const Law*>& laws, Results& result
             for (std::size_t i = 0; i < curve.means.size(); ++i) {
                 const std::string outside = outside_range(*curve.law, curve.means[i]);
                 if (!outside.empty() && count++ == 0)
-                    first = "at p = " + rounded(curve.states[i].pressure.value / 1e6) + " MPa (" + title(curve) +
-                            ") the mean over the load is " + outside;
+                    first = "at p = " + document::rounded(curve.states[i].pressure.value / 1e6) + " MPa (" +
+                            title(curve) + ") the mean over the load is " + outside;
             }
         }
         if (count > 0)
@@ -132,14 +133,14 @@ void warn_of_plastic_ranges(const std::vector<const Law*>& laws, Results& result
 }
 
 /// Warnings for the laws that are named: the band of an answer includes their causes.
-void warn_of_named_laws(const Scene& scene, Results& results) {
+void warn_of_named_laws(const scene::Scene& scene, Results& results) {
     for (const Check<double>& check : results.surface_checks) {
         if (check.holds()) continue;
-        const std::string value = rounded(check.least, 3);
+        const std::string value = document::rounded(check.least, 3);
         results.warnings.push_back(
             check.concern == Concern::plasticity
                 ? "plasticity index " + value + " is above 1: " + std::string(yielding_peaks)
-                : "sigma R D_p = " + value + " is below " + rounded(check.limit, 3) +
+                : "sigma R D_p = " + value + " is below " + document::rounded(check.limit, 3) +
                       ", the minimum for the summits of an isotropic Gaussian surface: R and D_p may be those of "
                       "islands");
     }
@@ -147,7 +148,7 @@ void warn_of_named_laws(const Scene& scene, Results& results) {
                                   Concern::above_highest_peak, Concern::few_contacts})
         warn_if_any(results, concern);
     warn_of_plastic_ranges(scene.laws, results);
-    if ((scene.asks(CurveQuantity::reflection) || scene.asks(CurveQuantity::shear_reflection)) &&
+    if ((scene.asks(scene::CurveQuantity::reflection) || scene.asks(scene::CurveQuantity::shear_reflection)) &&
         scene.reading != InteractionReading::none)
         results.warnings.push_back(
             "K with interaction includes the elasticity of the bulk over the interaction length: its reflection is not "
@@ -156,7 +157,7 @@ void warn_of_named_laws(const Scene& scene, Results& results) {
 
 }  // namespace
 
-void add_warnings(const Scene& scene, Results& results) {
+void add_warnings(const scene::Scene& scene, Results& results) {
     if (!scene.best) warn_of_missed(scene, results);
     if (results.answer) warn_of_lost(scene, results);
     warn_of_hardness(scene, results);
@@ -176,9 +177,10 @@ void add_warnings(const Scene& scene, Results& results) {
         scene.best ? noise_of(scene.face, scene.law_options.edges) / scene.face.parameters.rms_height.value : 0;
     if (results.warnings.size() > before || scene.implausible || has_lay(scene) || !unknown.empty())
         results.doubtful = true;
-    if (noise > most_noise)
-        results.warnings.push_back("the shortest waves of the map are noise, some " + rounded(100 * noise, 1) +
+    if (noise > detail::most_noise)
+        results.warnings.push_back("the shortest waves of the map are noise, some " +
+                                   document::rounded(100 * noise, 1) +
                                    " % of sigma: K without it is higher (surface.lambda_s filters it)");
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::actions

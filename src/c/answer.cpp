@@ -33,7 +33,7 @@ JointFace face_of(const fstiff_face* given, const char* name) {
                    .process = static_cast<Process>(from.process)};
     take_shape(from.skewness, from.kurtosis, face);
     if (!from.heights) return face;
-    scene::MeasureOptions how = options_of(from.options);
+    surface::MeasureOptions how = options_of(from.options);
     how.neighbours = true;
     const auto input = input_of(how.input, taken(from.heights, "heights"));
     face.measured = std::make_shared<const Surface<double>>(measure_surface(how, input).found);

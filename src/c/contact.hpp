@@ -5,4 +5,4 @@
 #include "actions/one_contact.hpp"
 #include "c/guard.hpp"
 
-struct fstiff_contact : fstiff::scene::OneContact {};
+struct fstiff_contact : fstiff::actions::OneContact {};

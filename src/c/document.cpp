@@ -21,14 +21,12 @@
 
 struct fstiff_document {
     std::string text;
-    fstiff::scene::Json numbers{};
+    fstiff::document::Json numbers{};
     bool doubtful = false;
 };
 
 namespace fstiff::c {
 namespace {
-
-using namespace scene;
 
 /// The options of a request, lines "key = value".
 request::Values values_of(const char* text) {
@@ -58,14 +56,14 @@ Request request_of(const char* options) {
 }
 
 /// The heights, or the file that \p options name.
-std::optional<SurfaceInput> surface_of(SurfaceOptions& options, const fstiff_heights* heights) {
+std::optional<surface::SurfaceInput> surface_of(surface::SurfaceOptions& options, const fstiff_heights* heights) {
     if (!heights) return options.file.empty() ? std::nullopt : std::optional(read_surface_input(options));
     if (!options.file.empty()) throw domain_error("file: must not be given with heights");
     options.file = "heights";
     return input_of(options, taken(heights, "heights"));
 }
 
-std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
+std::optional<actions::MeasuredCurve> curve_of(const fstiff_curve* given) {
     if (!given) return std::nullopt;
     const fstiff_curve from = taken(given, "curve");
     require_array(from.pressures, from.count, "pressures");
@@ -73,23 +71,23 @@ std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
     const auto list = [&](const double* array) {
         return array ? std::span(array, from.count) : std::span<const double>();
     };
-    return curve_of_numbers(list(from.pressures), list(from.values), list(from.errors), from.is_reflection != 0,
-                            "curve");
+    return actions::curve_of_numbers(list(from.pressures), list(from.values), list(from.errors),
+                                     from.is_reflection != 0, "curve");
 }
 
-Scene scene_of(const char* text, std::size_t length, const char* name, const std::string& surface = {}) {
+scene::Scene scene_of(const char* text, std::size_t length, const char* name, const std::string& surface = {}) {
     if (!text && length > 0) refuse_null("scene");
-    if (!text) return read_scene(builtin_scene, {.name = "built-in scene", .surface = surface});
-    return read_scene(std::string(text, length), {.name = name ? name : "scene", .surface = surface});
+    if (!text) return scene::read_scene(scene::builtin_scene, {.name = "built-in scene", .surface = surface});
+    return scene::read_scene(std::string(text, length), {.name = name ? name : "scene", .surface = surface});
 }
 
 /// The numbers at \p path of \p document; "*" in it is every place of an array, where what is not there is null.
 /// \throws argument_error where no place has the path.
-std::vector<double> numbers_at(const Json& document, const std::string& path) {
+std::vector<double> numbers_at(const document::Json& document, const std::string& path) {
     const std::size_t star = path.find('*');
     std::vector<double> numbers;
     bool found = false;
-    const auto take = [&](const Json* json) {
+    const auto take = [&](const document::Json* json) {
         found = found || json;
         const std::vector<double> more = json ? json->numbers() : std::vector{std::numeric_limits<double>::quiet_NaN()};
         numbers.insert(numbers.end(), more.begin(), more.end());
@@ -105,8 +103,8 @@ std::vector<double> numbers_at(const Json& document, const std::string& path) {
 }
 
 /// The text and the values of \p document; its warnings become the message.
-fstiff_document* handle_of(const Document& document) {
-    Json values = document.values();
+fstiff_document* handle_of(const document::Document& document) {
+    document::Json values = document.values();
     std::string text = document.file ? document.file() : values.str(), lines;
     for (const std::string& one : document.warnings) lines += (lines.empty() ? "" : "\n") + one;
     set_message(lines);
@@ -120,7 +118,7 @@ using namespace fstiff::c;
 
 int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = request_of<fstiff::scene::SpectrumRequest>(options);
+        auto how = request_of<fstiff::actions::SpectrumRequest>(options);
         auto input = surface_of(how.surface, heights);
         if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
         return handle_of(document_of(how, std::move(input)));
@@ -129,19 +127,19 @@ int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_d
 
 int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = request_of<fstiff::scene::PeakDensityRequest>(options);
+        auto how = request_of<fstiff::actions::PeakDensityRequest>(options);
         auto input = surface_of(how.surface, profile);
         return handle_of(document_of(how, std::move(input)));
     });
 }
 
 int fstiff_generate(const char* options, fstiff_document** made) {
-    return made_by(made, [&] { return handle_of(document_of(request_of<fstiff::scene::GenerateRequest>(options))); });
+    return made_by(made, [&] { return handle_of(document_of(request_of<fstiff::actions::GenerateRequest>(options))); });
 }
 
 int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::scene::ReflectionRequest>(options);
+        const auto how = request_of<fstiff::actions::ReflectionRequest>(options);
         return handle_of(document_of(how, curve_of(curve)));
     });
 }
@@ -153,14 +151,14 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
         given.read("surface", surface);
         given.require_known();
         const auto read = scene_of(scene, length, name, surface);
-        return handle_of(document_of(read, fstiff::scene::compute(read)));
+        return handle_of(document_of(read, fstiff::actions::compute(read)));
     });
 }
 
 int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
                     fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::scene::IdentifyRequest>(options);
+        const auto how = request_of<fstiff::actions::IdentifyRequest>(options);
         const auto read = scene_of(scene, length, name);
         return handle_of(document_of(read, identify_scene(read, how, curve_of(curve))));
     });
@@ -168,7 +166,7 @@ int fstiff_identify(const char* scene, size_t length, const char* name, const fs
 
 int fstiff_export(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::scene::ExportRequest>(options);
+        const auto how = request_of<fstiff::actions::ExportRequest>(options);
         return handle_of(document_of(scene_of(scene, length, name), how));
     });
 }

@@ -34,7 +34,7 @@ int status_of_exception() noexcept {
         throw;
     } catch (const argument_error& error) {
         return is(FSTIFF_BAD_ARGUMENT, error.what());
-    } catch (const scene::no_such_entry& error) {
+    } catch (const actions::no_such_entry& error) {
         return is(FSTIFF_BAD_ARGUMENT, error.what());
     } catch (const domain_error& error) {
         return is(FSTIFF_REFUSED, error.what());

@@ -9,7 +9,7 @@
 #include <memory>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 Document Document::of_file(std::function<std::string()> file) {
     Document document("");
@@ -97,4 +97,4 @@ std::string Document::str(Format format) const {
     return format == Format::table ? text() : format == Format::csv ? csv() : values().str();
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

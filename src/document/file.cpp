@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 namespace {
 
 std::string number(double value, int digits) {
@@ -112,4 +112,4 @@ std::string list_of(std::span<const std::string_view> items) {
     return text;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

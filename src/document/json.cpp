@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 Json::Json(double value) : value_(value) {
     if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
@@ -121,4 +121,4 @@ Json json_document(std::string_view command) {
     return {{"schema_version", 1}, {"fstiff_version", FSTIFF_VERSION_TEXT}, {"command", command}};
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

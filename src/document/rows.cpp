@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 namespace {
 
 using Kind = Cell::Kind;
@@ -147,4 +147,4 @@ Json Rows::arrays() const {
     return all;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::string sha256(std::string_view text) {
     return hex;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

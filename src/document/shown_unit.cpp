@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 namespace {
 
 struct Step {
@@ -99,4 +99,4 @@ std::string shown_percent(double share) {
     return (std::abs(percent) < 10 ? rounded(percent, 2) : rounded(std::round(percent), 15)) + " %";
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 struct ShownUnit {
     std::string_view name;
@@ -44,4 +44,4 @@ inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e15};
 /// A share in percent, without an exponent: "0.12 %", "8.5 %", "85 %", "181 %".
 [[nodiscard]] std::string shown_percent(double share);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

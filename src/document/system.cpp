@@ -26,7 +26,9 @@
 #include <unistd.h>
 #endif
 
-namespace fstiff::scene::os {
+namespace fstiff::document::os {
+
+using document::os::Opening, document::os::Path;
 
 #ifdef _WIN32
 
@@ -89,14 +91,14 @@ std::vector<std::string> arguments(int, char**) {  // which have lost what is no
     return texts;
 }
 
-Surroundings::Surroundings() : code_page_(GetConsoleOutputCP()) {
+document::os::Surroundings::Surroundings() : code_page_(GetConsoleOutputCP()) {
     for (std::FILE* stream : {stdin, stdout, stderr}) _setmode(_fileno(stream), _O_BINARY);
     SetConsoleOutputCP(CP_UTF8);
     DWORD mode = 0;
     const HANDLE errors = GetStdHandle(STD_ERROR_HANDLE);  // of the progress bar, which clears lines
     if (GetConsoleMode(errors, &mode)) SetConsoleMode(errors, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
-Surroundings::~Surroundings() {
+document::os::Surroundings::~Surroundings() {
     if (code_page_ != 0) SetConsoleOutputCP(code_page_);
 }
 
@@ -152,9 +154,9 @@ std::span<const int> ending_signals() {
 
 std::vector<std::string> arguments(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
 
-Surroundings::Surroundings() { std::signal(SIGXFSZ, SIG_IGN); }
-Surroundings::~Surroundings() = default;
+document::os::Surroundings::Surroundings() { std::signal(SIGXFSZ, SIG_IGN); }
+document::os::Surroundings::~Surroundings() = default;
 
 #endif
 
-}  // namespace fstiff::scene::os
+}  // namespace fstiff::document::os

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene::os {
+namespace fstiff::document::os {
 
 using Path = std::filesystem::path;
 
@@ -62,4 +62,4 @@ private:
     [[maybe_unused]] unsigned code_page_ = 0;  ///< of the terminal before, on Windows
 };
 
-}  // namespace fstiff::scene::os
+}  // namespace fstiff::document::os

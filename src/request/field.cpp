@@ -75,7 +75,7 @@ double Amount::value(io::Dimension dimension, std::string_view name) const {
 }
 
 double Amount::positive(io::Dimension dimension, std::string_view name) const {
-    const double si = si_.empty() ? scene::parse_positive(text_, dimension, name) : value(dimension, name);
+    const double si = si_.empty() ? document::parse_positive(text_, dimension, name) : value(dimension, name);
     detail::require_positive(name, si);
     return si;
 }
@@ -243,7 +243,7 @@ std::uint64_t count(const Value& value, std::string_view key, const Field& field
 
 std::size_t word(const Value& value, std::string_view key, const std::vector<std::string_view>& words) {
     const auto place = std::find(words.begin(), words.end(), value.kind == Kind::text ? value.written : "");
-    if (place == words.end()) refuse(value, key, "must be one of " + scene::list_of(words));
+    if (place == words.end()) refuse(value, key, "must be one of " + document::list_of(words));
     return static_cast<std::size_t>(place - words.begin());
 }
 

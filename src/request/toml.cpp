@@ -101,7 +101,7 @@ std::size_t breaking_line(std::string_view text) {
 std::string written(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* number = node.as_floating_point())
-        return std::isfinite(number->get()) ? scene::shortest(number->get())
+        return std::isfinite(number->get()) ? document::shortest(number->get())
                : std::isnan(number->get())  ? "nan"
                : number->get() < 0          ? "-inf"
                                             : "inf";
@@ -132,7 +132,7 @@ Value value_of(const toml::node& node) {
 }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
-    if (text.size() > scene::longest_scene)
+    if (text.size() > document::longest_scene)
         throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes or more; must be at most 1 MiB");
     const auto refuse = [&](std::size_t line, const std::string& reason) {
         return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason);

@@ -11,6 +11,9 @@
 #include <limits>
 
 namespace fstiff::scene {
+
+using detail::Derived;
+
 namespace {
 
 /// The quantity that the library derives from K; none for what a state has itself.
@@ -28,13 +31,13 @@ std::optional<Derived> derived_of(CurveQuantity quantity) {
 }
 
 /// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
-Estimate<double> estimate_of(const Column& column, const Problem& problem, const LawCurve& curve, std::size_t i,
-                             const ContactState<double>& s) {
+Estimate<double> estimate_of(const Column& column, const detail::Problem& problem, const detail::LawCurve& curve,
+                             std::size_t i, const ContactState<double>& s) {
     if (const auto which = derived_of(column.quantity))
         return derived(*which, problem, curve, i, s,
-                       column.statistic == Statistic::p05   ? BandEnd::low
-                       : column.statistic == Statistic::p95 ? BandEnd::high
-                                                            : BandEnd::value);
+                       column.statistic == Statistic::p05   ? detail::BandEnd::low
+                       : column.statistic == Statistic::p95 ? detail::BandEnd::high
+                                                            : detail::BandEnd::value);
     const double area = problem.nominal_area.value_or(0);
     using enum CurveQuantity;
     switch (column.quantity) {
@@ -46,7 +49,7 @@ Estimate<double> estimate_of(const Column& column, const Problem& problem, const
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
-        case thermal_conductance_gap: return {conductance_of_gap(problem.conduction, s.separation.value), 0};
+        case thermal_conductance_gap: return {detail::conductance_of_gap(problem.conduction, s.separation.value), 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
         default: return {};
@@ -152,7 +155,7 @@ const std::string& Column::key() const {
     return keys[static_cast<std::size_t>(quantity)][static_cast<std::size_t>(statistic)];
 }
 
-std::vector<Column> columns_of(const Scene& scene, const LawCurve& curve, bool bands) {
+std::vector<Column> columns_of(const Scene& scene, const detail::LawCurve& curve, bool bands) {
     std::vector<Column> columns;
     const auto add = [&](const CurveQuantityRow& row, Statistic statistic) {
         Column& column = columns.emplace_back(Column{row.quantity, statistic});

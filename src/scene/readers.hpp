@@ -33,7 +33,7 @@ struct Source : request::Source {
 /// Measures the file that --surface names, or reads what fstiff measure made of it.
 void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress);
 /// \p measured in place of [surface].
-void take_surface_in_place(Source& source, const MeasuredSurface& measured, Scene& scene);
+void take_surface_in_place(Source& source, const surface::MeasuredSurface& measured, Scene& scene);
 /// Reads [surface] into \p scene, or its two faces.
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
 /// The bodies of \p table, steel where there is none, and the waves that meet the contact.

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <variant>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 std::string of(std::size_t count, std::size_t all) {
@@ -23,9 +23,9 @@ std::string of(std::size_t count, std::size_t all) {
 std::size_t points_of(double from, double to, std::size_t points, double step, const std::string& name) {
     const auto range = detail::points_between(from, to, points, step);
     if (!range)
-        throw domain_error(name + ": from " + shown_length(from) + " to " + shown_length(to) +
+        throw domain_error(name + ": from " + document::shown_length(from) + " to " + document::shown_length(to) +
                            " must rise, and lie between 0 and the length of " +
-                           shown_length(static_cast<double>(points - 1) * step));
+                           document::shown_length(static_cast<double>(points - 1) * step));
     if (range->count == 0) throw domain_error(name + ": no point lies between its lengths; must hold some");
     return range->count;
 }
@@ -47,7 +47,7 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
     const std::vector<double> box = parse_lengths(options.crop, name);
     const std::size_t wanted = surface.is_profile() ? 2 : 4;
     if (box.size() != wanted)
-        throw option_error(
+        throw document::option_error(
             name + " = \"" + options.crop.text("m") + "\": must be " +
             (wanted == 2 ? "two lengths of a profile, \"x0,x1\"" : "four lengths of a map, \"x0,x1,y0,y1\""));
     const double dx = surface.is_profile() ? surface.profile().spacing : surface.map().dx;
@@ -59,7 +59,7 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
 
 /// Zeros and ones of a text, one row a line, or of a .npy.
 HeightMap<double>::Array read_mask(const std::string& file) {
-    const std::string bytes = read_all(file), name = display_name(file);
+    const std::string bytes = document::read_all(file), name = document::display_name(file);
     if (const io::detail::Reader& npy = io::detail::reader_of(io::SurfaceFormat::npy); npy.begins(bytes)) {
         io::SurfaceOptions how;
         how.dx = how.dy = how.spacing = 1;
@@ -98,7 +98,7 @@ PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& ext
     const auto columns = static_cast<Eigen::Index>(extent.columns), rows = static_cast<Eigen::Index>(extent.rows);
     const bool fits = profile ? marks.size() == columns && (marks.rows() == 1 || marks.cols() == 1)
                               : marks.rows() == rows && marks.cols() == columns;
-    const std::string name = display_name(options.mask);
+    const std::string name = document::display_name(options.mask);
     if (!fits)
         throw domain_error(name + ": the mask has " + std::to_string(marks.cols()) + " x " +
                            std::to_string(marks.rows()) + " numbers; must have those of the surface, " +
@@ -119,8 +119,8 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
                                          std::to_string(report.rows_read) + " points") +
                           " kept (" + options.crop.text("m") + ")");
     if (!options.mask.empty())
-        details.push_back("mask: " + of(report.masked, points) + " became missing (" + display_name(options.mask) +
-                          ")");
+        details.push_back("mask: " + of(report.masked, points) + " became missing (" +
+                          document::display_name(options.mask) + ")");
     if (options.spikes != 0)
         details.push_back("spikes: " + of(report.spikes, points) + " became missing, beyond " +
                           detail::shortest_text(options.spikes) +
@@ -176,4 +176,4 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     return hints;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

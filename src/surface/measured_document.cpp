@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 using Parsed = nlohmann::ordered_json;
@@ -43,7 +43,7 @@ LongEnd<double> long_end_of(const Parsed& document, const std::string& name) {
     const auto number = [&](const char* key, double most) {
         const double value = number_of(*end, key, name + ": long_end");
         if (!(value >= 0 && value <= most))
-            throw domain_error(name + ": long_end." + key + ": must be from 0 to " + rounded(most));
+            throw domain_error(name + ": long_end." + key + ": must be from 0 to " + document::rounded(most));
         return value;
     };
     return {number("side_m", 1e6),
@@ -153,8 +153,9 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     if (const auto neighbours = document.find("neighbours"); neighbours != document.end() && neighbours->is_array())
         for (std::size_t k = 0; k < neighbours->size(); ++k)
             found.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
-    about_file(name, [&] { detail::SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
+    document::about_file(
+        name, [&] { detail::SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
     return surface;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -9,21 +9,21 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 
 std::vector<std::string> without_folders(const std::vector<std::string>& names) {
     std::vector<std::string> files;
     for (const std::string& name : names) {
         std::error_code none;
-        if (!std::filesystem::is_directory(path_of(name), none)) {
+        if (!std::filesystem::is_directory(document::path_of(name), none)) {
             files.push_back(name);
             continue;
         }
         std::vector<std::string> inside;
         std::error_code unreadable;
-        for (const auto& entry : std::filesystem::directory_iterator(path_of(name), unreadable))
-            if (entry.is_regular_file(none) && !name_of_path(entry.path().filename()).starts_with('.'))
-                inside.push_back(name_of_path(entry.path()));
+        for (const auto& entry : std::filesystem::directory_iterator(document::path_of(name), unreadable))
+            if (entry.is_regular_file(none) && !document::name_of_path(entry.path().filename()).starts_with('.'))
+                inside.push_back(document::name_of_path(entry.path()));
         if (unreadable) throw file_error(name, "cannot be read: " + unreadable.message());
         if (inside.empty()) throw domain_error(name + ": is a folder without files; must hold files of one surface");
         std::sort(inside.begin(), inside.end());
@@ -37,7 +37,9 @@ namespace {
 /// \throws domain_error unless \p one can be pooled with \p first; messages call both a \p noun.
 void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, const SurfaceOptions& options,
                    const std::string& noun) {
-    const auto shown = [](const std::optional<double>& a) { return a ? shown_length(*a) : std::string("none"); };
+    const auto shown = [](const std::optional<double>& a) {
+        return a ? document::shown_length(*a) : std::string("none");
+    };
     const auto unlike = [&](const std::string& mine, const std::string& other, std::string_view option) {
         return domain_error(one.file + ": " + mine + first.file + " " + other + "; " + noun + "s of " +
                             std::string(option));
@@ -54,8 +56,8 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
             throw unlike("lambda_c " + shown(a.lambda_c) + ", that of ", shown(b.lambda_c),
                          "one surface must have one " + options.name("lambda_c"));
         case detail::Unlikeness::step:
-            throw unlike("has points " + shown_length(detail::step_of(one.found)) + " apart, and ",
-                         shown_length(detail::step_of(first.found)),
+            throw unlike("has points " + document::shown_length(detail::step_of(one.found)) + " apart, and ",
+                         document::shown_length(detail::step_of(first.found)),
                          "unlike steps must have one " + options.name("lambda_s"));
     }
 }
@@ -111,7 +113,7 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts, const std::string& no
     std::string hashes;
     for (const MeasuredSurface& part : whole.parts) hashes += part.sha256 + "\n";
     whole.file = names_of(whole.parts);
-    whole.sha256 = sha256(hashes);
+    whole.sha256 = document::sha256(hashes);
     whole.kind = whole.parts.front().kind;
     whole.decisions = {std::to_string(whole.parts.size()) + " " + noun + "s pooled, each by its " +
                            (whole.is_profile() ? "length" : "area") + ": " + names_of(whole.parts),
@@ -156,10 +158,10 @@ MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<s
     const std::vector<std::string> files = without_folders(names);
     const auto measure = [&](MeasureOptions of_file, std::size_t i) {
         of_file.input.file = files[i];
-        return measure_surface(of_file, read_all(files[i]), progress);
+        return measure_surface(of_file, document::read_all(files[i]), progress);
     };
     const bool again = std::count(files.begin(), files.end(), "-") == 0;  // standard input is read once
     return measure_parts(options, files.size(), measure, "file", again);
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
@@ -41,7 +41,7 @@ std::string crop_at_step(const Surface<double>& found) {
     (2 * form.place > to ? to : from) = form.place + (2 * form.place > to ? -edge : edge);
     std::string text;
     for (const auto& [low, high] : box)
-        text += (text.empty() ? "" : ",") + shown_length(low, 6) + "," + shown_length(high, 6);
+        text += (text.empty() ? "" : ",") + document::shown_length(low, 6) + "," + document::shown_length(high, 6);
     return text;
 }
 
@@ -53,13 +53,13 @@ std::string form_warning(const Surface<double>& found, const SurfaceOptions& opt
         return options.name(key) + (options.prefix.empty() ? " = \"" : " \"") + value + "\"";
     };
     if (form.is_parabola())
-        return shown_percent(form.parabola) + " of the mean square height is one " +
+        return document::shown_percent(form.parabola) + " of the mean square height is one " +
                (found.profile ? "parabola" : "quadratic surface") + "; " +
                option("detrend", found.profile ? "parabola" : "quadratic") + " removes it";
     if (!form.is_step()) return "";
     const bool straight = (form.along_x || form.along_y) && options.crop.empty();
-    return shown_percent(form.step) + " of the mean square height is one step" +
-           (straight ? " at " + shown_length(form.place, 3) + "; " + option("crop", crop_at_step(found))
+    return document::shown_percent(form.step) + " of the mean square height is one step" +
+           (straight ? " at " + document::shown_length(form.place, 3) + "; " + option("crop", crop_at_step(found))
                      : "; " + options.name("crop") + " or " + options.name("mask")) +
            " keeps one side of it";
 }
@@ -68,8 +68,8 @@ std::string form_warning(const Surface<double>& found, const SurfaceOptions& opt
 /// empty where there are none.
 std::string length_warning(double rms_height, double step) {
     if (!(rms_height > 1e-3 || step > 1e-2)) return "";
-    return "sigma is " + shown_length(rms_height, 3) + " and the points are " + shown_length(step, 3) +
-           " apart: a unit of its lengths is likely wrong";
+    return "sigma is " + document::shown_length(rms_height, 3) + " and the points are " +
+           document::shown_length(step, 3) + " apart: a unit of its lengths is likely wrong";
 }
 
 /// Decisions after the reading of the file, and doubts about \p found.
@@ -78,8 +78,8 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     const Surface<double>& found = surface.found;
     auto& said = surface.decisions;
     const bool profile = surface.is_profile();
-    said.push_back("rms height " + shown_length(prepared.rms_as_read) + " as read, " + shown_length(prepared.rms) +
-                   " without its form (" + form_name(prepared) + ")");
+    said.push_back("rms height " + document::shown_length(prepared.rms_as_read) + " as read, " +
+                   document::shown_length(prepared.rms) + " without its form (" + form_name(prepared) + ")");
     said.push_back(sentence_of(found.cut_offs));
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
@@ -89,12 +89,13 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
             "R and D_p from " + std::to_string(found.peaks_counted) +
             (options.input.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
     if (found.fractal_dimension)
-        said.push_back("D and G from lags of " + shown_length(found.window.from) + " to " +
-                       shown_length(found.window.to) + (options.input.window.empty() ? " (automatic)" : " (given)"));
-    said.push_back(
-        "errors by " + std::to_string(options.resamples) + " resamples of " +
-        (profile ? "blocks of " + shown_length(found.block_length) : std::to_string(found.blocks) + " tiles") +
-        ", seed " + std::to_string(options.seed));
+        said.push_back("D and G from lags of " + document::shown_length(found.window.from) + " to " +
+                       document::shown_length(found.window.to) +
+                       (options.input.window.empty() ? " (automatic)" : " (given)"));
+    said.push_back("errors by " + std::to_string(options.resamples) + " resamples of " +
+                   (profile ? "blocks of " + document::shown_length(found.block_length)
+                            : std::to_string(found.blocks) + " tiles") +
+                   ", seed " + std::to_string(options.seed));
 
     auto& warned = surface.warnings;
     if (!found.why_no_dimension.empty())
@@ -111,16 +112,16 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     if (lay)
         warned.push_back(
             profile
-                ? "the profile repeats itself every " + shown_length(found.repetition.period) + " (autocorrelation " +
-                      rounded(found.repetition.correlation, 2) +
+                ? "the profile repeats itself every " + document::shown_length(found.repetition.period) +
+                      " (autocorrelation " + document::rounded(found.repetition.correlation, 2) +
                       "): the face has a lay, and a profile cannot show the length of its ridges; K may be up to " +
-                      rounded(detail::lay_factor) + " times higher; measure a map"
-                : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
+                      document::rounded(detail::lay_factor) + " times higher; measure a map"
+                : "the face has a lay (Str " + document::rounded(found.texture_aspect_ratio, 2) +
                       "): laws over a distribution of peaks assume an isotropic surface; hybrid and boundary_elements "
                       "take the map as it is");
     if (has(found.concerns, MeasuredConcern::long_waves))
         warned.push_back(
-            shown_percent(found.long_wave_share) +
+            document::shown_percent(found.long_wave_share) +
             " of the mean square height is from waves longer than an eighth of the " + surface.kind +
             ": sigma is that of this length, and a longer one may have more; K is about proportional to 1/sigma");
     std::vector<std::string> of_peaks = peak_warnings(found.concerns, found.peaks_counted, found);
@@ -141,7 +142,7 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
         if (has(concerns, concern) && one &&
             detail::is_known(*one))  // what is not known to a factor of two is named below
             lines.push_back(std::string(detail::row_of(which).symbol) + " is known to " +
-                            shown_percent(one->error / one->value) + " only");
+                            document::shown_percent(one->error / one->value) + " only");
     };
     if (has(concerns, MeasuredConcern::few_peaks))
         lines.push_back("R and D_p come from " + std::to_string(peaks) + " peaks only; their errors are rough");
@@ -155,7 +156,7 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
         std::string names;
         for (const Parameter which : detail::unknown_parameters(values))
             names += (names.empty() ? "" : ", ") + std::string(detail::row_of(which).symbol) + " (" +
-                     shown_percent(values.find(which)->error / values.find(which)->value) + ")";
+                     document::shown_percent(values.find(which)->error / values.find(which)->value) + ")";
         lines.push_back(names +
                         ": not known to a factor of two; a result that depends on it, and its band, are doubtful");
     }
@@ -172,10 +173,10 @@ namespace {
 
 /// \throws option_error, domain_error for options that do not fit the kind of the surface.
 void refuse_options(const MeasureOptions& options, const Instrument& instrument, bool profile) {
-    const std::string file = display_name(options.input.file);
+    const std::string file = document::display_name(options.input.file);
     if (profile && options.input.peaks == PeakSource::summits)
-        throw option_error(options.input.name("peaks") + " = \"summits\" is for a map; " + file +
-                           " holds a profile, whose R and D_p come from its curvature and its peaks");
+        throw document::option_error(options.input.name("peaks") + " = \"summits\" is for a map; " + file +
+                                     " holds a profile, whose R and D_p come from its curvature and its peaks");
     if (!profile && instrument.tip_radius > 0)
         throw domain_error(file +
                            ": is a map, whose lags cannot be corrected for the tip; give the resolution instead");
@@ -205,7 +206,7 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
 /// Measures a surface that was read.
 MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInput& input) {
     MeasuredSurface surface;
-    surface.file = display_name(options.input.file);
+    surface.file = document::display_name(options.input.file);
     surface.sha256 = input.sha256;
     surface.how = std::make_shared<const MeasureOptions>(options);
     surface.kind = input.surface.is_profile() ? "profile" : "map";
@@ -229,8 +230,8 @@ MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes
     if (input.surface.is_profile()) return measure_surface(options, input, progress);
     const auto how = library_options(options, input, progress);
     const MeasuredSurface read = surface_as_read(options, input);
-    return with_sentences(read, about_file(options.input.file, [&] { return measure(input.take_map(), how); }),
-                          options);
+    return with_sentences(
+        read, document::about_file(options.input.file, [&] { return measure(input.take_map(), how); }), options);
 }
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
@@ -239,7 +240,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
     const MeasuredSurface read = surface_as_read(options, input);
     return with_sentences(
         read,
-        about_file(
+        document::about_file(
             options.input.file,
             [&] { return std::visit([&](const auto& heights) { return measure(heights, how); }, input.surface.data); }),
         options);
@@ -286,4 +287,4 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surf
     return lines;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

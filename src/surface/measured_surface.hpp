@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 
 /// How a file is read, and how its parameters are found.
 struct MeasureOptions {
@@ -95,4 +95,4 @@ struct ParameterLine {
 /// The same of \p found, which was measured as \p of was: \p of itself, or one of its neighbours.
 [[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surface<double>& found);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

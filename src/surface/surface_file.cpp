@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 /// The form called \p name; \p more follows the choices in the refusal.
@@ -20,14 +20,14 @@ template <detail::NamedEnum FormOf>
 FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
                const std::string& more = "") {
     if (const auto form = detail::find_named<FormOf>(name)) return *form;
-    throw option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " + std::string(what) +
-                       " must be one of " + detail::choices_text<FormOf>() + more);
+    throw document::option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " +
+                                 std::string(what) + " must be one of " + detail::choices_text<FormOf>() + more);
 }
 
 void refuse_cutoff(const SurfaceOptions& options) {
     if (!options.cutoff.empty())
-        throw option_error(options.name("cutoff") + " belongs to " + options.name("detrend") +
-                           " gaussian, of a profile; must not be given without it");
+        throw document::option_error(options.name("cutoff") + " belongs to " + options.name("detrend") +
+                                     " gaussian, of a profile; must not be given without it");
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ bool is_document(std::string_view bytes) {
 }
 
 void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
-    about_file(options.file, [&] {
+    document::about_file(options.file, [&] {
         clean(options, input.surface);
         for (std::string& hint : cleaning_hints(options, input.surface))
             input.surface.record.warnings.push_back(std::move(hint));
@@ -73,12 +73,12 @@ SurfaceInput input_of(const SurfaceOptions& options, std::optional<SurfaceInput>
 
 SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights, const std::string& origin) {
     SurfaceInput input;
-    std::visit([&](const auto& surface) { about_file(options.file, [&] { surface.validate(); }); }, heights);
+    std::visit([&](const auto& surface) { document::about_file(options.file, [&] { surface.validate(); }); }, heights);
     const double* const first =
         heights.index() == 0 ? std::get<0>(heights).heights.data() : std::get<1>(heights).heights.data();
     input.surface.data = std::move(heights);
-    input.sha256 = sha256({reinterpret_cast<const char*>(first), input.points() * sizeof(double)});
-    input.surface.record.name = display_name(options.file);
+    input.sha256 = document::sha256({reinterpret_cast<const char*>(first), input.points() * sizeof(double)});
+    input.surface.record.name = document::display_name(options.file);
     input.surface.record.format = io::SurfaceFormat::npy;
     input.surface.record.format_from = origin;
     clean_input(options, input);
@@ -86,12 +86,12 @@ SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap 
 }
 
 SurfaceInput read_surface_input(const SurfaceOptions& options) {
-    return read_surface_input(options, read_all(options.file));
+    return read_surface_input(options, document::read_all(options.file));
 }
 
 SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes) {
     if (is_document(bytes))
-        throw domain_error(display_name(options.file) +
+        throw domain_error(document::display_name(options.file) +
                            ": is JSON that fstiff printed; must be a profile or a map (run --surface and surface.from "
                            "read the JSON of fstiff measure)");
     io::SurfaceOptions how;
@@ -114,8 +114,8 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     how.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
     how.channel = options.channel;
     SurfaceInput input;
-    input.sha256 = sha256(bytes);
-    input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
+    input.sha256 = document::sha256(bytes);
+    input.surface = io::read_surface(std::move(bytes), document::display_name(options.file), how);
     clean_input(options, input);
     return input;
 }
@@ -132,10 +132,10 @@ Form form_of_profile(const SurfaceOptions& options) {
         return form;
     }
     const std::string name = options.name("cutoff"), form = options.name("detrend") + " gaussian ";
-    if (options.cutoff.empty()) throw option_error(form + "needs " + name + ", such as \"0.8 mm\"");
+    if (options.cutoff.empty()) throw document::option_error(form + "needs " + name + ", such as \"0.8 mm\"");
     if (!options.lambda_c.empty() && options.lambda_c != Amount("none"))
-        throw option_error(form + "has the cut-off " + name +
-                           " already; must not be given with another cut-off of long waves");
+        throw document::option_error(form + "has the cut-off " + name +
+                                     " already; must not be given with another cut-off of long waves");
     return Form::line;
 }
 
@@ -143,12 +143,12 @@ Form form_of_profile(const SurfaceOptions& options) {
 
 fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options, const SurfaceInput& input) {
     if (!input.surface.is_profile())
-        throw domain_error(display_name(options.file) + ": holds a map (" +
+        throw domain_error(document::display_name(options.file) + ": holds a map (" +
                            std::to_string(input.surface.map().columns()) + " x " +
                            std::to_string(input.surface.map().rows()) + " points); must be a profile");
     const Form form = form_of_profile(options);
     const Profile<double>& read = input.surface.profile();
-    return about_file(options.file, [&] {
+    return document::about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
         how.form = form;
         if (options.detrend == gaussian_form) how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
@@ -160,12 +160,12 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
 
 fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, const SurfaceInput& input) {
     if (input.surface.is_profile())
-        throw domain_error(display_name(options.file) + ": holds a profile (" +
+        throw domain_error(document::display_name(options.file) + ": holds a profile (" +
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
     const MapForm form = options.detrend.empty() ? MapForm::plane : form_of<MapForm>(options, options.detrend, "map");
     refuse_cutoff(options);
     const HeightMap<double>& map = input.surface.map();
-    return about_file(options.file, [&] {
+    return document::about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
         how.map_form = form;
         how.height_step = input.surface.record.resolution;
@@ -183,24 +183,25 @@ std::string form_name(const LevelledMap<double>& levelled) { return std::string(
 
 PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
     const auto how = options_for_profile(options, input);
-    return about_file(options.file, [&] { return prepare(input.surface.profile(), how); });
+    return document::about_file(options.file, [&] { return prepare(input.surface.profile(), how); });
 }
 
 PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input) {
     const auto how = options_for_map(options, input);
-    return about_file(options.file, [&] { return prepare(input.surface.map(), how); });
+    return document::about_file(options.file, [&] { return prepare(input.surface.map(), how); });
 }
 
 PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
     const auto how = options_for_map(options, input);
-    return about_file(options.file, [&] { return prepare(input.take_map(), how); });
+    return document::about_file(options.file, [&] { return prepare(input.take_map(), how); });
 }
 
 std::string gradient_warning(double rms_gradient, std::string_view origin) {
     if (detail::is_plausible_gradient(rms_gradient)) return "";
     const bool flat = rms_gradient < detail::min_plausible_gradient<double>;
-    return "the rms gradient" + (std::isfinite(rms_gradient) ? ", " + rounded(rms_gradient, 3) + "," : std::string()) +
-           " is " + (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is that " +
+    return "the rms gradient" +
+           (std::isfinite(rms_gradient) ? ", " + document::rounded(rms_gradient, 3) + "," : std::string()) + " is " +
+           (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is that " +
            (flat ? "flat" : "steep") + "; a unit of its lengths is likely wrong";
 }
 
@@ -215,4 +216,4 @@ std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string
     return all;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -45,7 +45,7 @@ constexpr SceneMaker::Number numbers[]{
     {"surface.rms_height", "m", put_parameter<Parameter::rms_height>, 0, infinity},
     {"surface.peak_radius", "m", put_parameter<Parameter::peak_radius>, 0, infinity},
     {"surface.peak_density", "1/m^2", put_parameter<Parameter::peak_density>, 0, infinity},
-    {"surface.fractal_dimension", "", put_parameter<Parameter::fractal_dimension>, 1, scene::greatest_dimension},
+    {"surface.fractal_dimension", "", put_parameter<Parameter::fractal_dimension>, 1, detail::greatest_dimension},
 };
 
 bool has(const toml::table& root, const char* key) { return static_cast<bool>(root.at_path(key)); }
@@ -94,8 +94,8 @@ private:
 /// Puts the table of each of \p contacts over \p range of pressures [Pa], or of separations [m] where the scene has
 /// these, in its place; a law that has no table stays. K and the separation of a table are within the error that it
 /// carries, which the results show as that of K.
-void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
-    for (scene::MadeContact& made : contacts) {
+void tabulate(std::vector<detail::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
+    for (detail::MadeContact& made : contacts) {
         try {
             std::array<double, 2> pressures = range;
             if (scene.at_separations) {
@@ -165,7 +165,7 @@ SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
     // boundary elements take seconds a point, and another law may not be computed so
     folds_ = point != setters_.end() && first->points.size() == 1 &&
-             std::all_of(first->laws.begin(), first->laws.end(), [](const scene::Law* law) { return law->varies; }) &&
+             std::all_of(first->laws.begin(), first->laws.end(), [](const detail::Law* law) { return law->varies; }) &&
              std::none_of(grid.axes.begin(), grid.axes.end(),
                           [](const Axis& axis) { return axis.key.starts_with("contact.laws"); });
     if (grid.tabulate) find_table_range(*first);

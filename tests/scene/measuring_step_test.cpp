@@ -31,7 +31,7 @@ struct Found {
 Found found_in(const std::string& file, const std::string& lambda_s) {
     const std::string text = "[surface]\nfrom = \"" + file + "\"\nlambda_s = \"" + lambda_s + "\"\n" + rest;
     const scene::Scene scene = scene::read_scene(text, {.name = "s.toml"});
-    const auto results = scene::compute(scene);
+    const auto results = actions::compute(scene);
     REQUIRE(results.curves.size() == 1);
     Found found{scene.face.parameters.peak_radius.value, {}};
     for (const auto& state : results.curves[0].states) found.stiffness.push_back(state.stiffness.value);

@@ -45,7 +45,7 @@ std::vector<double> spreads(const HeightMap<double>& map, const std::string& spe
             io::write_csv(out, thinned);
         }
         const auto results =
-            scene::compute(scene::read_scene(scene_of(file, "detrend = \"none\"\n", spectrum), {.name = "s.toml"}));
+            actions::compute(scene::read_scene(scene_of(file, "detrend = \"none\"\n", spectrum), {.name = "s.toml"}));
         REQUIRE(results.curves.size() == 1);
         REQUIRE(results.curves[0].states.size() == 3);
         for (std::size_t i = 0; i < 3; ++i) {

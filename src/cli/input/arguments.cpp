@@ -73,7 +73,7 @@ Usage no_command(const CLI::App& program, const std::string& word) {
 
 bool is_existing_file(const std::string& word) {
     std::error_code none;
-    return std::filesystem::exists(scene::path_of(word), none);
+    return std::filesystem::exists(document::path_of(word), none);
 }
 
 /// The sentence about what CLI11 refused.

@@ -45,7 +45,7 @@ public:
     template <class Owner>
     void fields(Owner& owner) {
         owner.each_field([&](std::string_view key, auto& to, const request::Field& field) {
-            option((field.positional ? "" : "--") + scene::with_dashes(key), to, field);
+            option((field.positional ? "" : "--") + surface::with_dashes(key), to, field);
         });
     }
     /// Where the value of an option goes. One function for each type, not for each option, keeps the program small.

@@ -64,7 +64,7 @@ private:
 
 ProgressHook progress_bar(bool with_rate) {
     const char* terminal = std::getenv("TERM");
-    if (!scene::os::is_terminal(stderr) || (terminal && std::string_view(terminal) == "dumb")) return {};
+    if (!document::os::is_terminal(stderr) || (terminal && std::string_view(terminal) == "dumb")) return {};
     return [bar = std::make_shared<Bar>(with_rate)](std::string_view what, std::size_t done, std::size_t all) {
         (*bar)(what, done, all);
     };

@@ -52,7 +52,7 @@ std::string style() {
 /// \p text between the tags of SVG.
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : scene::printable(text)) switch (c) {
+    for (const char c : document::printable(text)) switch (c) {
             case '<': result += "&lt;"; break;
             case '>': result += "&gt;"; break;
             case '&': result += "&amp;"; break;
@@ -101,7 +101,8 @@ double height_of(const std::vector<std::string>& lines) { return line_height * s
 
 /// Numbers in the units of the axes, for programs that read the picture.
 std::string data_range(const char* name, double low, double high, int digits) {
-    return std::string(" data-") + name + "=\"" + rounded(low, digits) + " " + rounded(high, digits) + "\"";
+    return std::string(" data-") + name + "=\"" + document::rounded(low, digits) + " " +
+           document::rounded(high, digits) + "\"";
 }
 
 std::string colour_of(const PlotLine& line) { return palette[static_cast<std::size_t>(line.colour)].name; }
@@ -211,11 +212,11 @@ struct Part {
 Part legend(const Panel& panel, double x, double y) {
     Part part{"", x, y};
     const auto add = [&](const std::string& sample, const std::string& name) {
-        const std::vector<std::string> text = wrapped(name, 44);
+        const std::vector<std::string> text = document::wrapped(name, 44);
         part.svg += sample + paragraph_at(x + 38, part.low + 4.5, text);
         part.low += row_height - line_height + height_of(text);
         for (const std::string& line : text)
-            part.right = std::max(part.right, x + 46 + 7.3 * static_cast<double>(shown_width(line)));
+            part.right = std::max(part.right, x + 46 + 7.3 * static_cast<double>(document::shown_width(line)));
     };
     for (const PlotLine& line : panel.lines) {
         if (line.label.empty()) continue;
@@ -256,7 +257,7 @@ std::string svg(const Figure& figure) {
         panels = {panels.svg + part.svg, std::max(panels.right, part.right), part.low};
     }
     const auto lines_of = [&](const std::string& text, double character) {
-        return wrapped(text, static_cast<std::size_t>((panels.right - left - 16) / character));
+        return document::wrapped(text, static_cast<std::size_t>((panels.right - left - 16) / character));
     };
     const auto title = lines_of(figure.title, 8.4), note = lines_of(figure.note, 6.3);
     std::vector<std::string> explanation;
