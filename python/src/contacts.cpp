@@ -160,7 +160,7 @@ Joint joint_of(const std::map<std::string, double>& numbers, const std::string& 
 OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
                       const std::string& interaction, const surface::MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
-    return actions::contact_of(law, joint_of(numbers, interaction, measured), until_interrupted());
+    return actions::make_contact(law, joint_of(numbers, interaction, measured), until_interrupted());
 }
 
 /// Arrays of the caller that are filled; none: new ones.

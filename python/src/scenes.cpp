@@ -47,7 +47,7 @@ nb::list columns_of(const actions::Results& results) {
     };
     std::vector<Column> all;
     for (const actions::Curve& curve : results.curves) {
-        const document::Rows rows = rows_of(results, curve);
+        const document::Rows rows = point_rows(results, curve);
         std::size_t place = 0;
         for (const document::Rows::Column& column : rows.columns()) {
             if (!column.heading.csv || column.heading.key.empty()) continue;
@@ -134,7 +134,7 @@ actions::OneContact contact(const Scene& scene, const std::string& law, std::siz
         if (place == names.size())
             throw domain_error("law = \"" + law + "\": must be one of the scene's: " + document::list_of(names));
     }
-    return actions::contact_of(std::move(of), place, peaks, until_interrupted());
+    return actions::make_contact(std::move(of), place, peaks, until_interrupted());
 }
 
 actions::MeasuredCurve curve(const In& pressures, const In& values, const std::optional<In>& errors,

@@ -32,7 +32,7 @@ request::Value value_of(const nb::handle& value) {
     } else if (nb::try_cast(value, text)) {
         given.kind = Kind::text, given.written = text;
     } else if (nb::try_cast(value, whole)) {
-        given.kind = Kind::whole, given.number = static_cast<double>(whole);
+        given.kind = Kind::integer, given.number = static_cast<double>(whole);
     } else if (nb::try_cast(value, given.number)) {
         given.kind = Kind::real;
     } else if (nb::isinstance<nb::sequence>(value)) {

@@ -73,9 +73,10 @@ double tangential_at(const LawColumns& columns, double pressure) {
 /// "at 1 MPa; 2 at 0.1 MPa and 3 at 10 MPa, the ends of the range".
 template <class Value>
 std::string where_it_holds(const LawInModel& law, const std::string& unit, Value value) {
-    const auto at = [&](double p) { return " at " + law.pressure(p) + " " + law.units.pressure; };
-    return "holds" + at(law.at) + "; it is " + document::rounded(value(law.table.from), 4) + at(law.table.from) +
-           " and " + document::rounded(value(law.table.to), 4) + at(law.table.to) + " [" + unit + "]";
+    const auto at_pressure = [&](double p) { return " at " + law.pressure(p) + " " + law.units.pressure; };
+    return "holds" + at_pressure(law.at) + "; it is " + document::rounded(value(law.table.from), 4) +
+           at_pressure(law.table.from) + " and " + document::rounded(value(law.table.to), 4) +
+           at_pressure(law.table.to) + " [" + unit + "]";
 }
 
 /// The overclosure as CalculiX sees it where it looks up a conductance: see calculix_heat().
@@ -140,14 +141,14 @@ struct NamedColumn {
 };
 
 std::vector<NamedColumn> columns_of(const LawInModel& law) {
-    const LawColumns& all = law.table.columns;
+    const LawColumns& law_columns = law.table.columns;
     const ModelUnits& units = law.units;
     std::vector<NamedColumn> columns{
-        {"overclosure", units.length, converted(all.overclosure, [&](double x) { return x * units.metre; })},
+        {"overclosure", units.length, converted(law_columns.overclosure, [&](double x) { return x * units.metre; })},
         {"pressure", units.pressure, pressures_of(law),
-         converted(all.slope, [&](double K) { return units.stiffness(K); })},
+         converted(law_columns.slope, [&](double K) { return units.stiffness(K); })},
         {"tangential_stiffness", units.of_stiffness(),
-         converted(all.tangential, [&](double K) { return units.stiffness(K); })},
+         converted(law_columns.tangential, [&](double K) { return units.stiffness(K); })},
         {"thermal_conductance", units.of_heat(), heat_of(law)},
         {"electrical_conductance", units.of_current(), current_of(law)}};
     std::erase_if(columns, [](const NamedColumn& column) { return column.values.empty(); });

@@ -145,16 +145,16 @@ std::string measure_next(const Scene& scene, const Results& results) {
     if (!results.answer) return "";
     const Curve& curve = results.answer->curve;
     const std::vector<std::size_t> points = points_of_answer(scene);
-    const auto at = curve.state_at(points[points.size() / 2]);
-    if (!at) return "";
-    const auto next = next_measurement(scene, request_of(scene), curve, *results.answer, *at);
+    const auto state = curve.state_at(points[points.size() / 2]);
+    if (!state) return "";
+    const auto next = next_measurement(scene, request_of(scene), curve, *results.answer, *state);
     if (!next) return "";
-    const double wide = curve.band[*at].high / curve.band[*at].low;
+    const double wide = curve.band[*state].high / curve.band[*state].low;
     const auto factor = [&](double value) {
         return document::rounded(value, document::rounded(wide, 2) == document::rounded(next->factor, 2) ? 3 : 2);
     };
     return "measure " + words_of(*next, scene) + ": the band at " +
-           document::with_unit(curve.states[*at].pressure.value, "Pa", 3) + " narrows from a factor of " +
+           document::with_unit(curve.states[*state].pressure.value, "Pa", 3) + " narrows from a factor of " +
            factor(wide) + " to " + factor(next->factor);
 }
 
@@ -180,14 +180,14 @@ std::string why_no_band(const Scene& scene, const Results& results) {
 Explanation explanation(const Scene& scene, const Results& results) {
     if (!results.answer) return {};
     const StiffnessAnswer& answer = *results.answer;
-    Explanation all{nature(scene, results), {}};
-    if (std::string source = source_of(scene, answer); !source.empty()) all.sentences.push_back(std::move(source));
-    all.shorter = {is_nearly_elastic(scene, answer) ? std::string("The contact is nearly elastic.")
-                   : answer.flows                   ? "The peaks yield: K is that of unloading."
-                   : !answer.relative_hardness      ? "Taken as elastic."
-                                                    : "K is that of an elastic contact; peaks may yield."};
-    if (has_lay(scene)) all.shorter = {"A profile across a lay does not determine K."};
-    return all;
+    Explanation text{nature(scene, results), {}};
+    if (std::string source = source_of(scene, answer); !source.empty()) text.sentences.push_back(std::move(source));
+    text.shorter = {is_nearly_elastic(scene, answer) ? std::string("The contact is nearly elastic.")
+                    : answer.flows                   ? "The peaks yield: K is that of unloading."
+                    : !answer.relative_hardness      ? "Taken as elastic."
+                                                     : "K is that of an elastic contact; peaks may yield."};
+    if (has_lay(scene)) text.shorter = {"A profile across a lay does not determine K."};
+    return text;
 }
 
 }  // namespace fstiff::actions

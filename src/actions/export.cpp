@@ -103,12 +103,12 @@ double pressure_of_friction(const detail::Problem& problem, const PressureTable&
     if (request.at.empty()) return std::sqrt(table.from * table.to);
     const std::string name = surface::option_name(request.prefix, "at");
     if (!problem.friction) throw domain_error(name + " is for a scene with [friction]; this scene has none");
-    const double at = request.at.positive(io::Dimension::pressure, name);
+    const double pressure = request.at.positive(io::Dimension::pressure, name);
     constexpr double rounding = 1e-9;
-    detail::require(at >= table.from * (1 - rounding) && at <= table.to * (1 + rounding), name, at,
+    detail::require(pressure >= table.from * (1 - rounding) && pressure <= table.to * (1 + rounding), name, pressure,
                     "from " + document::rounded(table.from) + " Pa to " + document::rounded(table.to) +
                         " Pa, the range of the table");
-    return at;
+    return pressure;
 }
 
 PressureTableOptions options_of(const ExportRequest& request) {

@@ -62,13 +62,13 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["fractal_dimension_sampling_error"] = fit.sampling_dimension_error;
     document["fractal_dimension_window_error"] = fit.window_dimension_error;
     Json beside = Json::array();
-    for (const auto& one : fit.neighbours)
-        beside.push_back({{"window_m", Json(std::vector<double>{one.window.from, one.window.to})},
-                          {"half", one.half},
-                          {"fractal_dimension", one.dimension},
-                          {"difference", one.difference},
-                          {"difference_error", one.difference_error},
-                          {"disagrees", one.disagrees}});
+    for (const auto& neighbour : fit.neighbours)
+        beside.push_back({{"window_m", Json(std::vector<double>{neighbour.window.from, neighbour.window.to})},
+                          {"half", neighbour.half},
+                          {"fractal_dimension", neighbour.dimension},
+                          {"difference", neighbour.difference},
+                          {"difference_error", neighbour.difference_error},
+                          {"disagrees", neighbour.disagrees}});
     document["windows_beside"] = std::move(beside);
     document["fractal_dimension_model_error"] = fit.model_dimension_error;
     document["fractal_dimension_bootstrap_error"] = fit.bootstrap_dimension_error;
@@ -92,14 +92,14 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["log_periodic_terms"] = fit.log_periodic;
     document["finite_band_terms"] = fit.finite_band;
     document["bootstrap_seed"] = fit.seed;
-    document["second_differences"] = actions::rows_of(fit, fit.second_differences).arrays();
-    document["fitted"] = actions::rows_of(fit, fit.fitted).arrays();
+    document["second_differences"] = lag_rows(fit, fit.second_differences).arrays();
+    document["fitted"] = lag_rows(fit, fit.fitted).arrays();
 }
 
-Document begun(const FractalOptions& options, const SurfaceInput& input, const std::string& of,
+Document begun(const FractalOptions& options, const SurfaceInput& input, const std::string& kind,
                const std::string& form) {
     Document document("fit");
-    document.title("fractal fit of " + of + document::shown_name(options.surface.file));
+    document.title("fractal fit of " + kind + document::shown_name(options.surface.file));
     add_source(document, options.surface, input, form);
     document.json["inputs"].update({{"window", options.surface.window.text("m")},
                                     {"tip_radius", options.surface.tip_radius.text("m")},
@@ -149,33 +149,33 @@ std::string note_of(const FractalFit<double>& fit) {
 }
 
 Strings warnings_of(const FractalOptions& options, const ProfileFractal& result) {
-    Strings all;
+    Strings sentences;
     for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
-        all.push_back(concern == MeasuredConcern::spectrum_differs
-                          ? "D from the power spectrum, " + document::rounded(result.spectrum->dimension, 4) +
-                                ", is another one: over its wavelengths the profile follows another law"
-                          : sentence(concern, result.fit, options.surface.prefix));
-    return all;
+        sentences.push_back(concern == MeasuredConcern::spectrum_differs
+                                ? "D from the power spectrum, " + document::rounded(result.spectrum->dimension, 4) +
+                                      ", is another one: over its wavelengths the profile follows another law"
+                                : sentence(concern, result.fit, options.surface.prefix));
+    return sentences;
 }
 
 Strings warnings_of(const FractalOptions& options, const DirectionalFit<double>& fit) {
-    Strings all;
+    Strings sentences;
     for (const auto* along : {&fit.x, &fit.y})
         if (*along)
             for (const MeasuredConcern concern : concerns_of(**along))
-                all.push_back((along == &fit.x ? "along x: " : "along y: ") +
-                              sentence(concern, **along, options.surface.prefix));
-    if (!fit.x) all.push_back("along x: no fit: " + fit.why_no_fit_x);
-    if (!fit.y) all.push_back("along y: no fit: " + fit.why_no_fit_y);
+                sentences.push_back((along == &fit.x ? "along x: " : "along y: ") +
+                                    sentence(concern, **along, options.surface.prefix));
+    if (!fit.x) sentences.push_back("along x: no fit: " + fit.why_no_fit_x);
+    if (!fit.y) sentences.push_back("along y: no fit: " + fit.why_no_fit_y);
     if (fit.anisotropic())
-        all.push_back("the map is anisotropic: " +
-                      (fit.x && fit.y
-                           ? "D along x less D along y is " + document::rounded(fit.dimension_difference, 3) + " +- " +
-                                 document::rounded(fit.dimension_difference_error, 2) + ", "
-                           : std::string()) +
-                      "ln S along x less ln S along y " + document::rounded(fit.log_level_difference, 3) + " +- " +
-                      document::rounded(fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
-    return all;
+        sentences.push_back(
+            "the map is anisotropic: " +
+            (fit.x && fit.y ? "D along x less D along y is " + document::rounded(fit.dimension_difference, 3) + " +- " +
+                                  document::rounded(fit.dimension_difference_error, 2) + ", "
+                            : std::string()) +
+            "ln S along x less ln S along y " + document::rounded(fit.log_level_difference, 3) + " +- " +
+            document::rounded(fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
+    return sentences;
 }
 
 /// Adds what the file has beyond D and G: D by other ways, moments and peaks.
@@ -246,7 +246,7 @@ Document of_profile(const FractalOptions& options, const SurfaceInput& input) {
     document.line("  " + errors_line(options, fit));
     add_others(document, result);
     document.line();
-    document.table(actions::rows_of(fit, result.structure), {.key = "structure_function", .thinned = "lags"});
+    document.table(lag_rows(fit, result.structure), {.key = "structure_function", .thinned = "lags"});
     document.notes = {note_of(fit)};
     document.warnings = warnings_of(options, result);
     add_reading(document, input, "their pairs are left out", levelled.rms_gradient);
@@ -269,20 +269,20 @@ Json add_direction(Document& document, const FractalOptions& options, const std:
     document.line(indent + "window " + window_line(*fit));
     document.line(indent + window_reason(*fit));
     document.notes.push_back("along " + name + ": " + note_of(*fit));
-    document.csv([fit = *fit, name] { return actions::rows_of(fit, fit.structure_function, name); });
+    document.csv([fit = *fit, name] { return lag_rows(fit, fit.structure_function, name); });
     Json values;
     put_fit(values, *fit);
-    values["structure_function"] = actions::rows_of(*fit, fit->structure_function).arrays();
+    values["structure_function"] = lag_rows(*fit, fit->structure_function).arrays();
     return values;
 }
 
 /// The fits along x and along y, one of them at least.
 DirectionalFit<double> directions_of(const FractalOptions& options, const PreparedMap<double>& levelled) {
-    FractalFitOptions<double> how = fit_options(options);
-    how.progress = options.progress;
-    how.lambda_s = levelled.cut_offs.lambda_s.value_or(0);
+    FractalFitOptions<double> fitting = fit_options(options);
+    fitting.progress = options.progress;
+    fitting.lambda_s = levelled.cut_offs.lambda_s.value_or(0);
     return document::about_file(options.surface.file, [&] {
-        DirectionalFit<double> fit = detail::fit_directions<double>(levelled, how);
+        DirectionalFit<double> fit = detail::fit_directions<double>(levelled, fitting);
         if (!fit.x && !fit.y)
             throw domain_error("no direction of the map allows a fit; along x: " + fit.why_no_fit_x +
                                "; along y: " + fit.why_no_fit_y);
@@ -333,25 +333,25 @@ Document of_map(const FractalOptions& options, SurfaceInput& input) {
 }  // namespace
 
 FractalFitOptions<double> fit_options(const FractalOptions& options) {
-    FractalFitOptions<double> how;
+    FractalFitOptions<double> fitting;
     const surface::SurfaceOptions& surface = options.surface;
-    if (!surface.window.empty()) how.window = surface::parse_window(surface.window, surface.name("window"));
-    how.convention = options.convention;
-    how.seed = options.seed;
-    how.resamples = options.resamples;
+    if (!surface.window.empty()) fitting.window = surface::parse_window(surface.window, surface.name("window"));
+    fitting.convention = options.convention;
+    fitting.seed = options.seed;
+    fitting.resamples = options.resamples;
     const surface::Instrument instrument = instrument_of(surface);
-    how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
-    return how;
+    fitting.tip_radius = instrument.tip_radius, fitting.resolution = instrument.resolution;
+    return fitting;
 }
 
 ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input) {
-    FractalFitOptions<double> how = fit_options(options);
-    how.progress = options.progress;
+    FractalFitOptions<double> fitting = fit_options(options);
+    fitting.progress = options.progress;
     ProfileFractal result;
     result.levelled = level_profile(options.surface, input);
     const Profile<double>& profile = result.levelled.profile;
-    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
-    result.fit = document::about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
+    fitting.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
+    result.fit = document::about_file(options.surface.file, [&] { return fit_fractal(result.levelled, fitting); });
     result.no_spectrum = detail::fit_or_reason(result.spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
         std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
@@ -369,8 +369,8 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
     return result;
 }
 
-document::Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
-                       const std::string& direction) {
+document::Rows lag_rows(const FractalFit<double>& fit, const StructureFunction<double>& s,
+                        const std::string& direction) {
     const auto used = [&](double lag) { return lag >= fit.window.from && lag <= fit.window.to; };
     document::Rows rows;
     if (!direction.empty()) rows.repeat({.key = "direction", .json = false}, direction, s.size());

@@ -58,8 +58,8 @@ struct ProfileFractal {
 [[nodiscard]] ProfileFractal fractal_of_profile(const FractalOptions& options, const surface::SurfaceInput& input);
 
 /// The structure function \p s; \p direction of a map, else empty.
-[[nodiscard]] document::Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
-                                     const std::string& direction = "");
+[[nodiscard]] document::Rows lag_rows(const FractalFit<double>& fit, const StructureFunction<double>& s,
+                                      const std::string& direction = "");
 
 /// The document of fstiff measure --show fit for \p input, or for the file that \p options name. \throws as above.
 [[nodiscard]] document::Document document_of(const FractalOptions& options,

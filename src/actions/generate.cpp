@@ -74,22 +74,22 @@ Generated weierstrass_mandelbrot(const GenerateRequest& request, const WaveRange
 }
 
 Generated self_affine(const GenerateRequest& request, const WaveRange& waves) {
-    SelfAffineOptions<double> how;
-    how.hurst = *request.hurst;
-    how.rms = surface::parse_length(request.rms, surface::option_name(request.prefix, "rms"));
-    how.longest_wavelength = waves.longest;
-    how.shortest_wavelength = waves.shortest;
-    how.long_waves = request.long_waves;
-    how.seed = request.seed;
-    Generated made{.surface = {},
-                   .parameters = {{"H", document::shortest(how.hurst)},
-                                  {"rms", in_metres(how.rms)},
-                                  {"beyond the longest wave", std::string(name_of(how.long_waves))}}};
+    SelfAffineOptions<double> wanted_waves;
+    wanted_waves.hurst = *request.hurst;
+    wanted_waves.rms = surface::parse_length(request.rms, surface::option_name(request.prefix, "rms"));
+    wanted_waves.longest_wavelength = waves.longest;
+    wanted_waves.shortest_wavelength = waves.shortest;
+    wanted_waves.long_waves = request.long_waves;
+    wanted_waves.seed = request.seed;
+    Generated generated{.surface = {},
+                        .parameters = {{"H", document::shortest(wanted_waves.hurst)},
+                                       {"rms", in_metres(wanted_waves.rms)},
+                                       {"beyond the longest wave", std::string(name_of(wanted_waves.long_waves))}}};
     if (request.kind == GeneratedKind::map)
-        made.surface = self_affine_map(how, request.points, request.rows, waves.spacing, waves.spacing);
+        generated.surface = self_affine_map(wanted_waves, request.points, request.rows, waves.spacing, waves.spacing);
     else
-        made.surface = self_affine_profile(how, request.points, waves.spacing);
-    return made;
+        generated.surface = self_affine_profile(wanted_waves, request.points, waves.spacing);
+    return generated;
 }
 
 document::Json arrays_of(const io::ProfileOrMap& surface) {
@@ -113,20 +113,20 @@ std::string Generated::origin() const {
 
 Generated generate(const GenerateRequest& given) {
     const GenerateRequest request = with_points(given);
-    const auto length = [&](const request::Amount& of, const char* key, double otherwise) {
-        return of.empty() ? otherwise : surface::parse_length(of, surface::option_name(request.prefix, key));
+    const auto length = [&](const request::Amount& amount, const char* key, double otherwise) {
+        return amount.empty() ? otherwise : surface::parse_length(amount, surface::option_name(request.prefix, key));
     };
     const double spacing = length(request.spacing, "spacing", 0);
     const double side = static_cast<double>(std::max(request.points, request.rows)) * spacing;
     const WaveRange waves{spacing, length(request.longest, "longest", side),
                           length(request.shortest, "shortest", 2 * spacing)};
-    Generated made =
+    Generated generated =
         request.kind == GeneratedKind::wm ? weierstrass_mandelbrot(request, waves) : self_affine(request, waves);
-    made.parameters.insert(made.parameters.begin(), {"kind", std::string(name_of(request.kind))});
-    made.parameters.insert(made.parameters.end(), {{"longest wave", in_metres(waves.longest)},
-                                                   {"shortest wave", in_metres(waves.shortest)},
-                                                   {"seed", std::to_string(request.seed)}});
-    return made;
+    generated.parameters.insert(generated.parameters.begin(), {"kind", std::string(name_of(request.kind))});
+    generated.parameters.insert(generated.parameters.end(), {{"longest wave", in_metres(waves.longest)},
+                                                             {"shortest wave", in_metres(waves.shortest)},
+                                                             {"seed", std::to_string(request.seed)}});
+    return generated;
 }
 
 std::string file_of(const Generated& generated, GeneratedForm form) {

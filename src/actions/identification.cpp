@@ -145,13 +145,14 @@ Identification<double> found_by(const Problem& problem, const Fit& fit, const de
     });
 }
 
-/// \p one with K times \p factor, and the reflection of that.
-Observation<double> scaled(Observation<double> one, double factor, const std::optional<Wave<double>>& wave) try {
-    if (!wave) return {one.pressure, factor * one.value, factor * one.error};
-    const double K = stiffness_from_reflection(one.value, wave->media, wave->angular_frequency);
-    return {one.pressure, reflection(factor * K, wave->media, wave->angular_frequency), one.error};
+/// \p observation with K times \p factor, and the reflection of that.
+Observation<double> scaled(Observation<double> observation, double factor,
+                           const std::optional<Wave<double>>& wave) try {
+    if (!wave) return {observation.pressure, factor * observation.value, factor * observation.error};
+    const double K = stiffness_from_reflection(observation.value, wave->media, wave->angular_frequency);
+    return {observation.pressure, reflection(factor * K, wave->media, wave->angular_frequency), observation.error};
 } catch (const domain_error&) {  // noise: no K reflects so
-    return one;
+    return observation;
 }
 
 /// Puts into \p fit the intervals that are widened by squares by what the fits find where K of the law is at either end
@@ -368,14 +369,14 @@ Fits identify(const scene::Scene& scene, const MeasuredCurve& curve, const FitRe
         throw domain_error(scene.file +
                            ": contact.interaction: must be \"none\" to identify parameters: the fitted K is that of "
                            "the interface alone");
-    Fits all;
-    all.wave = wave_of(scene, curve, request);
-    all.warnings = scene.warnings;
+    Fits fits;
+    fits.wave = wave_of(scene, curve, request);
+    fits.warnings = scene.warnings;
     require_known(scene, request);
-    all.fits = fits_of(scene, curve, request, all.warnings);
+    fits.fits = fits_of(scene, curve, request, fits.warnings);
     IdentifyOptions<double> options;
-    options.wave = all.wave;
-    for (Fit& fit : all.fits) {
+    options.wave = fits.wave;
+    for (Fit& fit : fits.fits) {
         const auto data = observations(curve, fit.points);
         const detail::FitInputs inputs{data, request.wanted, fit.start, options};
         detail::located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
@@ -384,24 +385,24 @@ Fits identify(const scene::Scene& scene, const MeasuredCurve& curve, const FitRe
         });
     }
     for (const Parameter unknown : unknown_parameters(scene, scene.best))  // held at an assumed value
-        if (!has(request.wanted, unknown)) all.doubtful = true;
-    if (scene.implausible) all.doubtful = true;
+        if (!has(request.wanted, unknown)) fits.doubtful = true;
+    if (scene.implausible) fits.doubtful = true;
     std::size_t sound = 0;
-    for (const Fit& fit : all.fits) {
+    for (const Fit& fit : fits.fits) {
         bool doubted = false;
         for (const auto& finding : concerns_of(fit.found)) {
-            all.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
-            if (detail::is_fatal(finding.concern)) all.doubtful = true;
+            fits.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
+            if (detail::is_fatal(finding.concern)) fits.doubtful = true;
             doubted = doubted || detail::is_doubtful(finding.concern);
         }
         if (const std::string flow = flow_of(scene, fit, request.wanted); !flow.empty()) {
-            all.warnings.push_back(title(fit) + ": " + flow);
+            fits.warnings.push_back(title(fit) + ": " + flow);
             doubted = true;
         }
         sound += !doubted;
     }
-    if (sound == 0) all.doubtful = true;  // where one law describes the data, that another does not is an answer
-    return all;
+    if (sound == 0) fits.doubtful = true;  // where one law describes the data, that another does not is an answer
+    return fits;
 }
 
 }  // namespace fstiff::actions

@@ -31,25 +31,25 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
 
 Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
     const detail::ParameterRow& row = detail::row_of(p.parameter);
-    Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
+    Json entry{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
     if (fit.found.status == math::FitStatus::singular)
-        one["null_share"] = p.null_share;
+        entry["null_share"] = p.null_share;
     else
-        one["value"] = p.value;
-    if (p.at_bound) one["at_bound"] = true;
+        entry["value"] = p.value;
+    if (p.at_bound) entry["at_bound"] = true;
     if (fit.found.covariance.size() > 0) {
         const auto interval = [](double low, double high) -> Json {
             return {{"level", 0.95}, {"low", Cell::finite(low).json()}, {"high", Cell::finite(high).json()}};
         };
-        one["standard_error"] = Cell::finite(p.standard_error).json();
-        one["interval"] = interval(p.low, p.high);
-        one["interval_with_law"] = interval(p.low_with_law, p.high_with_law);
+        entry["standard_error"] = Cell::finite(p.standard_error).json();
+        entry["interval"] = interval(p.low, p.high);
+        entry["interval_with_law"] = interval(p.low_with_law, p.high_with_law);
     }
-    return one;
+    return entry;
 }
 
 /// Measured and fitted values at the points of \p fit.
-Rows rows_of(const MeasuredCurve& curve, const Fit& fit) {
+Rows point_rows(const MeasuredCurve& curve, const Fit& fit) {
     std::vector<double> values;
     for (const MeasuredPoint& point : curve.points) values.push_back(point.value);
     const document::ShownUnit unit = document::shown_unit(values, "Pa/m");
@@ -91,24 +91,24 @@ Json curve_json(const detail::Problem& problem, const Identified& identified, co
 }
 
 Json fit_json(const detail::Problem& problem, const Identified& identified, const Fit& fit) {
-    const auto& found = fit.found;
+    const auto& identification = fit.found;
     Json entry{{"law", fit.law->name}};
     if (fit.theta) entry["theta"] = *fit.theta, entry["r"] = *fit.r;
-    entry["status"] = name_of(found.status);
-    entry["chi_squared"] = found.chi_squared;
-    entry["degrees_of_freedom"] = found.degrees_of_freedom;
-    entry["errors_known"] = found.errors_known;
-    entry["evaluations"] = found.evaluations;
+    entry["status"] = name_of(identification.status);
+    entry["chi_squared"] = identification.chi_squared;
+    entry["degrees_of_freedom"] = identification.degrees_of_freedom;
+    entry["errors_known"] = identification.errors_known;
+    entry["evaluations"] = identification.evaluations;
     Json& concerns = entry["concerns"] = Json::array();
-    for (const auto& finding : concerns_of(found)) concerns.push_back(name_of(finding.concern));
+    for (const auto& finding : concerns_of(identification)) concerns.push_back(name_of(finding.concern));
     Json& parameters = entry["parameters"] = Json::array();
-    for (const auto& p : found.parameters) parameters.push_back(parameter_json(fit, p));
-    if (found.covariance.size() > 0) {
-        entry["covariance"] = matrix_json(found.covariance);
-        entry["correlation"] = matrix_json(found.correlation);
+    for (const auto& p : identification.parameters) parameters.push_back(parameter_json(fit, p));
+    if (identification.covariance.size() > 0) {
+        entry["covariance"] = matrix_json(identification.covariance);
+        entry["correlation"] = matrix_json(identification.correlation);
     }
-    if (found.status == math::FitStatus::singular) return entry;
-    rows_of(identified.curve, fit).append_to(entry["rows"] = Json::array());
+    if (identification.status == math::FitStatus::singular) return entry;
+    point_rows(identified.curve, fit).append_to(entry["rows"] = Json::array());
     entry["curve"] = curve_json(problem, identified, fit);
     return entry;
 }
@@ -146,23 +146,24 @@ void introduce(document::Document& document, const scene::Scene& scene, const Id
 /// A row for each parameter of \p fit: in SI for the CSV, in the units of headings for people.
 Rows parameter_rows(const Identified& identified, const Fit& fit) {
     using P = IdentifiedParameter<double>;
-    const auto& found = fit.found;
-    const std::vector<P>& all = found.parameters;
-    const bool has_errors = found.covariance.size() > 0, singular = found.status == math::FitStatus::singular;
+    const auto& identification = fit.found;
+    const std::vector<P>& estimates = identification.parameters;
+    const bool has_errors = identification.covariance.size() > 0,
+               singular = identification.status == math::FitStatus::singular;
     const auto row = [](const P& p) -> const detail::ParameterRow& { return detail::row_of(p.parameter); };
     Rows rows;
-    rows.repeat({"law"}, fit.law->name, all.size());
-    rows.repeat({"theta"}, fit.theta, all.size());
-    rows.repeat({"r"}, fit.r, all.size());
-    rows.repeat({"status"}, name_of(found.status), all.size());
-    rows.repeat({"chi_squared"}, found.chi_squared, all.size());
-    rows.repeat({"degrees_of_freedom"}, found.degrees_of_freedom, all.size());
-    rows.add({"parameter"}, all, [&](const P& p) { return row(p).short_name; });
-    rows.add({"unit"}, all, [&](const P& p) { return row(p).unit; });
-    rows.add({"", "parameter"}, all, [&](const P& p) { return row(p).heading(); });
+    rows.repeat({"law"}, fit.law->name, estimates.size());
+    rows.repeat({"theta"}, fit.theta, estimates.size());
+    rows.repeat({"r"}, fit.r, estimates.size());
+    rows.repeat({"status"}, name_of(identification.status), estimates.size());
+    rows.repeat({"chi_squared"}, identification.chi_squared, estimates.size());
+    rows.repeat({"degrees_of_freedom"}, identification.degrees_of_freedom, estimates.size());
+    rows.add({"parameter"}, estimates, [&](const P& p) { return row(p).short_name; });
+    rows.add({"unit"}, estimates, [&](const P& p) { return row(p).unit; });
+    rows.add({"", "parameter"}, estimates, [&](const P& p) { return row(p).heading(); });
     const auto add = [&](const char* key, const char* shown, int digits, bool known, const auto& value) {
-        rows.add({key}, all, [&](const P& p) { return known ? Cell::finite(value(p)) : Cell(); });
-        rows.add({"", shown, 1, digits}, all,
+        rows.add({key}, estimates, [&](const P& p) { return known ? Cell::finite(value(p)) : Cell(); });
+        rows.add({"", shown, 1, digits}, estimates,
                  [&](const P& p) { return known ? Cell::finite(value(p) * row(p).shown_factor) : Cell(); });
     };
     add("start", "start", 5, true, [&](const P& p) { return fit.start[p.parameter]; });
@@ -173,9 +174,12 @@ Rows parameter_rows(const Identified& identified, const Fit& fit) {
     add("low_with_law", "with the law's error", 2, has_errors, [](const P& p) { return p.low_with_law; });
     add("high_with_law", "to", 2, has_errors, [](const P& p) { return p.high_with_law; });
     for (std::size_t k = 0; k < identified.wanted.size(); ++k)
-        rows.add({"correlation_" + std::string(detail::row_of(identified.wanted[k]).short_name)}, all, [&](const P& p) {
-            return has_errors ? Cell(found.correlation(&p - all.data(), static_cast<Eigen::Index>(k))) : Cell();
-        });
+        rows.add({"correlation_" + std::string(detail::row_of(identified.wanted[k]).short_name)}, estimates,
+                 [&](const P& p) {
+                     return has_errors
+                                ? Cell(identification.correlation(&p - estimates.data(), static_cast<Eigen::Index>(k)))
+                                : Cell();
+                 });
     return rows;
 }
 
@@ -189,23 +193,24 @@ Rows correlation_rows(const std::vector<Parameter>& wanted, const Eigen::MatrixX
 }
 
 void add_fit(document::Document& document, const Identified& identified, const Fit& fit) {
-    const auto& found = fit.found;
+    const auto& identification = fit.found;
     document.line("\n" + title(fit) + ": " +
-                  (found.status == math::FitStatus::not_converged ? "not converged"
-                   : found.status == math::FitStatus::at_bound    ? "a parameter at the end of its range"
-                                                                  : std::string(name_of(found.status))));
+                  (identification.status == math::FitStatus::not_converged ? "not converged"
+                   : identification.status == math::FitStatus::at_bound    ? "a parameter at the end of its range"
+                                                                        : std::string(name_of(identification.status))));
     document.table(parameter_rows(identified, fit));
-    if (found.status == math::FitStatus::singular) return;
-    if (found.covariance.size() > 0 && identified.wanted.size() > 1)
-        document.line("\n" + correlation_rows(identified.wanted, found.correlation).text());
+    if (identification.status == math::FitStatus::singular) return;
+    if (identification.covariance.size() > 0 && identified.wanted.size() > 1)
+        document.line("\n" + correlation_rows(identified.wanted, identification.correlation).text());
     else
         document.line();
-    document.line("  degrees of freedom " + std::to_string(found.degrees_of_freedom) +
-                  (found.errors_known && found.degrees_of_freedom > 0
-                       ? ", chi²/dof " + document::rounded(found.chi_squared / found.degrees_of_freedom, 3)
-                       : "") +
-                  "\n");
-    document.text([rows = rows_of(identified.curve, fit)] { return rows.text(); });
+    document.line(
+        "  degrees of freedom " + std::to_string(identification.degrees_of_freedom) +
+        (identification.errors_known && identification.degrees_of_freedom > 0
+             ? ", chi²/dof " + document::rounded(identification.chi_squared / identification.degrees_of_freedom, 3)
+             : "") +
+        "\n");
+    document.text([rows = point_rows(identified.curve, fit)] { return rows.text(); });
 }
 
 }  // namespace
@@ -215,26 +220,27 @@ std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
     const std::string option = surface::option_name(request.prefix, "fit");
     for (const std::string& written : request.fit) {
         const std::string name(io::detail::trimmed(written));
-        const auto found =
+        const auto entry =
             std::find_if(detail::parameter_table.begin(), detail::parameter_table.end(),
                          [&](const detail::ParameterRow& row) { return name == row.short_name || name == row.key; });
-        if (found == detail::parameter_table.end())
+        if (entry == detail::parameter_table.end())
             throw document::option_error(option + ": \"" + name + "\" is not a parameter; must be one of " +
                                          document::list_of(parameter_short_names));
-        if (std::count(wanted.begin(), wanted.end(), found->parameter) > 0)
+        if (std::count(wanted.begin(), wanted.end(), entry->parameter) > 0)
             throw document::option_error(option + ": \"" + name + "\" is listed twice");
-        wanted.push_back(found->parameter);
+        wanted.push_back(entry->parameter);
     }
     return wanted;
 }
 
 Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& request,
                           std::optional<MeasuredCurve> curve) {
-    Identified all;
-    all.wanted = parameters_of(request);
-    all.curve = curve ? *std::move(curve) : read_measured_curve(request.measured);
-    all.found = identify(scene, all.curve, {all.wanted, request.law, request.wave == WaveKind::shear, request.prefix});
-    return all;
+    Identified identified;
+    identified.wanted = parameters_of(request);
+    identified.curve = curve ? *std::move(curve) : read_measured_curve(request.measured);
+    identified.found = identify(scene, identified.curve,
+                                {identified.wanted, request.law, request.wave == WaveKind::shear, request.prefix});
+    return identified;
 }
 
 document::Document document_of(const scene::Scene& scene, const Identified& identified) {

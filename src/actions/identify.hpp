@@ -36,9 +36,9 @@ namespace fstiff::actions {
 
 /// How parameters are called in requests and documents.
 inline constexpr auto parameter_short_names = [] {
-    std::array<std::string_view, detail::parameter_table.size()> all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = detail::parameter_table[i].short_name;
-    return all;
+    std::array<std::string_view, detail::parameter_table.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = detail::parameter_table[i].short_name;
+    return names;
 }();
 
 struct IdentifyRequest {

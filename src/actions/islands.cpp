@@ -13,19 +13,19 @@ namespace fstiff::actions {
 namespace {
 
 RepresentativeIslands<double> islands_of(const IslandsRequest& options, const HeightMap<double>& map) {
-    IslandOptions<double> how;
-    how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
-    how.border = options.border;
-    how.min_points = options.min_points;
-    how.height = options.height;
-    how.quantiles = options.levels;
+    IslandOptions<double> counting;
+    counting.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
+    counting.border = options.border;
+    counting.min_points = options.min_points;
+    counting.height = options.height;
+    counting.quantiles = options.levels;
     IslandSpread spread = options.spread;
-    how.progress = spread.progress = options.progress;
-    return document::about_file(options.surface.file, [&] { return representative_islands(map, how, spread); });
+    counting.progress = spread.progress = options.progress;
+    return document::about_file(options.surface.file, [&] { return representative_islands(map, counting, spread); });
 }
 
 /// The curve, a level a row.
-document::Rows rows_of(const RepresentativeIslands<double>& islands) {
+document::Rows level_rows(const RepresentativeIslands<double>& islands) {
     const IslandCurve<double>& c = islands.curve;
     document::Rows rows;
     rows.add({"level_m", "level [µm]", 1e6}, c.level);
@@ -38,7 +38,7 @@ document::Rows rows_of(const RepresentativeIslands<double>& islands) {
     std::vector<int> chosen(c.size(), 0);
     chosen[islands.index] = 1;
     rows.add({.key = "representative", .json = false}, chosen);
-    rows.add({"", "greatest"}, chosen, [](int one) { return one ? "*" : ""; });
+    rows.add({"", "greatest"}, chosen, [](int concern) { return concern ? "*" : ""; });
     return rows;
 }
 
@@ -100,15 +100,16 @@ document::Document document_of(const IslandsRequest& options, std::optional<surf
                                  std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) +
                                  " levels\n");
     add_pair(document, options, r);
-    document.table(rows_of(r), {.key = "curve",
-                                .thinned = "levels, and the greatest density",
-                                .shown = [index = r.index](std::size_t i) { return i == index; }});
+    document.table(level_rows(r), {.key = "curve",
+                                   .thinned = "levels, and the greatest density",
+                                   .shown = [index = r.index](std::size_t i) { return i == index; }});
     SurfaceParameters<double> pair;
     pair.peak_radius = {r.radius, r.radius_error};
     pair.peak_density = {r.density, r.density_error};
     const std::vector<MeasuredConcern> concerns = concerns_of(r);
     document.warnings = surface::peak_warnings(concerns, r.islands, pair);
-    document.doubtful = std::any_of(concerns.begin(), concerns.end(), [](auto one) { return detail::is_fatal(one); });
+    document.doubtful =
+        std::any_of(concerns.begin(), concerns.end(), [](auto concern) { return detail::is_fatal(concern); });
     add_reading(document, input, "they are part of no island and of no area", levelled.areal.rms_gradient);
     return document;
 }

@@ -14,7 +14,7 @@ using document::Document, document::Json, surface::MeasuredSurface, surface::Par
 
 namespace {
 
-Json json_of(const RoughnessTable& table) {
+Json roughness_json(const RoughnessTable& table) {
     Json object = {{"standard", table.standard}};
     put_cut_offs(object, table.cut_offs);
     Json reasons = Json::object();
@@ -58,11 +58,11 @@ Json json_inputs(const surface::SurfaceOptions& options, const std::string& form
     return inputs;
 }
 
-/// Parameters of \p of, or of one of its neighbours.
-void put_found(Json& document, const MeasuredSurface& of, const Surface<double>& found) {
-    put_cut_offs(document, found.cut_offs);
+/// Parameters of \p surface, or of one of its neighbours.
+void put_parameters(Json& document, const MeasuredSurface& surface, const Surface<double>& parameters) {
+    put_cut_offs(document, parameters.cut_offs);
     Json& values = document["surface"] = Json::object();
-    for (const ParameterLine& line : parameter_lines(of, found)) {
+    for (const ParameterLine& line : parameter_lines(surface, parameters)) {
         Json& entry = values[line.name] = Json::object();
         if (!line.unit.empty()) entry["quantity"] = document::shortest(line.measured.value) + " " + line.unit;
         entry["value"] = line.measured.value;
@@ -70,41 +70,41 @@ void put_found(Json& document, const MeasuredSurface& of, const Surface<double>&
         if (!line.unit.empty()) entry["unit"] = line.unit;
         entry["how"] = line.how;
     }
-    if (!found.why_no_density.empty()) document["no_peak_density"] = found.why_no_density;
-    if (found.fractal_dimension) document["fractal_dimension_window_error"] = found.dimension_window_error;
-    if (std::isfinite(found.widest_band)) document["widest_band"] = found.widest_band;
-    if (const auto& end = found.long_end; end.side > 0)
+    if (!parameters.why_no_density.empty()) document["no_peak_density"] = parameters.why_no_density;
+    if (parameters.fractal_dimension) document["fractal_dimension_window_error"] = parameters.dimension_window_error;
+    if (std::isfinite(parameters.widest_band)) document["widest_band"] = parameters.widest_band;
+    if (const auto& end = parameters.long_end; end.side > 0)
         document["long_end"] = {{"side_m", end.side},     {"hurst", end.hurst}, {"open", end.open},
                                 {"log_error", end.error}, {"law", end.law},     {"form_share", end.form_share}};
-    if (!found.heights) return;
-    const SpectralMoments<double>& moments = found.heights->moments;
+    if (!parameters.heights) return;
+    const SpectralMoments<double>& moments = parameters.heights->moments;
     document["moments"] = {
         {"m0_m2", moments.m0}, {"m2", moments.m2}, {"m4_per_m2", moments.m4}, {"alpha", moments.bandwidth()}};
-    document["shape_share"] = found.shape_share;
+    document["shape_share"] = parameters.shape_share;
 }
 
 Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
     for (const MeasuredSurface& part : surface.parts) {
-        Json one = measured_document(part);
-        document["files"].push_back({{"source", one["source"]},
-                                     {"surface", one["surface"]},
-                                     {"moments", one["moments"]},
-                                     {"roughness", json_of(roughness_of(part))},
-                                     {"concerns", one["concerns"]},
-                                     {"warnings", one["warnings"]}});
+        Json entry = measured_document(part);
+        document["files"].push_back({{"source", entry["source"]},
+                                     {"surface", entry["surface"]},
+                                     {"moments", entry["moments"]},
+                                     {"roughness", roughness_json(roughness_of(part))},
+                                     {"concerns", entry["concerns"]},
+                                     {"warnings", entry["warnings"]}});
     }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
     for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
         if (row.group == surface::OptionGroup::estimate)
             document["inputs"][row.json_name()] = json_of_option(row, options.input);
     document["inputs"].update({{"resamples", options.resamples}, {"seed", options.seed}});
-    document["roughness"] = json_of(roughness_of(surface));
+    document["roughness"] = roughness_json(roughness_of(surface));
     return document;
 }
 
 /// A parameter a row; \p file is the first column of the CSV, or empty.
-document::Rows rows_of(const MeasuredSurface& surface, const std::string& file) {
+document::Rows parameter_rows(const MeasuredSurface& surface, const std::string& file) {
     const std::vector<ParameterLine> lines = parameter_lines(surface);
     const auto unit = [](const ParameterLine& line) { return document::shown_unit(line.measured.value, line.unit); };
     document::Rows rows;
@@ -156,7 +156,7 @@ using SharedSurface = std::shared_ptr<const MeasuredSurface>;
 void add_surface(Document& document, const SharedSurface& surface, const std::string& file, const std::string& line) {
     for (const std::string& decision : surface->decisions) document.line("  " + decision);
     document.text([line] { return line; });
-    document.table(rows_of(*surface, file));
+    document.table(parameter_rows(*surface, file));
     document.text([surface] { return text_of(roughness_of(*surface)); });
 }
 
@@ -200,35 +200,35 @@ void add_reading(Document& document, const surface::SurfaceInput& input, std::st
 }
 
 Json measured_document(const MeasuredSurface& surface) {
-    const Surface<double>& found = surface.found;
+    const Surface<double>& parameters = surface.found;
     Json document = document::json_document("measure");
     document["source"] = {{"file", surface.file},
                           {"sha256", surface.sha256},
                           {"kind", surface.kind},
                           {"decisions", surface.decisions},
                           {"warnings", surface.of_file}};
-    put_found(document, surface, found);
-    for (const Surface<double>& neighbour : found.neighbours) {
-        Json of;
-        put_found(of, surface, neighbour);
-        Json one = {{"lambda_s_m", of["lambda_s_m"]}, {"lambda_c_m", of["lambda_c_m"]},
-                    {"surface", of["surface"]},       {"widest_band", of["widest_band"]},
-                    {"moments", of["moments"]},       {"shape_share", neighbour.shape_share}};
-        if (!neighbour.why_no_density.empty()) one["no_peak_density"] = neighbour.why_no_density;
-        document["neighbours"].push_back(std::move(one));
+    put_parameters(document, surface, parameters);
+    for (const Surface<double>& neighbour : parameters.neighbours) {
+        Json values;
+        put_parameters(values, surface, neighbour);
+        Json entry = {{"lambda_s_m", values["lambda_s_m"]}, {"lambda_c_m", values["lambda_c_m"]},
+                      {"surface", values["surface"]},       {"widest_band", values["widest_band"]},
+                      {"moments", values["moments"]},       {"shape_share", neighbour.shape_share}};
+        if (!neighbour.why_no_density.empty()) entry["no_peak_density"] = neighbour.why_no_density;
+        document["neighbours"].push_back(std::move(entry));
     }
-    if (!found.why_no_dimension.empty()) document["no_fractal_dimension"] = found.why_no_dimension;
-    if (!found.why_no_peaks.empty()) document["no_r_and_theta"] = found.why_no_peaks;
+    if (!parameters.why_no_dimension.empty()) document["no_fractal_dimension"] = parameters.why_no_dimension;
+    if (!parameters.why_no_peaks.empty()) document["no_r_and_theta"] = parameters.why_no_peaks;
     Json names = Json::array(), rows = Json::array();
     for (std::size_t i = 0; i < detail::surface_parameter_count; ++i) {
         names.push_back(detail::parameter_table[i].key);
         Json row = Json::array();
-        for (const double one : found.correlation[i]) row.push_back(one);
+        for (const double entry : parameters.correlation[i]) row.push_back(entry);
         rows.push_back(std::move(row));
     }
     document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};
     Json& concerns = document["concerns"] = Json::array();
-    for (const MeasuredConcern concern : found.concerns) concerns.push_back(name_of(concern));
+    for (const MeasuredConcern concern : parameters.concerns) concerns.push_back(name_of(concern));
     document["warnings"] = surface.warnings;
     return document;
 }
@@ -236,13 +236,14 @@ Json measured_document(const MeasuredSurface& surface) {
 RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c) {
     if (surface.parts.empty())
         return document::about_file(surface.file, [&] {
-            const Surface<double>& found = surface.found;
-            return found.profile ? roughness_table(*found.profile, lambda_c) : roughness_table(*found.map);
+            const Surface<double>& parameters = surface.found;
+            return parameters.profile ? roughness_table(*parameters.profile, lambda_c)
+                                      : roughness_table(*parameters.map);
         });
-    const auto tables = [&](const CutOff<double>& of) {
-        std::vector<RoughnessTable> all;
-        for (const MeasuredSurface& part : surface.parts) all.push_back(roughness_of(part, of));
-        return all;
+    const auto tables = [&](const CutOff<double>& cut_off) {
+        std::vector<RoughnessTable> parts;
+        for (const MeasuredSurface& part : surface.parts) parts.push_back(roughness_of(part, cut_off));
+        return parts;
     };
     const std::vector<RoughnessTable> by_table = tables(lambda_c);
     const CutOff<double> shared = detail::shared_cut_off(lambda_c, by_table, &CutOffs<double>::lambda_c);

@@ -55,7 +55,7 @@ struct Meaning {
     std::vector<std::string_view> names;
 };
 const std::vector<Meaning>& meanings() {
-    static const std::vector<Meaning> all{
+    static const std::vector<Meaning> meanings{
         {column::pressure, io::Dimension::pressure, {"pressure", "p"}},
         {column::stiffness, io::Dimension::stiffness_per_area, {"stiffness", "k", "k/a0"}},
         {column::reflection, {}, {"reflection", "r", "|r|", "r12", "|r12|"}},
@@ -65,7 +65,7 @@ const std::vector<Meaning>& meanings() {
         {column::error,
          io::Dimension::stiffness_per_area,
          {"error", "standard error", "standard_error", "uncertainty"}}};
-    return all;
+    return meanings;
 }
 
 struct ReadColumn {
@@ -132,42 +132,42 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
 }
 
 void check_header(const Header& header, const std::string& where) {
-    const auto& of = header.columns;
-    if (!of[column::pressure])
+    const auto& columns = header.columns;
+    if (!columns[column::pressure])
         throw domain_error(where + "there is no column pressure; " + std::string(must_name_columns));
-    if (of[column::stiffness] && of[column::reflection])
+    if (columns[column::stiffness] && columns[column::reflection])
         throw domain_error(where + "there are both a stiffness and a reflection column; must be one of the two");
-    if (!of[column::stiffness] && !of[column::reflection])
+    if (!columns[column::stiffness] && !columns[column::reflection])
         throw domain_error(where + "there is no column stiffness or reflection; " + std::string(must_name_columns));
-    if (of[column::stiffness] && of[column::error] && header.error_is_share)
+    if (columns[column::stiffness] && columns[column::error] && header.error_is_share)
         throw domain_error(where + "the error column has no unit; must be one of " +
                            io::accepted_units(io::Dimension::stiffness_per_area));
 }
 
 MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_comma, const std::string& where) {
     const auto number = [&](const ReadColumn& column, std::string_view name, bool zero_allowed) {
-        const std::string at = where + std::string(name);
-        if (column.index >= cells.size()) throw domain_error(at + ": is missing; must be a number");
-        const auto found = text::number_in(cells[column.index], decimal_comma);
-        if (!found && decimal_comma && text::number_in(cells[column.index], false))
+        const std::string key = where + std::string(name);
+        if (column.index >= cells.size()) throw domain_error(key + ": is missing; must be a number");
+        const auto parsed = text::number_in(cells[column.index], decimal_comma);
+        if (!parsed && decimal_comma && text::number_in(cells[column.index], false))
             throw domain_error(
-                at + " = " + text::shown_cell(cells[column.index]) +
+                key + " = " + text::shown_cell(cells[column.index]) +
                 ": must be a number with a decimal comma, as others of the file have, without separators "
                 "of thousands");
-        const double x = found ? *found * column.factor : -1;
-        if (!found || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
-            throw domain_error(at + " = " + text::shown_cell(cells[column.index]) +
+        const double x = parsed ? *parsed * column.factor : -1;
+        if (!parsed || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
+            throw domain_error(key + " = " + text::shown_cell(cells[column.index]) +
                                (x > 1 ? ": is beyond the range of double precision in SI; must be a finite number "
                                       : ": must be a finite number ") +
                                (zero_allowed ? "that is not negative" : "greater than 0"));
         return x;
     };
-    const auto& of = header.columns;
-    MeasuredPoint point{number(*of[column::pressure], "pressure", false),
-                        of[column::reflection] ? number(*of[column::reflection], "reflection", false)
-                                               : number(*of[column::stiffness], "stiffness", false),
+    const auto& columns = header.columns;
+    MeasuredPoint point{number(*columns[column::pressure], "pressure", false),
+                        columns[column::reflection] ? number(*columns[column::reflection], "reflection", false)
+                                                    : number(*columns[column::stiffness], "stiffness", false),
                         0, 0, 0};
-    if (of[column::error]) point.error = number(*of[column::error], "error", true);
+    if (columns[column::error]) point.error = number(*columns[column::error], "error", true);
     return point;
 }
 

@@ -28,11 +28,11 @@ struct OneContact {
 /// and Gaussian heights where R and D_p are given and their shape is not.
 /// \p progress is called while the law is prepared, where that takes long.
 /// \throws domain_error naming the member of the joint or the law.
-[[nodiscard]] OneContact contact_of(const std::string& law, Joint joint, const ProgressHook& progress = {});
-/// The contact of entry \p law of the laws of \p of on entry \p peaks of its distributions of peaks, both from 0.
+[[nodiscard]] OneContact make_contact(const std::string& law, Joint joint, const ProgressHook& progress = {});
+/// The contact of entry \p law of the laws of \p scene on entry \p peaks of its distributions of peaks, both from 0.
 /// \throws no_such_entry, domain_error as the law.
-[[nodiscard]] OneContact contact_of(const scene::Scene& of, std::size_t law, std::size_t peaks,
-                                    const ProgressHook& progress = {});
+[[nodiscard]] OneContact make_contact(const scene::Scene& scene, std::size_t law, std::size_t peaks,
+                                      const ProgressHook& progress = {});
 
 /// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of the face
 /// and of the upper body of \p joint that is known, by its name. By differences of six points: within 1e-7 K of x dK/dx

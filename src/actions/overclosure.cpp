@@ -23,9 +23,9 @@ bool has_separation(const detail::Law& law) { return detail::has(law.quantities,
 
 const detail::Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     const std::string& name = options.law;
-    const std::vector<const detail::Law*> all = name.empty() ? scene.laws : offered_laws(scene);
+    const std::vector<const detail::Law*> laws = name.empty() ? scene.laws : offered_laws(scene);
     std::vector<std::string_view> names;
-    for (const detail::Law* law : all) {
+    for (const detail::Law* law : laws) {
         if (has_separation(*law) && (name.empty() || name == law->name)) return *law;
         if (has_separation(*law)) names.push_back(law->name);
     }
@@ -169,9 +169,9 @@ Line LawColumns::line(const std::vector<double>& x, const std::vector<double>& y
 }
 
 std::string law_text(const Scene& scene, const PressureTableOptions& options) {
-    const Scene one = fine_scene(scene, options);
-    const double from = one.points.front(), to = one.points.back();
-    return contact_of(one, 0, 0, options.progress)
+    const Scene fine = fine_scene(scene, options);
+    const double from = fine.points.front(), to = fine.points.back();
+    return make_contact(fine, 0, 0, options.progress)
         .contact->tabulate({.min_pressure = from, .max_pressure = to, .outside = OutsideRange::extrapolate})
         .to_text();
 }

@@ -68,18 +68,18 @@ PeakDensity of_numbers(const PeakDensityRequest& request) {
 }
 
 /// The profile that the density is of.
-void add_profile(document::Document& document, const PeakDensityRequest& request, const PeakDensity& found) {
-    const PreparedProfile<double>& levelled = *found.levelled;
+void add_profile(document::Document& document, const PeakDensityRequest& request, const PeakDensity& peaks) {
+    const PreparedProfile<double>& levelled = *peaks.levelled;
     const std::string form = surface::form_name(levelled);
-    add_source(document, request.surface, *found.input, form);
-    document.json.update({{"points", found.input->points()},
-                          {"missing_points", found.input->missing()},
+    add_source(document, request.surface, *peaks.input, form);
+    document.json.update({{"points", peaks.input->points()},
+                          {"missing_points", peaks.input->missing()},
                           {"spacing_m", levelled.profile.spacing},
                           {"detrend", form}});
     document.line("form removed", form + "; Rq " + document::shown_length(levelled.rms_as_read) + " before, " +
                                       document::shown_length(levelled.rms) + " after" +
                                       (levelled.cut_offs.any() ? "; " + surface::sentence_of(levelled.cut_offs) : ""));
-    add_reading(document, *found.input, "their neighbours are no peaks", levelled.rms_gradient);
+    add_reading(document, *peaks.input, "their neighbours are no peaks", levelled.rms_gradient);
 }
 
 /// r, theta, the moments, and what was counted.
@@ -124,28 +124,28 @@ PeakDensity peak_density_of(const PeakDensityRequest& request, std::optional<sur
                                      " and " + name("exponential") + ", " + name("rho1") + " and " + name("rho2") +
                                      ", " + std::string(request.profile));
     if (measured && !input) input = read_surface_input(request.surface);
-    PeakDensity found = measured ? of_profile(request.surface, std::move(*input)) : of_numbers(request);
-    found.heights = std::move(heights);
-    return found;
+    PeakDensity peaks = measured ? of_profile(request.surface, std::move(*input)) : of_numbers(request);
+    peaks.heights = std::move(heights);
+    return peaks;
 }
 
 document::Document document_of(const PeakDensityRequest& request, std::optional<surface::SurfaceInput> input) {
-    const PeakDensity found = peak_density_of(request, std::move(input));
+    const PeakDensity peaks = peak_density_of(request, std::move(input));
     document::Document document("peaks", 18);
-    document.json["from"] = found.from;
+    document.json["from"] = peaks.from;
     document.json["equations"] = {{"density", "(4.4)"}, {"peak_ratio", "(4.3)"}};
-    document.title("peak density (4.4) from " + found.from +
-                   (found.input ? " " + document::shown_name(request.surface.file) : ""));
-    if (found.input) add_profile(document, request, found);
-    add_moments(document, found.density, found.statistics);
-    if (found.heights.empty()) return document;
+    document.title("peak density (4.4) from " + peaks.from +
+                   (peaks.input ? " " + document::shown_name(request.surface.file) : ""));
+    if (peaks.input) add_profile(document, request, peaks);
+    add_moments(document, peaks.density, peaks.statistics);
+    if (peaks.heights.empty()) return document;
     document.line();
     document::Rows rows;
-    rows.repeat({.key = "r", .json = false}, found.density.r(), found.heights.size());
-    rows.repeat({.key = "theta", .json = false}, found.density.theta(), found.heights.size());
-    rows.add({"height", "height"}, found.heights);
-    rows.add({"density", "density", 1, 6}, found.heights,
-             [&](double height) { return found.density.height_marginal(height); });
+    rows.repeat({.key = "r", .json = false}, peaks.density.r(), peaks.heights.size());
+    rows.repeat({.key = "theta", .json = false}, peaks.density.theta(), peaks.heights.size());
+    rows.add({"height", "height"}, peaks.heights);
+    rows.add({"density", "density", 1, 6}, peaks.heights,
+             [&](double height) { return peaks.density.height_marginal(height); });
     document.table(std::move(rows), {.key = "heights"});
     return document;
 }

@@ -56,7 +56,7 @@ document::Heading heading_of(const scene::Column& column, const Units& units) {
     return {};
 }
 
-document::Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
+document::Rows point_rows(const Results& results, const Curve& curve, const Units& units) {
     document::Rows rows;
     const std::size_t size = curve.states.size();
     std::vector<std::string_view> laws;
@@ -169,7 +169,7 @@ Json run_document(const Scene& scene, const Results& results) {
     for (const detail::Law* law : scene.laws)
         laws[law->name] = {{"load", law->load}, {"stiffness", law->stiffness}, {"peaks", law->peaks}};
     Json& rows = document["rows"] = Json::array();
-    for (const Curve& curve : results.curves) rows_of(results, curve).append_to(rows);
+    for (const Curve& curve : results.curves) point_rows(results, curve).append_to(rows);
     return document;
 }
 
@@ -177,7 +177,7 @@ Units summary_units(const Scene& scene, const Results& results) {
     std::vector<double> values;
     const auto add = [&](const Curve& curve) {
         for (const std::size_t place : points_of_answer(scene))
-            if (const auto at = curve.state_at(place)) values.push_back(curve.states[*at].stiffness.value);
+            if (const auto state = curve.state_at(place)) values.push_back(curve.states[*state].stiffness.value);
     };
     if (results.answer) add(results.answer->curve);
     for (const Curve& curve : results.curves)
@@ -194,21 +194,21 @@ document::TextRows answer_table(const Scene& scene, const Results& results, std:
     std::vector<double> joint;
     const double area = scene.nominal_area.value_or(0);
     for (const std::size_t place : places)
-        if (const auto at = curve.state_at(place)) joint.push_back(area * curve.states[*at].stiffness.value);
+        if (const auto state = curve.state_at(place)) joint.push_back(area * curve.states[*state].stiffness.value);
     const document::ShownUnit unit = summary_units(scene, results).stiffness,
                               joint_unit = document::shown_unit(joint, "N/m"),
                               height = document::unit_of_length(scene.face.parameters.rms_height.value);
     const auto at_state = [&](const auto& value) {
         return [&curve, value](std::size_t place) {
-            const auto at = curve.state_at(place);
-            return at ? Cell(value(*at)) : Cell();
+            const auto state = curve.state_at(place);
+            return state ? Cell(value(*state)) : Cell();
         };
     };
     document::Rows rows;
     rows.add({"", scene.forces.empty() ? "pressure" : "force, pressure"}, places, [&](std::size_t place) {
-        const auto at = curve.state_at(place);
-        return at && scene.forces.empty() ? document::with_unit(curve.states[*at].pressure.value, "Pa", 3)
-                                          : shown_point(scene, place);
+        const auto state = curve.state_at(place);
+        return state && scene.forces.empty() ? document::with_unit(curve.states[*state].pressure.value, "Pa", 3)
+                                             : shown_point(scene, place);
     });
     rows.add({"", unit.heading("K/A0"), unit.factor, 3}, places,
              at_state([&](std::size_t i) { return curve.states[i].stiffness.value; }));

@@ -40,29 +40,29 @@ std::vector<LawCurve> moved(detail::Curves& from) {
 std::vector<Curve> with_columns(const Scene& scene, std::vector<LawCurve> curves) {
     const bool bands =
         std::any_of(curves.begin(), curves.end(), [](const LawCurve& curve) { return !curve.band.empty(); });
-    std::vector<Curve> all;
+    std::vector<Curve> computed;
     for (LawCurve& curve : curves) {
-        all.push_back({std::move(curve)});
-        all.back().columns = columns_of(scene, all.back(), bands);
+        computed.push_back({std::move(curve)});
+        computed.back().columns = columns_of(scene, computed.back(), bands);
     }
-    return all;
+    return computed;
 }
 
-/// The answer that \p found has next to the laws that are named, or a warning.
-void take_answer(const Scene& scene, detail::Curves& found, Results& results) {
+/// The answer that \p curves has next to the laws that are named, or a warning.
+void take_answer(const Scene& scene, detail::Curves& curves, Results& results) {
     const auto refuse = [&](const std::string& why) {
         results.warnings.push_back("the answer has no K: " + why);
         results.doubtful = true;
     };
-    if (!found.answer) return refuse(found.no_answer);
+    if (!curves.answer) return refuse(curves.no_answer);
     try {
-        require_states(scene, {*found.answer});
+        require_states(scene, {*curves.answer});
     } catch (const domain_error& error) {
         return refuse(error.what());
     }
     StiffnessAnswer& answer = results.answer.emplace();
-    static_cast<detail::AnswerFacts&>(answer) = std::move(found.facts);
-    static_cast<LawCurve&>(answer.curve) = std::move(*found.answer);
+    static_cast<detail::AnswerFacts&>(answer) = std::move(curves.facts);
+    static_cast<LawCurve&>(answer.curve) = std::move(*curves.answer);
     answer.curve.columns = columns_of(scene, answer.curve, true);
 }
 
@@ -93,11 +93,11 @@ std::string title(const Curve& curve) {
 
 std::optional<double> Curve::value_at(std::size_t place, scene::CurveQuantity quantity,
                                       scene::Statistic statistic) const {
-    const auto at = state_at(place);
+    const auto state = state_at(place);
     for (const scene::Column& column : columns)
-        if (at && column.quantity == quantity && column.statistic == statistic && !column.values.empty() &&
-            !std::isnan(column.values[*at]))
-            return column.values[*at];
+        if (state && column.quantity == quantity && column.statistic == statistic && !column.values.empty() &&
+            !std::isnan(column.values[*state]))
+            return column.values[*state];
     return std::nullopt;
 }
 
@@ -141,8 +141,8 @@ bool has_band(const Results& results) {
 std::vector<Curve> curves_of(const Scene& scene, const std::vector<detail::MadeContact>& contacts) {
     detail::Request request = request_of(scene);
     request.answers = request.checked = false;
-    detail::Curves found = curves_of(scene, request, {}, &contacts);
-    std::vector<LawCurve> curves = moved(found);
+    detail::Curves computed = curves_of(scene, request, {}, &contacts);
+    std::vector<LawCurve> curves = moved(computed);
     require_states(scene, curves);
     return with_columns(scene, std::move(curves));
 }
@@ -163,24 +163,24 @@ Results compute(const Scene& scene, const ProgressHook& progress, const Parallel
     request.parallel = parallel;
     // warnings and the explanation need the contacts and the area, whichever columns are shown
     request.quantities = request.quantities | Quantity::contact_density | Quantity::real_area_fraction;
-    detail::Curves found = curves_of(scene, request, progress);
-    const bool best = found.named.empty();
-    std::vector<LawCurve> curves = moved(found);
+    detail::Curves computed = curves_of(scene, request, progress);
+    const bool best = computed.named.empty();
+    std::vector<LawCurve> curves = moved(computed);
     for (const LawCurve& curve : curves)
         if (!curve.not_seated.empty())
             results.warnings.push_back("law " + std::string(curve.law->name) + " has no approach: " + curve.not_seated);
     require_states(scene, curves);
-    if (found.failed > 0)
+    if (computed.failed > 0)
         results.warnings.push_back(
-            "up to " + std::to_string(found.failed) + " of " + std::to_string(scene.samples) +
+            "up to " + std::to_string(computed.failed) + " of " + std::to_string(scene.samples) +
             " sampled surfaces are outside the range of the model at some point: the band there is from the others");
     results.curves = with_columns(scene, std::move(curves));
     if (best) {
         StiffnessAnswer& answer = results.answer.emplace();
-        static_cast<detail::AnswerFacts&>(answer) = std::move(found.facts);
+        static_cast<detail::AnswerFacts&>(answer) = std::move(computed.facts);
         answer.curve = results.curves.front();
     } else {
-        take_answer(scene, found, results);
+        take_answer(scene, computed, results);
     }
     add_warnings(scene, results);
     Explanation sentences = explanation(scene, results);

@@ -13,17 +13,17 @@ namespace {
 
 /// Appended to the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
 void add_material_ratio(RoughnessTable& table, const std::string& letter, std::span<const double> heights) {
-    std::optional<detail::MaterialRatio<double>> found;
+    std::optional<detail::MaterialRatio<double>> ratio;
     std::string refusal;
     try {
-        found = detail::material_ratio(heights);
+        ratio = detail::material_ratio(heights);
     } catch (const domain_error& error) {
         refusal = error.what();
     }
-    const auto add = [&](const char* symbol, const char* unit, double detail::MaterialRatio<double>::*of,
+    const auto add = [&](const char* symbol, const char* unit, double detail::MaterialRatio<double>::*field,
                          const char* meaning) {
         table.lines.push_back(
-            {letter + symbol, unit, found ? std::optional((*found).*of) : std::nullopt, found ? meaning : refusal});
+            {letter + symbol, unit, ratio ? std::optional((*ratio).*field) : std::nullopt, ratio ? meaning : refusal});
     };
     add("k", "m", &detail::MaterialRatio<double>::core_height, "core of the material ratio curve");
     add("pk", "m", &detail::MaterialRatio<double>::reduced_peak_height, "peaks above the core, as a triangle");
@@ -37,49 +37,50 @@ void add_material_ratio(RoughnessTable& table, const std::string& letter, std::s
 RoughnessTable roughness_table(const PreparedProfile<double>& levelled, const CutOff<double>& lambda_c) {
     const PreparedProfile<double> filtered = with_drawing_cut_off(levelled, lambda_c);
     const Profile<double>& profile = filtered.profile;
-    const auto found = roughness_parameters(profile, filtered.cut_offs.lambda_c);
+    const auto parameters = roughness_parameters(profile, filtered.cut_offs.lambda_c);
     const auto length = detail::autocorrelation_length(autocorrelation(profile));
     RoughnessTable table{.standard = "ISO 21920-2:2021",
                          .lines = {},
                          .sections = {},
-                         .section_length = found.section_length,
+                         .section_length = parameters.section_length,
                          .cut_offs = filtered.cut_offs};
     table.sections =
-        found.by_cutoff ? "five of lambda_c, in the middle of the profile" : "five of a fifth of the profile each";
-    if (found.sections < 5) table.sections += ", " + std::to_string(found.sections) + " of which have a point";
-    table.lines = {
-        {"Ra", "m", found.mean_deviation, "mean of the distances from the mean height"},
-        {"Rq", "m", found.rms_height, "root of their mean square"},
-        {"Rz", "m", found.section_height, "from pit to peak, mean over the sections"},
-        {"Rp", "m", found.section_peak_height, "highest peak, mean over the sections"},
-        {"Rv", "m", found.section_pit_depth, "deepest pit, mean over the sections"},
-        {"Rt", "m", found.total_height, "from the deepest pit to the highest peak of all"},
-        {"Rsk", "", found.skewness, "skewness"},
-        {"Rku", "", found.kurtosis, "kurtosis"},
-        {"Rdq", "", found.rms_slope,
-         found.rms_slope ? "root of the mean square slope, by seven points" : "there are no seven points in a row"},
-        {"Ral", "m", length,
-         length ? "lag at which the autocorrelation falls to 0.2"
-                : "the autocorrelation stays above 0.2 to half of the length, or lacks a lag"}};
+        parameters.by_cutoff ? "five of lambda_c, in the middle of the profile" : "five of a fifth of the profile each";
+    if (parameters.sections < 5)
+        table.sections += ", " + std::to_string(parameters.sections) + " of which have a point";
+    table.lines = {{"Ra", "m", parameters.mean_deviation, "mean of the distances from the mean height"},
+                   {"Rq", "m", parameters.rms_height, "root of their mean square"},
+                   {"Rz", "m", parameters.section_height, "from pit to peak, mean over the sections"},
+                   {"Rp", "m", parameters.section_peak_height, "highest peak, mean over the sections"},
+                   {"Rv", "m", parameters.section_pit_depth, "deepest pit, mean over the sections"},
+                   {"Rt", "m", parameters.total_height, "from the deepest pit to the highest peak of all"},
+                   {"Rsk", "", parameters.skewness, "skewness"},
+                   {"Rku", "", parameters.kurtosis, "kurtosis"},
+                   {"Rdq", "", parameters.rms_slope,
+                    parameters.rms_slope ? "root of the mean square slope, by seven points"
+                                         : "there are no seven points in a row"},
+                   {"Ral", "m", length,
+                    length ? "lag at which the autocorrelation falls to 0.2"
+                           : "the autocorrelation stays above 0.2 to half of the length, or lacks a lag"}};
     add_material_ratio(table, "R", profile.heights);
     return table;
 }
 
 RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
-    const auto found = areal_parameters(map, levelled.areal);
+    const auto parameters = areal_parameters(map, levelled.areal);
     RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
-    table.lines = {{"Sa", "m", found.mean_deviation, "mean of the distances from the mean height"},
-                   {"Sq", "m", found.rms_height, "root of their mean square"},
-                   {"Sp", "m", found.max_peak_height, "highest peak"},
-                   {"Sv", "m", found.max_pit_depth, "deepest pit"},
-                   {"Sz", "m", found.max_height, "from the deepest pit to the highest peak"},
-                   {"Ssk", "", found.skewness, "skewness"},
-                   {"Sku", "", found.kurtosis, "kurtosis"},
-                   {"Sdq", "", found.rms_gradient, "root of the mean square gradient"},
-                   {"Sdr", "", found.developed_area_ratio,
-                    found.developed_area_ratio ? "area of the surface over that of its plane, less 1"
-                                               : "no four points of a cell are all there"}};
+    table.lines = {{"Sa", "m", parameters.mean_deviation, "mean of the distances from the mean height"},
+                   {"Sq", "m", parameters.rms_height, "root of their mean square"},
+                   {"Sp", "m", parameters.max_peak_height, "highest peak"},
+                   {"Sv", "m", parameters.max_pit_depth, "deepest pit"},
+                   {"Sz", "m", parameters.max_height, "from the deepest pit to the highest peak"},
+                   {"Ssk", "", parameters.skewness, "skewness"},
+                   {"Sku", "", parameters.kurtosis, "kurtosis"},
+                   {"Sdq", "", parameters.rms_gradient, "root of the mean square gradient"},
+                   {"Sdr", "", parameters.developed_area_ratio,
+                    parameters.developed_area_ratio ? "area of the surface over that of its plane, less 1"
+                                                    : "no four points of a cell are all there"}};
     detail::TextureParameters<double> texture;
     std::string no_length = "the autocorrelation stays above 0.2 to half of each side", no_ratio = no_length;
     if (map.rows() >= 4 && map.columns() >= 4) {

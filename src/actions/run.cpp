@@ -77,7 +77,9 @@ std::string answered(const Scene& scene, const Results& results) {
 std::vector<std::string> surface_parts(const Scene& scene, const Results& results) {
     const SurfaceParameters<double>& s = scene.face.parameters;
     const std::vector<Parameter> unknown = unknown_parameters(scene, scene.best);
-    const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
+    const auto digits = [&](Parameter parameter) {
+        return std::count(unknown.begin(), unknown.end(), parameter) > 0 ? 2 : 5;
+    };
     const bool answers = scene.best && results.answer;
     std::vector<std::string> parts{
         "sigma " + document::shown_length(s.rms_height.value, answers ? 3 : digits(Parameter::rms_height))};
@@ -127,14 +129,14 @@ void add_bodies(const Scene& scene, const Results& results, std::vector<InputLin
     lines.push_back({"material", parts});
     parts.clear();
     if (!scene.best && !area.empty()) parts.push_back(area);
-    const auto how = interaction(scene);
+    const auto reach = interaction(scene);
     if (!scene.best)
         parts.push_back(
-            how.reading == InteractionReading::none
+            reach.reading == InteractionReading::none
                 ? "no interaction"
                 : std::string("interaction ") +
-                      (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
-                      " over " + document::shown_length(how.length));
+                      (reach.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
+                      " over " + document::shown_length(reach.length));
     if (results.plasticity_index && !scene.best)
         parts.push_back("plasticity index " + document::rounded(*results.plasticity_index, 3));
     if (!parts.empty()) lines.push_back({"contact", parts});
@@ -184,7 +186,7 @@ std::string full_table(const Scene& scene, const Results& results) {
     const Units units = units_of(scene, results);
     std::string text = introduction(scene, results);
     for (const Curve& curve : results.curves)
-        text += "\n" + title(curve) + "\n" + rows_of(results, curve, units).text();
+        text += "\n" + title(curve) + "\n" + point_rows(results, curve, units).text();
     const std::string notes = explanations(scene, results) +
                               (scene.asks(CurveQuantity::real_area) ? "mean pressure is that on the real area\n" : "");
     return notes.empty() ? text : text + "\n" + notes;
@@ -237,8 +239,8 @@ std::string quantity_tables(const Scene& scene, const Results& results, const Un
     return curve_tables(scene, results, heading.shown + (band ? ", 5 % to 95 %" : ""),
                         [&](const Curve& curve, std::size_t i) {
                             const auto value = [&](scene::Statistic statistic) {
-                                const auto found = curve.value_at(i, quantity, statistic);
-                                return found ? std::optional(*found * heading.factor) : found;
+                                const auto number = curve.value_at(i, quantity, statistic);
+                                return number ? std::optional(*number * heading.factor) : number;
                             };
                             const auto middle = value(scene::Statistic::value), low = value(scene::Statistic::p05),
                                        high = value(scene::Statistic::p95);
@@ -324,9 +326,9 @@ std::vector<InputLine> input_lines(const Scene& scene, const Results& results) {
     return lines;
 }
 
-document::Document document_of(const Scene& given, const Results& found, bool full) {
+document::Document document_of(const Scene& given, const Results& computed, bool full) {
     const auto scene = std::make_shared<const Scene>(given);
-    const auto results = std::make_shared<const Results>(found);
+    const auto results = std::make_shared<const Results>(computed);
     document::Document document("run");
     document.text([=] { return full ? run_text::full_table(*scene, *results) : run_text::summary(*scene, *results); });
     document.values([=](document::Json& to) { to = run_document(*scene, *results); });
@@ -334,7 +336,7 @@ document::Document document_of(const Scene& given, const Results& found, bool fu
         document.csv([=, &curve] {
             Curve shown = curve;
             if (results->answer) shown.columns = columns_of(*scene, curve, true);  // its own has a band
-            document::Rows rows = rows_of(*results, shown);
+            document::Rows rows = point_rows(*results, shown);
             rows.repeat({"answer"}, answers, rows.size());
             return rows;
         });

@@ -26,7 +26,7 @@ struct Units {
 /// How people read \p column; one that is not for them is in CSV and JSON alone.
 [[nodiscard]] document::Heading heading_of(const scene::Column& column, const Units& units);
 /// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.
-[[nodiscard]] document::Rows rows_of(const Results& results, const Curve& curve, const Units& units = {});
+[[nodiscard]] document::Rows point_rows(const Results& results, const Curve& curve, const Units& units = {});
 
 /// Point \p i of \p scene for people: "10 MPa", "20 kN, 100 MPa" of a force, "0.5 µm" of a separation.
 [[nodiscard]] std::string shown_point(const scene::Scene& scene, std::size_t i);

@@ -13,17 +13,17 @@ namespace fstiff::actions {
 namespace {
 
 std::optional<double> stiffness_of(const surface::MeasuredSurface& surface, const detail::Law& law,
-                                   const ScalesOptions& how) {
+                                   const ScalesOptions& load) {
     try {
         detail::Problem problem;
         problem.face = detail::face_of(std::make_shared<const Surface<double>>(surface.found));
-        const Material<double> body{2 * how.modulus, 0.0};  // of which both are
+        const Material<double> body{2 * load.modulus, 0.0};  // of which both are
         problem.effective_modulus = effective_modulus(body, body);
         if (problem.face.has_peaks())
             problem.peaks = {
                 {*problem.face.value(Parameter::theta), problem.face.value(Parameter::r), true, {}, "surface."}};
         if (lack_of(law, problem) != detail::Lack::nothing) return {};
-        const detail::Request request{.points = {how.pressure},
+        const detail::Request request{.points = {load.pressure},
                                       .laws = {&law},
                                       .quantities = Quantity::stiffness,
                                       .samples = 0,
@@ -48,23 +48,23 @@ request::Amount option_of(const std::optional<double>& cut_off) {
 }
 
 /// The row of the cut-offs that \p surface has.
-Scale scale_of(const surface::MeasuredSurface& surface, const detail::Law& law, const ScalesOptions& how) {
+Scale scale_of(const surface::MeasuredSurface& surface, const detail::Law& law, const ScalesOptions& load) {
     Scale scale{.cut_offs = surface.found.cut_offs, .chosen = true};
     scale.surface = surface;
-    scale.stiffness = stiffness_of(surface, law, how);
+    scale.stiffness = stiffness_of(surface, law, load);
     if (!scale.stiffness) scale.refusal = "no K by " + std::string(law.name);
     return scale;
 }
 
 Scale scale_at(surface::MeasureOptions options, const surface::SurfaceInput& input, const CutOffs<double>& cut_offs,
-               const detail::Law& law, const ScalesOptions& how) {
+               const detail::Law& law, const ScalesOptions& load) {
     options.neighbours = false;
     options.resamples = 2;  // errors are not asked
     options.input.lambda_s = option_of(cut_offs.lambda_s);
     options.input.lambda_c = option_of(cut_offs.lambda_c);
     Scale scale{.cut_offs = cut_offs};
     try {
-        scale = scale_of(measure_surface(options, input), law, how);
+        scale = scale_of(measure_surface(options, input), law, load);
         scale.cut_offs = cut_offs;
         scale.chosen = false;
     } catch (const domain_error& error) {
@@ -75,7 +75,7 @@ Scale scale_at(surface::MeasureOptions options, const surface::SurfaceInput& inp
 
 using ScaleRows = std::vector<std::reference_wrapper<const Scale>>;
 
-document::Rows rows_of(const ScaleRows& scales) {
+document::Rows scale_rows(const ScaleRows& scales) {
     const auto length = [](const std::optional<double>& cut_off) {
         return cut_off ? document::shown_length(*cut_off, 4) : "none";
     };
@@ -101,7 +101,8 @@ document::Rows rows_of(const ScaleRows& scales) {
 
 }  // namespace
 
-Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceInput& input, const ScalesOptions& how) {
+Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceInput& input,
+                 const ScalesOptions& load) {
     const detail::Law& law = law_for(chosen);
     double step = 0, length = 0;
     if (chosen.found.profile) {
@@ -134,13 +135,13 @@ Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceI
     const auto same = [](const std::optional<double>& a, const std::optional<double>& b) {
         return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) < 1e-9 * *b);
     };
-    const Scale of_chosen = scale_of(chosen, law, how);
+    const Scale of_chosen = scale_of(chosen, law, load);
     Scales scales{.law = std::string(law.name), .length = length, .short_waves = {}, .long_waves = {}};
     for (std::size_t i = 0; i < asked.size(); ++i) {
-        if (how.progress) how.progress("scales", i, asked.size());
+        if (load.progress) load.progress("scales", i, asked.size());
         const CutOffs<double>& cut_offs = asked[i].second;
         const bool is_own = same(cut_offs.lambda_s, own.lambda_s) && same(cut_offs.lambda_c, own.lambda_c);
-        Scale scale = is_own ? of_chosen : scale_at(*chosen.how, input, cut_offs, law, how);
+        Scale scale = is_own ? of_chosen : scale_at(*chosen.how, input, cut_offs, law, load);
         (asked[i].first ? scales.short_waves : scales.long_waves).push_back(std::move(scale));
     }
     return scales;
@@ -153,9 +154,9 @@ std::vector<std::string> what_is_settled(const Scales& scales) {
         double low = 0, high = 0;
         int known = 0;
         for (const std::ptrdiff_t away : {-1, 1}) {
-            const std::ptrdiff_t at = (chosen - rows.begin()) + away;
-            if (at < 0 || at >= std::ssize(rows) || !rows[static_cast<std::size_t>(at)].stiffness) continue;
-            const double change = *rows[static_cast<std::size_t>(at)].stiffness / *chosen->stiffness - 1;
+            const std::ptrdiff_t place = (chosen - rows.begin()) + away;
+            if (place < 0 || place >= std::ssize(rows) || !rows[static_cast<std::size_t>(place)].stiffness) continue;
+            const double change = *rows[static_cast<std::size_t>(place)].stiffness / *chosen->stiffness - 1;
             low = std::min(low, change), high = std::max(high, change);
             ++known;
         }
@@ -178,24 +179,24 @@ std::optional<double> Scale::gradient() const {
 
 document::Document document_of(const surface::MeasureOptions& options,
                                const std::shared_ptr<const surface::MeasuredSurface>& surface, const Scales& scales,
-                               const ScalesOptions& how) {
-    ScaleRows all(scales.short_waves.begin(), scales.short_waves.end());
-    all.insert(all.end(), scales.long_waves.begin(), scales.long_waves.end());
-    const document::Rows rows = rows_of(all);
+                               const ScalesOptions& load) {
+    ScaleRows pairs(scales.short_waves.begin(), scales.short_waves.end());
+    pairs.insert(pairs.end(), scales.long_waves.begin(), scales.long_waves.end());
+    const document::Rows rows = scale_rows(pairs);
     const std::vector<std::string> settled = what_is_settled(scales);
     document::Document document = document_of(options, surface);
     document.line("\nwith other cut-offs (* chosen), K by " + scales.law + " at " +
-                  document::rounded(how.pressure / 1e6) + " MPa, effective modulus " +
-                  document::rounded(how.modulus / 1e9) + " GPa\n");
+                  document::rounded(load.pressure / 1e6) + " MPa, effective modulus " +
+                  document::rounded(load.modulus / 1e9) + " GPa\n");
     document.text([rows] { return rows.text() + "\n"; });
     for (const std::string& sentence : settled) document.line("  " + sentence);
-    for (const Scale& scale : all)
+    for (const Scale& scale : pairs)
         if (!scale.refusal.empty()) document.line("  " + surface::sentence_of(scale.cut_offs) + ": " + scale.refusal);
     document.csv_alone([rows] { return rows; });
-    document.values([=, law = scales.law, pressure = how.pressure, modulus = how.modulus](document::Json& to) {
-        document::Json& of = to["scales"] = {
+    document.values([=, law = scales.law, pressure = load.pressure, modulus = load.modulus](document::Json& to) {
+        document::Json& object = to["scales"] = {
             {"law", law}, {"pressure_Pa", pressure}, {"effective_modulus_Pa", modulus}, {"settled", settled}};
-        rows.append_to(of["rows"]);
+        rows.append_to(object["rows"]);
     });
     return document;
 }

@@ -43,13 +43,13 @@ struct Scales {
 /// \p chosen, which was measured of \p input, and the same input with each of the other cut-offs, without errors.
 /// Refusals are in their rows.
 [[nodiscard]] Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceInput& input,
-                               const ScalesOptions& how);
+                               const ScalesOptions& load);
 
 /// The document of fstiff measure --scales: that of \p surface, measured by \p options, with a row for each pair of
 /// cut-offs, those of lambda_s first, and what of K is settled.
 [[nodiscard]] document::Document document_of(const surface::MeasureOptions& options,
                                              const std::shared_ptr<const surface::MeasuredSurface>& surface,
-                                             const Scales& scales, const ScalesOptions& how);
+                                             const Scales& scales, const ScalesOptions& load);
 
 /// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.
 [[nodiscard]] std::vector<std::string> what_is_settled(const Scales& scales);

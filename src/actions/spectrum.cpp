@@ -40,24 +40,24 @@ SpectrumCurve acf_curve(const std::string& label, const std::string& suffix, std
 
 std::vector<SpectrumCurve> curves_of(const SpectrumRequest& request, const Profile<double>& profile) {
     if (request.of == SpectrumKind::acf) {
-        const auto found = autocorrelation(profile);
-        SpectrumCurve curve = acf_curve("autocorrelation", "", found.lag, found.value);
+        const auto spectrum = autocorrelation(profile);
+        SpectrumCurve curve = acf_curve("autocorrelation", "", spectrum.lag, spectrum.value);
         curve.count_key = "pairs";
-        curve.counts = found.pairs;
+        curve.counts = spectrum.pairs;
         return {curve};
     }
     if (const std::size_t missing = profile.size() - profile.present(); missing > 0)
         throw domain_error("profile with " + std::to_string(missing) +
                            " missing points: must be filled before its spectrum is taken");
-    auto found = power_spectrum(profile, request.taper);
-    found.wavenumber.erase(found.wavenumber.begin());  // at q = 0 is the mean, which was removed
-    found.value.erase(found.value.begin());
-    return {psd_curve("profile", "", found.wavenumber, found.value)};
+    auto spectrum = power_spectrum(profile, request.taper);
+    spectrum.wavenumber.erase(spectrum.wavenumber.begin());  // at q = 0 is the mean, which was removed
+    spectrum.value.erase(spectrum.value.begin());
+    return {psd_curve("profile", "", spectrum.wavenumber, spectrum.value)};
 }
 
 std::vector<SpectrumCurve> curves_of(const SpectrumRequest& request, const HeightMap<double>& map) {
     if (request.of == SpectrumKind::psd) {
-        auto found = radial_spectrum(map, request.taper);
+        auto spectrum = radial_spectrum(map, request.taper);
         return {{.label = "all directions, C(q)",
                  .x_key = "wavenumber_rad_per_m",
                  .x_shown = "q [rad/µm]",
@@ -65,28 +65,28 @@ std::vector<SpectrumCurve> curves_of(const SpectrumRequest& request, const Heigh
                  .shown = "C [µm⁴]",
                  .x_factor = 1e-6,
                  .factor = 1e24,
-                 .x = std::move(found.wavenumber),
-                 .y = std::move(found.value),
+                 .x = std::move(spectrum.wavenumber),
+                 .y = std::move(spectrum.value),
                  .count_key = "waves",
-                 .counts = std::move(found.waves)},
-                psd_curve("sections along x", "_x", found.along_x.wavenumber, found.along_x.value),
-                psd_curve("sections along y", "_y", found.along_y.wavenumber, found.along_y.value)};
+                 .counts = std::move(spectrum.waves)},
+                psd_curve("sections along x", "_x", spectrum.along_x.wavenumber, spectrum.along_x.value),
+                psd_curve("sections along y", "_y", spectrum.along_y.wavenumber, spectrum.along_y.value)};
     }
-    const auto found = detail::areal_autocorrelation(map);
-    auto radial = detail::radial_autocorrelation(found);
-    SpectrumCurve all = acf_curve("mean of all directions", "", std::move(radial.lag), std::move(radial.value));
-    all.count_key = "lags";
-    all.counts = std::move(radial.lags);
+    const auto spectrum = detail::areal_autocorrelation(map);
+    auto radial = detail::radial_autocorrelation(spectrum);
+    SpectrumCurve mean = acf_curve("mean of all directions", "", std::move(radial.lag), std::move(radial.value));
+    mean.count_key = "lags";
+    mean.counts = std::move(radial.lags);
     SpectrumCurve x = acf_curve("along x", "_x", {}, {}), y = acf_curve("along y", "_y", {}, {});
-    for (Eigen::Index i = 0; i <= found.reach_x; ++i) {
+    for (Eigen::Index i = 0; i <= spectrum.reach_x; ++i) {
         x.x.push_back(static_cast<double>(i) * map.dx);
-        x.y.push_back(found.at(i, 0));
+        x.y.push_back(spectrum.at(i, 0));
     }
-    for (Eigen::Index j = 0; j <= found.reach_y; ++j) {
+    for (Eigen::Index j = 0; j <= spectrum.reach_y; ++j) {
         y.x.push_back(static_cast<double>(j) * map.dy);
-        y.y.push_back(found.at(0, j));
+        y.y.push_back(spectrum.at(0, j));
     }
-    return {all, x, y};
+    return {mean, x, y};
 }
 
 std::string convention_of(const SpectrumRequest& request, bool profile) {
@@ -114,7 +114,7 @@ std::vector<Cell> padded(const Values& values, std::size_t size) {
 }
 
 /// A position a row.
-document::Rows rows_of(const Spectrum& spectrum) {
+document::Rows curve_rows(const Spectrum& spectrum) {
     std::size_t size = 0;
     for (const SpectrumCurve& curve : spectrum.curves) size = std::max(size, curve.x.size());
     document::Rows rows;
@@ -167,7 +167,7 @@ document::Document document_of(const SpectrumRequest& request, const surface::Su
     add_heights(document, input.surface.is_profile() ? "Rq" : "Sq", spectrum, spectrum.form);
     document.line("scale", spectrum.convention);
     document.line("by", spectrum.source + "\n");
-    document.table(rows_of(spectrum), {.key = std::string(name_of(request.of)), .thinned = "rows"});
+    document.table(curve_rows(spectrum), {.key = std::string(name_of(request.of)), .thinned = "rows"});
     add_reading(document, input, "their pairs are left out", spectrum.rms_gradient);
     return document;
 }

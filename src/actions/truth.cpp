@@ -27,10 +27,10 @@ std::string shown_pressure(double pressure) { return document::unit_of_pressure(
 /// The first pressure at which a contact carries more than its hardness; null where none does.
 const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
     if (!(solved.flows_above > 0)) return nullptr;
-    const auto found = std::find_if(solved.at.begin(), solved.at.end(), [&](const TruthPoint<double>& point) {
+    const auto flowing = std::find_if(solved.at.begin(), solved.at.end(), [&](const TruthPoint<double>& point) {
         return point.state.max_pressure > solved.flows_above;
     });
-    return found == solved.at.end() ? nullptr : &*found;
+    return flowing == solved.at.end() ? nullptr : &*flowing;
 }
 
 /// Adds the doubts about K.
@@ -89,29 +89,31 @@ TruthOfMap truth_of_map(const TruthRequest& options, const surface::SurfaceInput
     return solved;
 }
 
-document::Rows rows_of(const TruthOfMap& solved) {
+document::Rows pressure_rows(const TruthOfMap& solved) {
     using Point = const TruthPoint<double>&;
     std::vector<double> stiffnesses;
     for (const auto& point : solved.at) stiffnesses.push_back(point.state.stiffness);
     const document::ShownUnit unit = document::shown_unit(stiffnesses, "Pa/m");
     document::Rows rows;
-    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, solved.at, [](Point one) { return one.state.pressure; });
-    rows.add({"p_star", "p*", 1, 3}, solved.at, [&](Point one) {
+    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, solved.at, [](Point point) { return point.state.pressure; });
+    rows.add({"p_star", "p*", 1, 3}, solved.at, [&](Point point) {
         return document::Cell::finite(
-            detail::dimensionless_pressure(one.state.pressure, solved.modulus, solved.rms_gradient));
+            detail::dimensionless_pressure(point.state.pressure, solved.modulus, solved.rms_gradient));
     });
     rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, solved.at,
-             [](Point one) { return document::Cell::finite(one.state.stiffness); });
-    rows.add({"stiffness_error_Pa_per_m", "+- grid", unit.factor, 2}, solved.at, [](Point one) {
-        return std::isfinite(one.state.stiffness) ? document::Cell::finite(one.stiffness_error)
-                                                  : document::Cell(document::Cell::Kind::null);
+             [](Point point) { return document::Cell::finite(point.state.stiffness); });
+    rows.add({"stiffness_error_Pa_per_m", "+- grid", unit.factor, 2}, solved.at, [](Point point) {
+        return std::isfinite(point.state.stiffness) ? document::Cell::finite(point.stiffness_error)
+                                                    : document::Cell(document::Cell::Kind::null);
     });
-    rows.add({"separation_m", "separation [µm]", 1e6}, solved.at, [](Point one) { return one.state.mean_gap; });
-    rows.add({"separation_error_m", "+- grid", 1e6, 2}, solved.at, [](Point one) { return one.gap_error; });
-    rows.add({"real_area_fraction", "contact share"}, solved.at, [](Point one) { return one.state.contact_fraction; });
-    rows.add({"contacts", "contacts"}, solved.at, [](Point one) { return one.state.spots; });
-    rows.add({"max_pressure_Pa", "largest p [GPa]", 1e-9}, solved.at, [](Point one) { return one.state.max_pressure; });
-    rows.add({"converged", "converged"}, solved.at, [](Point one) { return one.state.converged ? "yes" : "no"; });
+    rows.add({"separation_m", "separation [µm]", 1e6}, solved.at, [](Point point) { return point.state.mean_gap; });
+    rows.add({"separation_error_m", "+- grid", 1e6, 2}, solved.at, [](Point point) { return point.gap_error; });
+    rows.add({"real_area_fraction", "contact share"}, solved.at,
+             [](Point point) { return point.state.contact_fraction; });
+    rows.add({"contacts", "contacts"}, solved.at, [](Point point) { return point.state.spots; });
+    rows.add({"max_pressure_Pa", "largest p [GPa]", 1e-9}, solved.at,
+             [](Point point) { return point.state.max_pressure; });
+    rows.add({"converged", "converged"}, solved.at, [](Point point) { return point.state.converged ? "yes" : "no"; });
     return rows;
 }
 
@@ -133,7 +135,7 @@ document::Document document_of(const TruthRequest& options, std::optional<surfac
                   document::rounded(solved.modulus / 1e9) + " GPa" +
                   (options.hardness > 0 ? ", pressures cut at " + document::with_unit(options.hardness, "Pa") : "") +
                   "\n");
-    document.table(rows_of(solved), {.key = "rows", .as_list = true});
+    document.table(pressure_rows(solved), {.key = "rows", .as_list = true});
     add_reading(document, input, "truth needs them filled", solved.rms_gradient);
     add_doubts(document, solved, std::string(options.surface.prefix) + "points");
     return document;

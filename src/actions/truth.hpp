@@ -46,7 +46,7 @@ struct TruthOfMap {
 /// \throws domain_error in one sentence, for a profile too, and where all of the map is in contact at every pressure.
 [[nodiscard]] TruthOfMap truth_of_map(const TruthRequest& options, const surface::SurfaceInput& input);
 /// A pressure a row.
-[[nodiscard]] document::Rows rows_of(const TruthOfMap& solved);
+[[nodiscard]] document::Rows pressure_rows(const TruthOfMap& solved);
 /// The document of fstiff truth for \p input, or for the file that \p options name. \throws as truth_of_map().
 [[nodiscard]] document::Document document_of(const TruthRequest& options,
                                              std::optional<surface::SurfaceInput> input = {});

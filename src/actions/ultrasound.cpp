@@ -51,56 +51,59 @@ struct Faults {
     }
 };
 
-void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflection& all) {
+void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflection& reflection) {
     if (!measured.is_reflection)
         throw domain_error(measured.name + ": holds stiffnesses; must hold a column reflection to compute them from");
-    CurveOfStiffness& of = all.curve.emplace(CurveOfStiffness{.curve = std::move(measured)});
-    const MeasuredCurve& curve = of.curve;
-    if (!curve.has_errors) of.error = request.reflection_error;
-    const double omega = detail::angular_frequency(all.frequency);
+    CurveOfStiffness& converted = reflection.curve.emplace(CurveOfStiffness{.curve = std::move(measured)});
+    const MeasuredCurve& curve = converted.curve;
+    if (!curve.has_errors) converted.error = request.reflection_error;
+    const double omega = detail::angular_frequency(reflection.frequency);
     Faults beyond, doubtful;
     for (const MeasuredPoint& point : curve.points) {
         const double error = curve.has_errors ? point.error : request.reflection_error.value_or(0);
-        if (curve.has_errors || request.reflection_error) of.errors.push_back(error);
-        if (!(point.value > all.welded && point.value < 1)) {  // what noise makes of light loads, or of heavy ones
-            of.stiffness.emplace_back();
+        if (curve.has_errors || request.reflection_error) converted.errors.push_back(error);
+        if (!(point.value > reflection.welded &&
+              point.value < 1)) {  // what noise makes of light loads, or of heavy ones
+            converted.stiffness.emplace_back();
             beyond.add(point.line);
             continue;
         }
-        of.stiffness.emplace_back(
+        converted.stiffness.emplace_back(
             detail::located(Place{.file = curve.name, .line = point.line, .before_line = ":"},
-                            [&] { return detail::measured_stiffness(point.value, error, all.media, omega); }));
-        if (!of.stiffness.back()->bounded) doubtful.add(point.line);
+                            [&] { return detail::measured_stiffness(point.value, error, reflection.media, omega); }));
+        if (!converted.stiffness.back()->bounded) doubtful.add(point.line);
     }
     if (beyond.count > 0 && beyond.count == curve.points.size())
-        throw domain_error(curve.name + ":" + std::to_string(beyond.first_line) + ": reflection = " +
-                           document::shortest(curve.points.front().value) + ": must be greater than " +
-                           document::shortest(all.welded) + ", that of the welded joint, and less than 1; no row is");
-    all.doubtful = beyond.count > 0;
+        throw domain_error(curve.name + ":" + std::to_string(beyond.first_line) +
+                           ": reflection = " + document::shortest(curve.points.front().value) +
+                           ": must be greater than " + document::shortest(reflection.welded) +
+                           ", that of the welded joint, and less than 1; no row is");
+    reflection.doubtful = beyond.count > 0;
     if (beyond.count > 0)
-        all.warnings.push_back("R is not between that of the welded joint, " + document::rounded(all.welded) +
-                               ", and 1" + beyond.in(curve) + ": no stiffness there");
+        reflection.warnings.push_back("R is not between that of the welded joint, " +
+                                      document::rounded(reflection.welded) + ", and 1" + beyond.in(curve) +
+                                      ": no stiffness there");
     if (doubtful.count > 0)
-        all.warnings.push_back("R is within two errors of 1 or of the welded joint" + doubtful.in(curve) +
-                               ": the first-order error of K is unreliable there");
+        reflection.warnings.push_back("R is within two errors of 1 or of the welded joint" + doubtful.in(curve) +
+                                      ": the first-order error of K is unreliable there");
 }
 
 /// R of the stiffness, or K of the one reflection that is \p given, and what else follows.
 Reflected at_one(const ReflectionRequest& request, const Impedances<double>& media, double omega,
                  std::optional<double> given) {
-    Reflected one{.from_stiffness = !given};
+    Reflected reflected{.from_stiffness = !given};
     if (given && request.reflection_error) {
-        one.reflection_error = request.reflection_error;
-        one.stiffness_error = detail::measured_stiffness(*given, *request.reflection_error, media, omega).error;
+        reflected.reflection_error = request.reflection_error;
+        reflected.stiffness_error = detail::measured_stiffness(*given, *request.reflection_error, media, omega).error;
     }
-    one.stiffness = given ? stiffness_from_reflection(*given, media, omega)
-                          : request.stiffness.value(io::Dimension::stiffness_per_area,
-                                                    surface::option_name(request.prefix, "stiffness"));
-    one.reflection = given ? *given : reflection(one.stiffness, media, omega);
-    one.transmission = std::abs(detail::complex_transmission(one.stiffness, media, omega));
-    one.phase = std::arg(detail::complex_reflection(one.stiffness, media, omega));
-    one.transmitted_energy = detail::transmitted_energy(one.stiffness, media, omega);
-    return one;
+    reflected.stiffness = given ? stiffness_from_reflection(*given, media, omega)
+                                : request.stiffness.value(io::Dimension::stiffness_per_area,
+                                                          surface::option_name(request.prefix, "stiffness"));
+    reflected.reflection = given ? *given : reflection(reflected.stiffness, media, omega);
+    reflected.transmission = std::abs(detail::complex_transmission(reflected.stiffness, media, omega));
+    reflected.phase = std::arg(detail::complex_reflection(reflected.stiffness, media, omega));
+    reflected.transmitted_energy = detail::transmitted_energy(reflected.stiffness, media, omega);
+    return reflected;
 }
 
 /// The curve in \p file.
@@ -112,68 +115,69 @@ MeasuredCurve curve_of(const std::string& file, const std::string& name) {
 }
 
 /// A row of the curve a row.
-document::Rows rows_of(const CurveOfStiffness& found) {
+document::Rows point_rows(const CurveOfStiffness& converted) {
     using K = detail::MeasuredStiffness<double>;
-    const auto of = [](const auto& value, document::Cell::Kind otherwise = document::Cell::Kind::absent) {
+    const auto cell = [](const auto& value, document::Cell::Kind otherwise = document::Cell::Kind::absent) {
         return [=](const std::optional<K>& k) { return k ? document::Cell(value(*k)) : document::Cell(otherwise); };
     };
-    const bool errors = !found.errors.empty();
+    const bool errors = !converted.errors.empty();
     std::vector<double> stiffnesses;
-    for (const auto& stiffness : found.stiffness) stiffnesses.push_back(stiffness ? stiffness->value : 0);
+    for (const auto& stiffness : converted.stiffness) stiffnesses.push_back(stiffness ? stiffness->value : 0);
     const document::ShownUnit unit = document::shown_unit(stiffnesses, "Pa/m");
     document::Rows rows;
-    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, found.curve.points, &MeasuredPoint::pressure);
-    rows.add({.key = "reflection", .shown = "|R|", .csv = false}, found.curve.points, &MeasuredPoint::value);
-    if (errors) rows.add({.key = "reflection_error", .shown = "error", .digits = 2, .csv = false}, found.errors);
-    rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, found.stiffness,
-             of([](const K& k) { return k.value; }, document::Cell::Kind::null));
+    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, converted.curve.points, &MeasuredPoint::pressure);
+    rows.add({.key = "reflection", .shown = "|R|", .csv = false}, converted.curve.points, &MeasuredPoint::value);
+    if (errors) rows.add({.key = "reflection_error", .shown = "error", .digits = 2, .csv = false}, converted.errors);
+    rows.add({"stiffness_Pa_per_m", unit.heading("K/A0"), unit.factor}, converted.stiffness,
+             cell([](const K& k) { return k.value; }, document::Cell::Kind::null));
     if (errors) {
-        rows.add({"stiffness_error_Pa_per_m", unit.heading("error"), unit.factor, 2}, found.stiffness,
-                 of([](const K& k) { return k.error; }));
-        rows.add({"", "error of K [%]", 100, 2}, found.stiffness, of([](const K& k) { return k.error / k.value; }));
+        rows.add({"stiffness_error_Pa_per_m", unit.heading("error"), unit.factor, 2}, converted.stiffness,
+                 cell([](const K& k) { return k.error; }));
+        rows.add({"", "error of K [%]", 100, 2}, converted.stiffness,
+                 cell([](const K& k) { return k.error / k.value; }));
     }
-    rows.add({.key = "slope_Pa_per_m", .csv = false}, found.stiffness, of([](const K& k) { return k.slope; }));
+    rows.add({.key = "slope_Pa_per_m", .csv = false}, converted.stiffness, cell([](const K& k) { return k.slope; }));
     return rows;
 }
 
-void add_curve(document::Document& document, const Reflection& found) {
-    const CurveOfStiffness& of = *found.curve;
-    document.title("stiffness from the reflections of " + of.curve.name + ", interface as a spring, eq. (5.1)");
-    document.json["file"] = {{"name", of.curve.name}, {"sha256", of.curve.sha256}};
-    document.json["decisions"] = of.curve.decisions;
+void add_curve(document::Document& document, const Reflection& reflection) {
+    const CurveOfStiffness& converted = *reflection.curve;
+    document.title("stiffness from the reflections of " + converted.curve.name + ", interface as a spring, eq. (5.1)");
+    document.json["file"] = {{"name", converted.curve.name}, {"sha256", converted.curve.sha256}};
+    document.json["decisions"] = converted.curve.decisions;
     document.json["equations"] = {"(5.1)"};
-    document.facts("", {{"frequency_Hz", found.frequency, "", 1e-6, " MHz, impedances ", 6},
-                        {"impedance_Rayl", found.media.incident, "", 1e-6, " and ", 6},
-                        {"impedance2_Rayl", found.media.beyond, "", 1e-6, " MRayl, welded joint |R| ", 6},
-                        {"welded_reflection", found.welded, "", 1, "", 6}});
-    if (of.error) document.json["reflection_error"] = *of.error;
-    document.table(rows_of(of), {.key = "rows", .as_list = true, .csv = [k = of.stiffness](std::size_t i) {
-                                     return k[i].has_value();
-                                 }});
+    document.facts("", {{"frequency_Hz", reflection.frequency, "", 1e-6, " MHz, impedances ", 6},
+                        {"impedance_Rayl", reflection.media.incident, "", 1e-6, " and ", 6},
+                        {"impedance2_Rayl", reflection.media.beyond, "", 1e-6, " MRayl, welded joint |R| ", 6},
+                        {"welded_reflection", reflection.welded, "", 1, "", 6}});
+    if (converted.error) document.json["reflection_error"] = *converted.error;
+    document.table(
+        point_rows(converted),
+        {.key = "rows", .as_list = true, .csv = [k = converted.stiffness](std::size_t i) { return k[i].has_value(); }});
 }
 
 /// Reflection and transmission of a wave at one stiffness.
-void add_one(document::Document& document, const Reflection& found) {
-    const Reflected& one = found.one;
-    const document::ShownUnit unit = document::shown_unit(one.stiffness, "Pa/m");
-    const std::string K = document::rounded(one.stiffness, 6),
-                      error = one.stiffness_error ? " +- " + unit(*one.stiffness_error, 2) : "";
+void add_one(document::Document& document, const Reflection& reflection) {
+    const Reflected& reflected = reflection.one;
+    const document::ShownUnit unit = document::shown_unit(reflected.stiffness, "Pa/m");
+    const std::string K = document::rounded(reflected.stiffness, 6),
+                      error = reflected.stiffness_error ? " +- " + unit(*reflected.stiffness_error, 2) : "";
     document.line("interface as a spring, eq. (5.1)");
     document.json["equations"] = {"(5.1)"};
-    document.facts("frequency", {{"frequency_Hz", found.frequency, "", 1e-6, " MHz", 6}});
-    document.facts("impedances", {{"impedance_Rayl", found.media.incident, "", 1e-6, " and ", 6},
-                                  {"impedance2_Rayl", found.media.beyond, "", 1e-6, " MRayl", 6}});
-    document.facts("K per nominal area", {{"stiffness_Pa_per_m", one.stiffness, "", unit.factor,
+    document.facts("frequency", {{"frequency_Hz", reflection.frequency, "", 1e-6, " MHz", 6}});
+    document.facts("impedances", {{"impedance_Rayl", reflection.media.incident, "", 1e-6, " and ", 6},
+                                  {"impedance2_Rayl", reflection.media.beyond, "", 1e-6, " MRayl", 6}});
+    document.facts("K per nominal area", {{"stiffness_Pa_per_m", reflected.stiffness, "", unit.factor,
                                            " " + std::string(unit.name) + " = " + K + " Pa/m" + error, 6}});
-    document.facts("|R|", {{"reflection", one.reflection, "", 1,
-                            " (welded joint " + document::rounded(found.welded, 6) + ")", 6}});
-    document.facts("phase of R", {{"reflection_phase_rad", one.phase, "", 1, " rad", 6}});
-    document.facts("|T|", {{"transmission", one.transmission, "", 1, " of displacement, ", 6},
-                           {"transmitted_energy", one.transmitted_energy, "", 1, " of the energy", 6},
-                           {"welded_reflection", found.welded}});
-    if (one.stiffness_error)
-        document.facts(
-            "", {{"reflection_error", *one.reflection_error}, {"stiffness_error_Pa_per_m", *one.stiffness_error}});
+    document.facts("|R|", {{"reflection", reflected.reflection, "", 1,
+                            " (welded joint " + document::rounded(reflection.welded, 6) + ")", 6}});
+    document.facts("phase of R", {{"reflection_phase_rad", reflected.phase, "", 1, " rad", 6}});
+    document.facts("|T|", {{"transmission", reflected.transmission, "", 1, " of displacement, ", 6},
+                           {"transmitted_energy", reflected.transmitted_energy, "", 1, " of the energy", 6},
+                           {"welded_reflection", reflection.welded}});
+    if (reflected.stiffness_error)
+        document.facts("", {{"reflection_error", *reflected.reflection_error},
+                            {"stiffness_error_Pa_per_m", *reflected.stiffness_error}});
 }
 
 }  // namespace
@@ -190,30 +194,31 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
     if (request.reflection_error && !(*request.reflection_error >= 0 && *request.reflection_error < 1))
         throw domain_error(error + " = " + document::shortest(*request.reflection_error) +
                            ": must be at least 0 and less than 1");
-    Reflection all;
-    all.frequency = request.frequency.positive(io::Dimension::frequency, name("frequency"));
-    all.media.incident = impedance_of(request.incident, request, "");
-    all.media.beyond = request.beyond.given() ? impedance_of(request.beyond, request, "2") : all.media.incident;
+    Reflection reflection;
+    reflection.frequency = request.frequency.positive(io::Dimension::frequency, name("frequency"));
+    reflection.media.incident = impedance_of(request.incident, request, "");
+    reflection.media.beyond =
+        request.beyond.given() ? impedance_of(request.beyond, request, "2") : reflection.media.incident;
     std::optional<double> given;
     if (of_reflection && !curve) {
         given = as_number(request.reflection);
         if (!given) curve = curve_of(request.reflection.text(), name("reflection"));
     }
-    all.welded = detail::welded_reflection(all.media);
+    reflection.welded = detail::welded_reflection(reflection.media);
     if (curve)
-        convert(request, *std::move(curve), all);
+        convert(request, *std::move(curve), reflection);
     else
-        all.one = at_one(request, all.media, detail::angular_frequency(all.frequency), given);
-    return all;
+        reflection.one = at_one(request, reflection.media, detail::angular_frequency(reflection.frequency), given);
+    return reflection;
 }
 
 document::Document document_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
-    const Reflection found = reflection_of(request, std::move(curve));
+    const Reflection reflection = reflection_of(request, std::move(curve));
     document::Document document("ultrasound", 19);
-    document.warnings = found.warnings;
-    document.doubtful = found.doubtful;
-    document.json["given"] = found.one.from_stiffness ? "stiffness" : "reflection";
-    found.curve ? add_curve(document, found) : add_one(document, found);
+    document.warnings = reflection.warnings;
+    document.doubtful = reflection.doubtful;
+    document.json["given"] = reflection.one.from_stiffness ? "stiffness" : "reflection";
+    reflection.curve ? add_curve(document, reflection) : add_one(document, reflection);
     return document;
 }
 

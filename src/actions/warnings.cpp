@@ -26,13 +26,14 @@ void warn_of_missed(const scene::Scene& scene, Results& results) {
         if (count == 0) continue;
         const detail::MissedPoint& missed = first->missed.front();
         const std::string name = "law " + std::string(law->name),
-                          at = document::shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
+                          place =
+                              document::shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
         const bool ends = law->ends && !first->states.empty();
         results.doubtful = results.doubtful || !ends;
         results.warnings.push_back(
-            ends ? name + " ends before " + at + ": its contacts are too many or too crowded beyond"
+            ends ? name + " ends before " + place + ": its contacts are too many or too crowded beyond"
                  : name + " has no result at " + std::to_string(count) + " of " + std::to_string(points) +
-                       " points, the first of them " + at + ": " + reason_of(scene, missed));
+                       " points, the first of them " + place + ": " + reason_of(scene, missed));
     }
 }
 
@@ -41,11 +42,11 @@ void warn_of_lost(const scene::Scene& scene, Results& results) {
     const std::vector<detail::MissedPoint>& missed = results.answer->curve.missed;
     if (missed.empty()) return;
     results.doubtful = true;
-    const std::size_t all = missed.size() + results.answer->curve.states.size();
+    const std::size_t count = missed.size() + results.answer->curve.states.size();
     results.warnings.push_back((scene.best ? "no K at " : "the answer has no K at ") +
                                (missed.size() == 1
                                     ? shown_point(scene, missed.front().place)
-                                    : std::to_string(missed.size()) + " of " + std::to_string(all) +
+                                    : std::to_string(missed.size()) + " of " + std::to_string(count) +
                                           " points, the first of them " + shown_point(scene, missed.front().place)) +
                                ": " + reason_of(scene, missed.front()));
 }

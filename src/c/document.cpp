@@ -86,9 +86,9 @@ scene::Scene scene_of(const char* text, std::size_t length, const char* name, co
 std::vector<double> numbers_at(const document::Json& document, const std::string& path) {
     const std::size_t star = path.find('*');
     std::vector<double> numbers;
-    bool found = false;
+    bool known = false;
     const auto take = [&](const document::Json* json) {
-        found = found || json;
+        known = known || json;
         const std::vector<double> more = json ? json->numbers() : std::vector{std::numeric_limits<double>::quiet_NaN()};
         numbers.insert(numbers.end(), more.begin(), more.end());
     };
@@ -98,7 +98,7 @@ std::vector<double> numbers_at(const document::Json& document, const std::string
         if (!document.at(place)) break;
         take(document.at(place + path.substr(star + 1)));
     }
-    if (!found) throw argument_error(path + ": is not a path of the document");
+    if (!known) throw argument_error(path + ": is not a path of the document");
     return numbers;
 }
 
@@ -106,7 +106,7 @@ std::vector<double> numbers_at(const document::Json& document, const std::string
 fstiff_document* handle_of(const document::Document& document) {
     document::Json values = document.values();
     std::string text = document.file ? document.file() : values.str(), lines;
-    for (const std::string& one : document.warnings) lines += (lines.empty() ? "" : "\n") + one;
+    for (const std::string& warning : document.warnings) lines += (lines.empty() ? "" : "\n") + warning;
     set_message(lines);
     return new fstiff_document{std::move(text), std::move(values), document.doubtful};
 }
@@ -118,18 +118,18 @@ using namespace fstiff::c;
 
 int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = request_of<fstiff::actions::SpectrumRequest>(options);
-        auto input = surface_of(how.surface, heights);
+        auto request = request_of<fstiff::actions::SpectrumRequest>(options);
+        auto input = surface_of(request.surface, heights);
         if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
-        return handle_of(document_of(how, std::move(input)));
+        return handle_of(document_of(request, std::move(input)));
     });
 }
 
 int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = request_of<fstiff::actions::PeakDensityRequest>(options);
-        auto input = surface_of(how.surface, profile);
-        return handle_of(document_of(how, std::move(input)));
+        auto request = request_of<fstiff::actions::PeakDensityRequest>(options);
+        auto input = surface_of(request.surface, profile);
+        return handle_of(document_of(request, std::move(input)));
     });
 }
 
@@ -139,8 +139,8 @@ int fstiff_generate(const char* options, fstiff_document** made) {
 
 int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::actions::ReflectionRequest>(options);
-        return handle_of(document_of(how, curve_of(curve)));
+        const auto request = request_of<fstiff::actions::ReflectionRequest>(options);
+        return handle_of(document_of(request, curve_of(curve)));
     });
 }
 
@@ -158,16 +158,16 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
 int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
                     fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::actions::IdentifyRequest>(options);
+        const auto request = request_of<fstiff::actions::IdentifyRequest>(options);
         const auto read = scene_of(scene, length, name);
-        return handle_of(document_of(read, identify_scene(read, how, curve_of(curve))));
+        return handle_of(document_of(read, identify_scene(read, request, curve_of(curve))));
     });
 }
 
 int fstiff_export(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::actions::ExportRequest>(options);
-        return handle_of(document_of(scene_of(scene, length, name), how));
+        const auto request = request_of<fstiff::actions::ExportRequest>(options);
+        return handle_of(document_of(scene_of(scene, length, name), request));
     });
 }
 
@@ -179,8 +179,8 @@ int fstiff_document_word(const fstiff_document* document, const char* path, char
                          size_t* length) {
     return guarded([&] {
         const std::string key = &not_null(path, "path");
-        const auto* found = not_null(document, "document").numbers.at(key);
-        const std::string* word = found ? found->word() : nullptr;
+        const auto* known = not_null(document, "document").numbers.at(key);
+        const std::string* word = known ? known->word() : nullptr;
         if (!word) throw argument_error(key + ": is not a path of a text in the document");
         return text_into(*word, buffer, capacity, length);
     });
@@ -198,7 +198,8 @@ int fstiff_document_numbers(const fstiff_document* document, const char* path, d
         if (capacity < numbers.size())
             throw argument_error("capacity = " + std::to_string(capacity) + ": must be at least " +
                                  std::to_string(numbers.size()) + " for " + key);
-        std::transform(numbers.begin(), numbers.end(), values, [](double one) { return std::isnan(one) ? 0 : one; });
+        std::transform(numbers.begin(), numbers.end(), values,
+                       [](double number) { return std::isnan(number) ? 0 : number; });
         return FSTIFF_OK;
     });
 }

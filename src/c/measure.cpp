@@ -51,7 +51,7 @@ int write(const MeasuredSurface& surface, fstiff_surface& written) {
     }
     give(to, written);
     std::string warnings;
-    for (const std::string& one : surface.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
+    for (const std::string& warning : surface.warnings) warnings += (warnings.empty() ? "" : "\n") + warning;
     set_message(warnings);
     return FSTIFF_OK;
 }

@@ -87,10 +87,10 @@ std::string Document::csv() const {
 }
 
 Json Document::values() const {
-    Json all = json;
-    for (const auto& part : values_) part(all);
-    if (has_warnings) all["warnings"] = warnings;
-    return all;
+    Json printed = json;
+    for (const auto& part : values_) part(printed);
+    if (has_warnings) printed["warnings"] = warnings;
+    return printed;
 }
 
 std::string Document::str(Format format) const {

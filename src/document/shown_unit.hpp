@@ -16,7 +16,7 @@ struct ShownUnit {
     /// \p value [SI] with its unit, and with \p error where that is not 0: "0.832 ± 0.08 µm".
     [[nodiscard]] std::string operator()(double value, int digits = 5, double error = 0) const;
     /// "separation [µm]", "contacts [1/mm²]", "eta": the heading of a column, or the label of an axis.
-    [[nodiscard]] std::string heading(std::string_view of) const;
+    [[nodiscard]] std::string heading(std::string_view quantity) const;
 };
 
 /// The unit for a value of about \p size in the SI unit \p si; of 0 the usual one. A plain number or any other unit

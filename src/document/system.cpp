@@ -36,10 +36,10 @@ namespace {
 unsigned at_once(std::size_t size) { return static_cast<unsigned>((std::min)(size, std::size_t(INT_MAX))); }
 }  // namespace
 
-int open_file(const Path& path, Opening how) {
-    const int flags = how == Opening::read      ? _O_RDONLY
-                      : how == Opening::replace ? _O_WRONLY | _O_CREAT | _O_TRUNC
-                                                : _O_RDWR | _O_CREAT;
+int open_file(const Path& path, Opening opening) {
+    const int flags = opening == Opening::read      ? _O_RDONLY
+                      : opening == Opening::replace ? _O_WRONLY | _O_CREAT | _O_TRUNC
+                                                    : _O_RDWR | _O_CREAT;
     return _wopen(path.c_str(), flags | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
 }
 void close_file(int file) { _close(file); }
@@ -113,10 +113,10 @@ auto uninterrupted(const Call& call) {
 }
 }  // namespace
 
-int open_file(const Path& path, Opening how) {
-    const int flags = how == Opening::read      ? O_RDONLY
-                      : how == Opening::replace ? O_WRONLY | O_CREAT | O_TRUNC
-                                                : O_RDWR | O_CREAT;
+int open_file(const Path& path, Opening opening) {
+    const int flags = opening == Opening::read      ? O_RDONLY
+                      : opening == Opening::replace ? O_WRONLY | O_CREAT | O_TRUNC
+                                                    : O_RDWR | O_CREAT;
     return open(path.c_str(), flags | O_CLOEXEC, 0666);
 }
 void close_file(int file) { close(file); }

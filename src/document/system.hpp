@@ -21,7 +21,7 @@ enum class Opening {
 };
 
 /// \returns a descriptor, or -1.
-[[nodiscard]] int open_file(const Path& path, Opening how);
+[[nodiscard]] int open_file(const Path& path, Opening opening);
 void close_file(int file);
 /// \returns how many bytes were written, at least one; or -1.
 [[nodiscard]] std::ptrdiff_t write_some(int file, const char* bytes, std::size_t size);

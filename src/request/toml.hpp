@@ -13,8 +13,8 @@
 // throw in every build; no other file includes toml++.
 namespace fstiff::request {
 struct BrokenToml {};
-constexpr void expect_toml(bool whole) {
-    if (!whole) throw BrokenToml{};
+constexpr void expect_toml(bool holds) {
+    if (!holds) throw BrokenToml{};
 }
 }  // namespace fstiff::request
 #undef NDEBUG

@@ -145,12 +145,12 @@ std::vector<const CurveQuantityRow*> chosen_quantities() {
 
 const std::string& Column::key() const {
     static const auto keys = [] {
-        std::vector<std::array<std::string, 4>> all;  // by quantity and statistic
+        std::vector<std::array<std::string, 4>> rows;  // by quantity and statistic
         for (const CurveQuantityRow& row : curve_quantities()) {
             const std::string name(row.name), suffix(row.suffix);
-            all.push_back({name + suffix, name + "_error" + suffix, name + "_p05" + suffix, name + "_p95" + suffix});
+            rows.push_back({name + suffix, name + "_error" + suffix, name + "_p05" + suffix, name + "_p95" + suffix});
         }
-        return all;
+        return rows;
     }();
     return keys[static_cast<std::size_t>(quantity)][static_cast<std::size_t>(statistic)];
 }
@@ -170,11 +170,11 @@ std::vector<Column> columns_of(const Scene& scene, const detail::LawCurve& curve
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
-            const Estimate<double> found = estimate_of(column, scene, curve, i, state);
-            const bool lost = row.quantity == CurveQuantity::loading_stiffness && found.value == 0;
+            const Estimate<double> estimate = estimate_of(column, scene, curve, i, state);
+            const bool lost = row.quantity == CurveQuantity::loading_stiffness && estimate.value == 0;
             column.values.push_back(lost                            ? std::numeric_limits<double>::quiet_NaN()
-                                    : statistic == Statistic::error ? found.error
-                                                                    : found.value);
+                                    : statistic == Statistic::error ? estimate.error
+                                                                    : estimate.value);
         }
         if (std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isnan(value); }))
             column.values.clear();  // plastic boundary elements know unloading alone

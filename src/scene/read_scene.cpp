@@ -84,16 +84,16 @@ void warn_of_gradients(Scene& scene) {
 
 /// Whether three lines of \p text hold numbers alone, as those of a trace or a map do.
 bool holds_numbers(std::string_view text) {
-    std::size_t found = 0;
-    for (std::size_t begin = 0; begin < text.size() && found < 3;) {
+    std::size_t count = 0;
+    for (std::size_t begin = 0; begin < text.size() && count < 3;) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view line = text.substr(begin, end - begin);
         if (line.find_first_of("0123456789") != std::string_view::npos &&
             line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos)
-            ++found;
+            ++count;
         begin = end + 1;
     }
-    return found == 3;
+    return count == 3;
 }
 
 /// Whether \p text, which is not valid TOML, may be a measured surface: numbers, the JSON of fstiff measure, or binary.

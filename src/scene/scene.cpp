@@ -18,31 +18,31 @@ std::vector<NamedFace> named_faces(const Scene& scene) {
 }
 
 std::vector<Assumed> assumed(const Scene& scene) {
-    std::vector<Assumed> all;
+    std::vector<Assumed> assumptions;
     const bool of_map = scene.face.map && scene.face.spectrum_of_map;
     if (of_map ||
         std::none_of(scene.laws.begin(), scene.laws.end(), [](const detail::Law* law) { return law->needs_spectrum; }))
-        return all;
+        return assumptions;
     if (!scene.face.hurst) {
         const double hurst = hurst_exponent(scene.face),
                      least = detail::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
-        all.push_back({"hurst", "H",
-                       hurst == least           ? "of a band as wide as what was measured"
-                       : scene.face.dimension() ? "2 - D"
-                                                : "assumed, since D is not known",
-                       hurst});
+        assumptions.push_back({"hurst", "H",
+                               hurst == least           ? "of a band as wide as what was measured"
+                               : scene.face.dimension() ? "2 - D"
+                                                        : "assumed, since D is not known",
+                               hurst});
     }
     if (!scene.face.alpha)
-        all.push_back({"alpha", "alpha",
-                       scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
-                       spectral_moments(scene.face).bandwidth()});
-    return all;
+        assumptions.push_back({"alpha", "alpha",
+                               scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
+                               spectral_moments(scene.face).bandwidth()});
+    return assumptions;
 }
 
 std::vector<NamedFace> measured_files(const Scene& scene) {
-    std::vector<NamedFace> all = named_faces(scene);
-    std::erase_if(all, [](const NamedFace& named_face) { return !named_face.measured; });
-    return all;
+    std::vector<NamedFace> faces = named_faces(scene);
+    std::erase_if(faces, [](const NamedFace& named_face) { return !named_face.measured; });
+    return faces;
 }
 
 std::string phrase_of(const detail::Prior& prior, const detail::Face& face) {
@@ -144,10 +144,10 @@ std::string refusal_of(const detail::Law& law, const Scene& scene) {
 
 std::vector<const detail::Law*> offered_laws(const Scene& scene) {
     if (!scene.best) return scene.laws;
-    std::vector<const detail::Law*> all;
+    std::vector<const detail::Law*> laws;
     for (const detail::Law& law : detail::laws())
-        if (refusal_of(law, scene).empty()) all.push_back(&law);
-    return all;
+        if (refusal_of(law, scene).empty()) laws.push_back(&law);
+    return laws;
 }
 
 std::vector<std::size_t> points_of_answer(const Scene& scene) {

@@ -14,8 +14,8 @@
 namespace fstiff::surface {
 namespace {
 
-std::string of(std::size_t count, std::size_t all) {
-    return std::to_string(count) + " of " + std::to_string(all) + " points";
+std::string share_of_points(std::size_t count, std::size_t total) {
+    return std::to_string(count) + " of " + std::to_string(total) + " points";
 }
 
 /// \throws domain_error with the name of the option unless points from \p from to \p to lie on a line of \p points at
@@ -113,20 +113,20 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
     const std::size_t points = report.columns * report.rows;
     if (!options.crop.empty())
         details.push_back("crop: " +
-                          (profile ? of(report.columns, report.columns_read)
+                          (profile ? share_of_points(report.columns, report.columns_read)
                                    : std::to_string(report.columns) + " x " + std::to_string(report.rows) + " of " +
                                          std::to_string(report.columns_read) + " x " +
                                          std::to_string(report.rows_read) + " points") +
                           " kept (" + options.crop.text("m") + ")");
     if (!options.mask.empty())
-        details.push_back("mask: " + of(report.masked, points) + " became missing (" +
+        details.push_back("mask: " + share_of_points(report.masked, points) + " became missing (" +
                           document::display_name(options.mask) + ")");
     if (options.spikes != 0)
-        details.push_back("spikes: " + of(report.spikes, points) + " became missing, beyond " +
+        details.push_back("spikes: " + share_of_points(report.spikes, points) + " became missing, beyond " +
                           detail::shortest_text(options.spikes) +
                           " standard deviations from the median of their neighbours");
     if (options.fill)
-        details.push_back("fill: " + of(report.filled, points) + " filled " +
+        details.push_back("fill: " + share_of_points(report.filled, points) + " filled " +
                           (profile ? "by straight lines" : "by Laplace's equation") +
                           (report.filled > 0 ? ", the largest hole " + std::to_string(report.largest_hole) : ""));
 }
@@ -135,16 +135,17 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
 
 void clean(const SurfaceOptions& options, io::Surface& surface) {
     const bool profile = surface.is_profile();
-    Cleaning<double> how;
+    Cleaning<double> cleaning;
     Extent extent = extent_of(surface);
-    if (!options.crop.empty()) how.crop = crop_of(options, surface, extent);
-    if (!options.mask.empty()) how.mask = mask_of(options, profile, extent);
+    if (!options.crop.empty()) cleaning.crop = crop_of(options, surface, extent);
+    if (!options.mask.empty()) cleaning.mask = mask_of(options, profile, extent);
     if (options.spikes != 0)
         detail::require(options.spikes >= detail::min_spike_limit && options.spikes <= detail::max_spike_limit,
                         options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
-    how.spikes = options.spikes;
-    how.fill = options.fill;
-    const CleaningReport report = std::visit([&](auto& heights) { return detail::clean(heights, how); }, surface.data);
+    cleaning.spikes = options.spikes;
+    cleaning.fill = options.fill;
+    const CleaningReport report =
+        std::visit([&](auto& heights) { return detail::clean(heights, cleaning); }, surface.data);
     describe(options, report, profile, surface.record.details);
 }
 
@@ -154,11 +155,12 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     constexpr Eigen::Index most = 1024;
     std::vector<std::string> hints;
     if (options.spikes != 0) return hints;
-    std::size_t found = 0;
+    std::size_t spikes = 0;
     if (surface.is_profile()) {
         if (surface.profile().size() < 16) return hints;
         Profile<double> copy = surface.profile();
-        if (detail::find_spikes(copy, sure, false).removed > 0) found = detail::find_spikes(copy, limit, false).removed;
+        if (detail::find_spikes(copy, sure, false).removed > 0)
+            spikes = detail::find_spikes(copy, limit, false).removed;
     } else {
         const HeightMap<double>& map = surface.map();
         if (map.rows() < 16 || map.columns() < 16) return hints;
@@ -166,13 +168,13 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
         HeightMap<double> part{map.heights.topLeftCorner(rows, columns), map.dx, map.dy};
         if (detail::find_spikes(part, sure, false).removed > 0) {
             if (part.size() < map.size()) part = map;
-            found = detail::find_spikes(part, limit, false).removed;
+            spikes = detail::find_spikes(part, limit, false).removed;
         }
     }
-    if (found > 0)
-        hints.push_back((found == 1 ? "1 point deviates" : std::to_string(found) + " points deviate") +
+    if (spikes > 0)
+        hints.push_back((spikes == 1 ? "1 point deviates" : std::to_string(spikes) + " points deviate") +
                         " by over 20 sigma, like spikes; " + options.name("spikes") +
-                        (options.prefix.empty() ? " = 20" : " 20") + " removes " + (found == 1 ? "it" : "them"));
+                        (options.prefix.empty() ? " = 20" : " 20") + " removes " + (spikes == 1 ? "it" : "them"));
     return hints;
 }
 

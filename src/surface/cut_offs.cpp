@@ -70,13 +70,13 @@ Instrument instrument_of(const SurfaceOptions& options) {
 }
 
 fstiff::MeasureOptions<double> library_options(const SurfaceOptions& options) {
-    fstiff::MeasureOptions<double> how;
-    how.lambda_s = parse_cut_off(options.lambda_s, options.name("lambda_s"));
-    how.lambda_c = parse_cut_off(options.lambda_c, options.name("lambda_c"));
-    how.filter = options.filter;
+    fstiff::MeasureOptions<double> measuring;
+    measuring.lambda_s = parse_cut_off(options.lambda_s, options.name("lambda_s"));
+    measuring.lambda_c = parse_cut_off(options.lambda_c, options.name("lambda_c"));
+    measuring.filter = options.filter;
     const Instrument instrument = instrument_of(options);
-    how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
-    return how;
+    measuring.tip_radius = instrument.tip_radius, measuring.resolution = instrument.resolution;
+    return measuring;
 }
 
 void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOptions<double>& given, double step,

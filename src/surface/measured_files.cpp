@@ -34,21 +34,21 @@ std::vector<std::string> without_folders(const std::vector<std::string>& names) 
 
 namespace {
 
-/// \throws domain_error unless \p one can be pooled with \p first; messages call both a \p noun.
-void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, const SurfaceOptions& options,
+/// \throws domain_error unless \p next can be pooled with \p first; messages call both a \p noun.
+void require_alike(const MeasuredSurface& first, const MeasuredSurface& next, const SurfaceOptions& options,
                    const std::string& noun) {
     const auto shown = [](const std::optional<double>& a) {
         return a ? document::shown_length(*a) : std::string("none");
     };
     const auto unlike = [&](const std::string& mine, const std::string& other, std::string_view option) {
-        return domain_error(one.file + ": " + mine + first.file + " " + other + "; " + noun + "s of " +
+        return domain_error(next.file + ": " + mine + first.file + " " + other + "; " + noun + "s of " +
                             std::string(option));
     };
-    const CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
-    switch (detail::unlikeness(first.found, one.found)) {
+    const CutOffs<double>&a = next.found.cut_offs, &b = first.found.cut_offs;
+    switch (detail::unlikeness(first.found, next.found)) {
         case detail::Unlikeness::none: return;
         case detail::Unlikeness::kind:
-            throw unlike("is a " + one.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
+            throw unlike("is a " + next.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
         case detail::Unlikeness::lambda_s:
             throw unlike("lambda_s " + shown(a.lambda_s) + ", that of ", shown(b.lambda_s),
                          "one surface must have one " + options.name("lambda_s"));
@@ -56,7 +56,7 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
             throw unlike("lambda_c " + shown(a.lambda_c) + ", that of ", shown(b.lambda_c),
                          "one surface must have one " + options.name("lambda_c"));
         case detail::Unlikeness::step:
-            throw unlike("has points " + document::shown_length(detail::step_of(one.found)) + " apart, and ",
+            throw unlike("has points " + document::shown_length(detail::step_of(next.found)) + " apart, and ",
                          document::shown_length(detail::step_of(first.found)),
                          "unlike steps must have one " + options.name("lambda_s"));
     }
@@ -65,8 +65,8 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
 /// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are
 /// such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>& parts) {
-    const auto share = [&](Amount& option, std::optional<double> CutOffs<double>::*of) {
-        const CutOff<double> asked = parse_cut_off(option, ""), shared = detail::shared_cut_off(asked, parts, of);
+    const auto share = [&](Amount& option, std::optional<double> CutOffs<double>::*cut_off) {
+        const CutOff<double> asked = parse_cut_off(option, ""), shared = detail::shared_cut_off(asked, parts, cut_off);
         if (!asked.automatic() || shared.automatic()) return false;
         option = shared.length() ? Amount(*shared.length()) : Amount("none");
         return true;
@@ -77,9 +77,9 @@ bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>&
 }
 
 std::vector<Surface<double>> found_of(const std::vector<MeasuredSurface>& parts) {
-    std::vector<Surface<double>> all;
-    for (const MeasuredSurface& part : parts) all.push_back(part.found);
-    return all;
+    std::vector<Surface<double>> surfaces;
+    for (const MeasuredSurface& part : parts) surfaces.push_back(part.found);
+    return surfaces;
 }
 
 /// The names of \p files, or the first and how many more.
@@ -90,40 +90,39 @@ std::string names_of(const std::vector<MeasuredSurface>& parts) {
 }
 
 /// Notes common to all of \p parts are given once, the others with the name of the file.
-void gather_warnings(MeasuredSurface& whole) {
+void gather_warnings(MeasuredSurface& pool) {
     const auto count = [&](const std::string& sentence) {
-        return std::count_if(whole.parts.begin(), whole.parts.end(), [&](const MeasuredSurface& part) {
+        return std::count_if(pool.parts.begin(), pool.parts.end(), [&](const MeasuredSurface& part) {
             return std::count(part.warnings.begin(), part.warnings.end(), sentence) > 0;
         });
     };
-    for (const MeasuredSurface& part : whole.parts)
+    for (const MeasuredSurface& part : pool.parts)
         for (const std::string& sentence : part.warnings) {
-            const bool of_all = count(sentence) == std::ssize(whole.parts);
-            if (of_all && &part != &whole.parts.front()) continue;
-            whole.warnings.push_back((of_all ? "" : part.file + ": ") + sentence);
+            const bool of_all = count(sentence) == std::ssize(pool.parts);
+            if (of_all && &part != &pool.parts.front()) continue;
+            pool.warnings.push_back((of_all ? "" : part.file + ": ") + sentence);
             if (std::count(part.of_file.begin(), part.of_file.end(), sentence) > 0)
-                whole.of_file.push_back(whole.warnings.back());
+                pool.of_file.push_back(pool.warnings.back());
         }
 }
 
 MeasuredSurface pooled(std::vector<MeasuredSurface> parts, const std::string& noun) {
-    MeasuredSurface whole;
-    whole.parts = std::move(parts);
-    whole.found = fstiff::pooled(found_of(whole.parts));
+    MeasuredSurface pool;
+    pool.parts = std::move(parts);
+    pool.found = fstiff::pooled(found_of(pool.parts));
     std::string hashes;
-    for (const MeasuredSurface& part : whole.parts) hashes += part.sha256 + "\n";
-    whole.file = names_of(whole.parts);
-    whole.sha256 = document::sha256(hashes);
-    whole.kind = whole.parts.front().kind;
-    whole.decisions = {std::to_string(whole.parts.size()) + " " + noun + "s pooled, each by its " +
-                           (whole.is_profile() ? "length" : "area") + ": " + names_of(whole.parts),
-                       sentence_of(whole.found.cut_offs),
-                       "errors: those of the " + noun + "s, or of their scatter by Student's t where it is greater"};
-    gather_warnings(whole);
-    for (std::string& line : peak_warnings(whole.found.concerns, whole.found.peaks_counted, whole.found))
-        if (std::count(whole.warnings.begin(), whole.warnings.end(), line) == 0)
-            whole.warnings.push_back(std::move(line));
-    return whole;
+    for (const MeasuredSurface& part : pool.parts) hashes += part.sha256 + "\n";
+    pool.file = names_of(pool.parts);
+    pool.sha256 = document::sha256(hashes);
+    pool.kind = pool.parts.front().kind;
+    pool.decisions = {std::to_string(pool.parts.size()) + " " + noun + "s pooled, each by its " +
+                          (pool.is_profile() ? "length" : "area") + ": " + names_of(pool.parts),
+                      sentence_of(pool.found.cut_offs),
+                      "errors: those of the " + noun + "s, or of their scatter by Student's t where it is greater"};
+    gather_warnings(pool);
+    for (std::string& line : peak_warnings(pool.found.concerns, pool.found.peaks_counted, pool.found))
+        if (std::count(pool.warnings.begin(), pool.warnings.end(), line) == 0) pool.warnings.push_back(std::move(line));
+    return pool;
 }
 
 }  // namespace
@@ -148,9 +147,9 @@ MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const M
     measure_all();
     if (again && share_cut_offs(options.input, found_of(parts))) measure_all();
     for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input, noun);
-    MeasuredSurface whole = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts), noun);
-    whole.warnings.insert(whole.warnings.begin(), copies.begin(), copies.end());
-    return whole;
+    MeasuredSurface pool = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts), noun);
+    pool.warnings.insert(pool.warnings.begin(), copies.begin(), copies.end());
+    return pool;
 }
 
 MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<std::string>& names,

@@ -94,28 +94,28 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
         throw domain_error(document::display_name(options.file) +
                            ": is JSON that fstiff printed; must be a profile or a map (run --surface and surface.from "
                            "read the JSON of fstiff measure)");
-    io::SurfaceOptions how;
-    how.format = options.format;
-    how.units = options.units;
-    if (!options.prefix.empty()) how.names = {std::string(options.prefix), std::string(options.format_name), " "};
-    how.column = static_cast<std::size_t>(options.column);
-    how.x_column = static_cast<std::size_t>(options.x_column);
+    io::SurfaceOptions reading;
+    reading.format = options.format;
+    reading.units = options.units;
+    if (!options.prefix.empty()) reading.names = {std::string(options.prefix), std::string(options.format_name), " "};
+    reading.column = static_cast<std::size_t>(options.column);
+    reading.x_column = static_cast<std::size_t>(options.x_column);
     const auto length = [&](const Amount& given, const char* key) {
         return given.empty() ? std::optional<double>() : parse_length(given, options.name(key));
     };
-    how.spacing = length(options.spacing, "spacing");
-    how.dx = length(options.dx, "dx");
-    how.dy = length(options.dy, "dy");
-    how.width = length(options.width, "width");
-    how.height = length(options.height, "height");
-    how.missing = options.missing;
-    how.thousands = options.thousands;
-    how.resample = options.resample;
-    how.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
-    how.channel = options.channel;
+    reading.spacing = length(options.spacing, "spacing");
+    reading.dx = length(options.dx, "dx");
+    reading.dy = length(options.dy, "dy");
+    reading.width = length(options.width, "width");
+    reading.height = length(options.height, "height");
+    reading.missing = options.missing;
+    reading.thousands = options.thousands;
+    reading.resample = options.resample;
+    reading.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
+    reading.channel = options.channel;
     SurfaceInput input;
     input.sha256 = document::sha256(bytes);
-    input.surface = io::read_surface(std::move(bytes), document::display_name(options.file), how);
+    input.surface = io::read_surface(std::move(bytes), document::display_name(options.file), reading);
     clean_input(options, input);
     return input;
 }
@@ -149,12 +149,13 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
     const Form form = form_of_profile(options);
     const Profile<double>& read = input.surface.profile();
     return document::about_file(options.file, [&] {
-        fstiff::MeasureOptions<double> how = library_options(options);
-        how.form = form;
-        if (options.detrend == gaussian_form) how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
-        how.height_step = input.surface.record.resolution;
-        require_cut_offs(options, how, read.spacing, read.length());
-        return how;
+        fstiff::MeasureOptions<double> measuring = library_options(options);
+        measuring.form = form;
+        if (options.detrend == gaussian_form)
+            measuring.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
+        measuring.height_step = input.surface.record.resolution;
+        require_cut_offs(options, measuring, read.spacing, read.length());
+        return measuring;
     });
 }
 
@@ -166,13 +167,13 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     refuse_cutoff(options);
     const HeightMap<double>& map = input.surface.map();
     return document::about_file(options.file, [&] {
-        fstiff::MeasureOptions<double> how = library_options(options);
-        how.map_form = form;
-        how.height_step = input.surface.record.resolution;
+        fstiff::MeasureOptions<double> measuring = library_options(options);
+        measuring.map_form = form;
+        measuring.height_step = input.surface.record.resolution;
         require_cut_offs(
-            options, how, std::max(map.dx, map.dy),
+            options, measuring, std::max(map.dx, map.dy),
             std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy));
-        return how;
+        return measuring;
     });
 }
 
@@ -182,18 +183,18 @@ std::string form_name(const LevelledProfile<double>& levelled) {
 std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
 
 PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
-    const auto how = options_for_profile(options, input);
-    return document::about_file(options.file, [&] { return prepare(input.surface.profile(), how); });
+    const auto measuring = options_for_profile(options, input);
+    return document::about_file(options.file, [&] { return prepare(input.surface.profile(), measuring); });
 }
 
 PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input) {
-    const auto how = options_for_map(options, input);
-    return document::about_file(options.file, [&] { return prepare(input.surface.map(), how); });
+    const auto measuring = options_for_map(options, input);
+    return document::about_file(options.file, [&] { return prepare(input.surface.map(), measuring); });
 }
 
 PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
-    const auto how = options_for_map(options, input);
-    return document::about_file(options.file, [&] { return prepare(input.take_map(), how); });
+    const auto measuring = options_for_map(options, input);
+    return document::about_file(options.file, [&] { return prepare(input.take_map(), measuring); });
 }
 
 std::string gradient_warning(double rms_gradient, std::string_view origin) {
@@ -207,13 +208,13 @@ std::string gradient_warning(double rms_gradient, std::string_view origin) {
 
 std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
                                           std::optional<double> rms_gradient) {
-    std::vector<std::string> all = input.surface.record.warnings;
+    std::vector<std::string> warnings = input.surface.record.warnings;
     if (rms_gradient && !detail::is_plausible_gradient(*rms_gradient))
-        all.push_back(gradient_warning(*rms_gradient, "measured"));
+        warnings.push_back(gradient_warning(*rms_gradient, "measured"));
     if (input.missing() > 0)
-        all.push_back(std::to_string(input.missing()) + " of " + std::to_string(input.points()) +
-                      " points are missing; " + std::string(consequence));
-    return all;
+        warnings.push_back(std::to_string(input.missing()) + " of " + std::to_string(input.points()) +
+                           " points are missing; " + std::string(consequence));
+    return warnings;
 }
 
 }  // namespace fstiff::surface

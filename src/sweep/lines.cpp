@@ -32,11 +32,11 @@ public:
         std::iota(order.begin(), order.end(), std::size_t(0));
         const std::size_t* point = maker_.point_axis();
         if (point) sort_by_surface(*point, order);
-        for (std::size_t at = 0, end = 0; at < order.size(); at = end) {
-            end = at + 1;
-            while (point && end < order.size() && maker_.alike(block_.values[order[at]], block_.values[order[end]]))
+        for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+            end = begin + 1;
+            while (point && end < order.size() && maker_.alike(block_.values[order[begin]], block_.values[order[end]]))
                 ++end;
-            compute(std::span(order).subspan(at, end - at));
+            compute(std::span(order).subspan(begin, end - begin));
         }
         std::stable_sort(block_.rows.begin(), block_.rows.end(),
                          [](const Row& a, const Row& b) { return a.scene < b.scene; });

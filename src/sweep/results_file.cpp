@@ -96,15 +96,15 @@ Description read_description(const std::string& results) {
                                       " that names its grid and shard is missing; put it back next to the results, or "
                                       "move them away and run the sweep again");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    Description made;
+    Description description;
     try {
         const auto json = nlohmann::json::parse(text);
         if (json.at("schema_version") != 1) throw file_error(file, "is of another version of fstiff");
-        Description::each_field(made, [&](const char* key, auto& to) { json.at(key).get_to(to); });
+        Description::each_field(description, [&](const char* key, auto& to) { json.at(key).get_to(to); });
     } catch (const nlohmann::json::exception&) {
         throw file_error(file, "is not a description of results; must be what fstiff sweep wrote next to " + results);
     }
-    return made;
+    return description;
 }
 
 void write_description(const std::string& results, const Description& description) {
@@ -115,8 +115,8 @@ void write_description(const std::string& results, const Description& descriptio
 
 }  // namespace
 
-OpenFile::OpenFile(std::string name, os::Opening how)
-    : name_(std::move(name)), descriptor_(os::open_file(document::path_of(name_), how)) {
+OpenFile::OpenFile(std::string name, os::Opening opening)
+    : name_(std::move(name)), descriptor_(os::open_file(document::path_of(name_), opening)) {
     if (descriptor_ < 0) fail(name_, "cannot be written");
 }
 
@@ -209,8 +209,9 @@ void ResultsFile::write() {
     try {
         file_.write(waiting_);
     } catch (...) {  // no room: the lines that found some stay
-        const std::int64_t at = os::position(file_.descriptor());
-        const std::size_t written = at > static_cast<std::int64_t>(size_) ? static_cast<std::size_t>(at) - size_ : 0;
+        const std::int64_t position = os::position(file_.descriptor());
+        const std::size_t written =
+            position > static_cast<std::int64_t>(size_) ? static_cast<std::size_t>(position) - size_ : 0;
         keep(std::string_view(waiting_).substr(0, written).rfind('\n') + 1);  // of none, npos + 1 is 0
         throw;
     }

@@ -100,7 +100,7 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
                 .effective_modulus = modulus};
     const std::vector<double> pressure{1e8};
     const auto stiffness = [&] {
-        return actions::contact_of("hybrid", plain)
+        return actions::make_contact("hybrid", plain)
             .contact->at_pressures(pressure, Quantity::stiffness)[0]
             .state.stiffness.value;
     };

@@ -87,7 +87,7 @@ Owner of_program(const std::string& key, const Value& value) {
     return owner;
 }
 Value number(double value) {
-    return {.kind = value == std::floor(value) ? Value::Kind::whole : Value::Kind::real,
+    return {.kind = value == std::floor(value) ? Value::Kind::integer : Value::Kind::real,
             .written = fstiff::detail::shortest_text(value),
             .number = value};
 }

@@ -72,7 +72,7 @@ std::string sentence_of(const auto& call) {
 TEST_CASE("one contact of numbers is that of the library, bit for bit") {
     const Roughness<double> surface{0.832e-6, 40e-6, 500e6, 5.3e-6};
     const RoughContact expected(surface, PeakDistribution<double>(0.5, 1.0), HertzLaw<double>{}, 112.6e9);
-    const actions::OneContact one = actions::contact_of("hertz", joint_of(surface, 0.5, 1.0));
+    const actions::OneContact one = actions::make_contact("hertz", joint_of(surface, 0.5, 1.0));
     const std::vector<double> pressures{1e5, 1e7};
     const auto points = one.contact->at_pressures(pressures, Quantity::all);
     for (std::size_t i = 0; i < pressures.size(); ++i)
@@ -87,16 +87,17 @@ TEST_CASE("every contact of a scene gives the curve of the scene") {
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         std::size_t peaks = 0;
         for (; curve < results.curves.size() && results.curves[curve].law == scene.laws[law]; ++curve) {
-            const actions::OneContact one = actions::contact_of(scene, law, peaks++);
+            const actions::OneContact one = actions::make_contact(scene, law, peaks++);
             CHECK(one.law == results.curves[curve].law);
             const auto points = one.contact->at_pressures(scene.points, Quantity::all);
             for (std::size_t i = 0; i < points.size(); ++i)
                 CHECK(points[i].state.stiffness.value == results.curves[curve].states[i].stiffness.value);
         }
-        CHECK_THROWS_AS(actions::contact_of(scene, law, peaks), actions::no_such_entry);
+        CHECK_THROWS_AS(actions::make_contact(scene, law, peaks), actions::no_such_entry);
     }
     CHECK(curve == results.curves.size());
-    CHECK(sentence_of([&] { return actions::contact_of(scene, 3, 0); }) == "law = 3: must be an entry of contact.laws");
+    CHECK(sentence_of([&] { return actions::make_contact(scene, 3, 0); }) ==
+          "law = 3: must be an entry of contact.laws");
 }
 
 TEST_CASE("what was measured of heights replaces the surface of a scene and of numbers") {
@@ -113,7 +114,7 @@ TEST_CASE("what was measured of heights replaces the surface of a scene and of n
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         const Joint joint{.face = {.measured = std::make_shared<const Surface<double>>(measured.found)},
                           .effective_modulus = results.modulus};
-        const actions::OneContact one = actions::contact_of(std::string(scene.laws[law]->name), joint);
+        const actions::OneContact one = actions::make_contact(std::string(scene.laws[law]->name), joint);
         const auto points = one.contact->at_pressures(scene.points, Quantity::stiffness);
         for (std::size_t i = 0; i < points.size(); ++i)
             CHECK(points[i].state.stiffness.value == results.curves[law].states[i].stiffness.value);
@@ -130,10 +131,10 @@ TEST_CASE("heights and numbers that are not valid are refused in one sentence") 
           }) == "heights: profile has 2 points: must be at least 16");
     Joint joint = joint_of({0.832e-6, 40e-6, 500e6}, 0.5, 1.0);
     joint.effective_modulus = 0;
-    CHECK(sentence_of([&] { return actions::contact_of("hertz", joint); }) ==
+    CHECK(sentence_of([&] { return actions::make_contact("hertz", joint); }) ==
           "effective_modulus = 0: must be finite and greater than 0");
     CHECK(sentence_of([] {
-              return actions::contact_of("herz", Joint());
+              return actions::make_contact("herz", Joint());
           }).starts_with("law = \"herz\": must be one of \"fractal\""));
 }
 
@@ -141,18 +142,18 @@ TEST_CASE("a missing number that may be 0 is not taken for 0") {
     const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
     Joint numbers = joint_of(surface, std::nullopt, 1.0);
     numbers.upper.yield_strength = 1e9;
-    CHECK(sentence_of([&] { return actions::contact_of("hertz", numbers); }) ==
+    CHECK(sentence_of([&] { return actions::make_contact("hertz", numbers); }) ==
           "r: is missing; r and theta belong together");
     numbers.face.r = 0;
-    CHECK(actions::contact_of("hertz", numbers).contact);
-    CHECK(sentence_of([&] { return actions::contact_of("jackson_green", numbers); }) ==
+    CHECK(actions::make_contact("hertz", numbers).contact);
+    CHECK(sentence_of([&] { return actions::make_contact("jackson_green", numbers); }) ==
           "law jackson_green: needs poisson_ratio");
-    CHECK(sentence_of([&] { return actions::contact_of("kogut_etsion", numbers); }) ==
+    CHECK(sentence_of([&] { return actions::make_contact("kogut_etsion", numbers); }) ==
           "law kogut_etsion: needs poisson_ratio");
     numbers.upper.elastic.poisson_ratio = 0;
-    CHECK(actions::contact_of("jackson_green", numbers).contact);
+    CHECK(actions::make_contact("jackson_green", numbers).contact);
     numbers.face.theta.reset(), numbers.face.r.reset();
-    CHECK(sentence_of([&] { return actions::contact_of("hertz", numbers); }) == "law hertz: needs r and theta");
+    CHECK(sentence_of([&] { return actions::make_contact("hertz", numbers); }) == "law hertz: needs r and theta");
 }
 
 TEST_CASE("the sensitivities of plain numbers are the exact derivatives of the headers") {

@@ -278,7 +278,7 @@ TEST_CASE("The separation of boundary elements is that of the mean planes: of th
         actions::truth_of_map(request, surface::surface_of_heights(request.surface, {map}, "made here"));
     const double highest = map.heights.maxCoeff() - map.heights.mean();
     CHECK(test::relative_error(solved.at.front().state.mean_gap, highest) < 1e-3);
-    CHECK(contains(actions::rows_of(solved).text(), "separation [µm]"));
+    CHECK(contains(actions::pressure_rows(solved).text(), "separation [µm]"));
 }
 
 TEST_CASE("A cell of CSV with a comma, a quotation mark or a line end is quoted, and no other") {

@@ -157,7 +157,7 @@ inline const fstiff::surface::MeasuredSurface& measured_of(const fstiff::scene::
 /// CSV output of fstiff run.
 inline std::string csv_of(const fstiff::actions::Results& results) {
     std::string text;
-    for (const auto& curve : results.curves) text += fstiff::actions::rows_of(results, curve).csv(text.empty());
+    for (const auto& curve : results.curves) text += fstiff::actions::point_rows(results, curve).csv(text.empty());
     return text;
 }
 

@@ -27,16 +27,16 @@ struct Options {
 /// The document of --scales.
 Report execute_scales(const Options& options) {
     if (options.files.size() != 1) throw Usage("--scales is of one file");
-    actions::ScalesOptions how{.progress = progress_bar()};
-    how.pressure = document::parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
-    how.modulus = document::parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
+    actions::ScalesOptions load{.progress = progress_bar()};
+    load.pressure = document::parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
+    load.modulus = document::parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
     surface::MeasureOptions measure = options.measure;
     measure.input.file = options.files.front();
     const surface::SurfaceInput input = read_surface_input(measure.input);
     const auto surface =
         std::make_shared<const surface::MeasuredSurface>(measure_surface(measure, input, progress_bar()));
-    const actions::Scales scales = scales_of(*surface, input, how);
-    return report(document_of(measure, surface, scales, how), options.output.chosen());
+    const actions::Scales scales = scales_of(*surface, input, load);
+    return report(document_of(measure, surface, scales, load), options.output.chosen());
 }
 
 Report execute(const Options& options) {

@@ -37,16 +37,16 @@ struct Options {
 std::string results_file(std::string file, const sweep::Shard& shard) {
     const std::string place = "{shard}", number = std::to_string(shard.number);
     const std::string padded = std::string(std::to_string(shard.of).size() - number.size(), '0') + number;
-    for (std::size_t at = file.find(place); at != std::string::npos; at = file.find(place))
-        file.replace(at, place.size(), padded);
+    for (std::size_t begin = file.find(place); begin != std::string::npos; begin = file.find(place))
+        file.replace(begin, place.size(), padded);
     return file;
 }
 
-std::string summary(const sweep::Grid& grid, const sweep::Description& of, const std::string& file) {
+std::string summary(const sweep::Grid& grid, const sweep::Description& description, const std::string& file) {
     std::string text = "fstiff sweep: " + document::printable(grid.file) + ", " + counted(grid.size, "scene");
-    if (of.shard.of > 1)
-        text += ", of which shard " + of.shard.text() + " has " +
-                std::to_string(of.shard.end(grid.size) - of.shard.first(grid.size));
+    if (description.shard.of > 1)
+        text += ", of which shard " + description.shard.text() + " has " +
+                std::to_string(description.shard.end(grid.size) - description.shard.first(grid.size));
     text += "; results in " + document::printable(file) + "\n";
     for (const sweep::Axis& axis : grid.axes) {
         text += "  " + axis.key;

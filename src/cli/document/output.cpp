@@ -106,12 +106,12 @@ void refuse_standard_output(const std::string& output, std::string_view wanted) 
 }
 
 Report report(const document::Document& document, document::Format format) {
-    Report made{
+    Report report{
         .document = document.str(format), .diagnostics = {}, .status = document.doubtful ? doubtful_result : success};
-    if (format == document::Format::table) return made;
-    if (format == document::Format::csv) made.diagnostics = document.notes;
-    for (const std::string& warning : document.warnings) made.diagnostics.push_back("warning: " + warning);
-    return made;
+    if (format == document::Format::table) return report;
+    if (format == document::Format::csv) report.diagnostics = document.notes;
+    for (const std::string& warning : document.warnings) report.diagnostics.push_back("warning: " + warning);
+    return report;
 }
 
 void say_written(Report& report, const std::vector<std::string>& files) {

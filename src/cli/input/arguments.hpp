@@ -37,8 +37,8 @@ public:
         else
             add(name, field,
                 {kind_of<Member>(), words_of<Member>(), default_of(to), &to,
-                 [](const Value& value, void* member, const std::string& key, const request::Field& of) {
-                     request::put(value, *static_cast<Member*>(member), key, of);
+                 [](const Value& value, void* member, const std::string& key, const request::Field& range) {
+                     request::put(value, *static_cast<Member*>(member), key, range);
                  }});
     }
     /// Every field of \p owner, which are the targets.

@@ -15,9 +15,9 @@ void add_format_option(Arguments& arguments, OutputOptions& options, document::F
                    {words.begin(), words.end()},
                    "",
                    &options,
-                   [](const request::Value& value, void* member, const std::string& key, const request::Field& of) {
+                   [](const request::Value& value, void* member, const std::string& key, const request::Field& range) {
                        auto& output = *static_cast<OutputOptions*>(member);
-                       request::put(value, output.format, key, of);
+                       request::put(value, output.format, key, range);
                        output.for_people = false;
                    }});
 }

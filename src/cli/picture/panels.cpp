@@ -49,10 +49,10 @@ std::vector<DrawnCurve> curves_of(const actions::Results& results, const std::op
     for (const Curve* own : shown_curves(results)) {
         if (own->states.empty()) continue;  // no pressure is within its reach
         curves.push_back({own});
-        for (const Curve* one : between ? shown_curves(*between) : std::vector<const Curve*>())
-            if (one->law == own->law && one->theta == own->theta && one->r == own->r &&
-                is_answer(*one) == is_answer(*own))
-                curves.back().between = one;
+        for (const Curve* fine : between ? shown_curves(*between) : std::vector<const Curve*>())
+            if (fine->law == own->law && fine->theta == own->theta && fine->r == own->r &&
+                is_answer(*fine) == is_answer(*own))
+                curves.back().between = fine;
     }
     return curves;
 }
@@ -64,9 +64,11 @@ PlotLine line_of(const DrawnCurve& curve, scene::CurveQuantity quantity, const d
     PlotLine line{.label = is_answer(*curve.own) ? "answer (" + laws_of(*curve.own) + ")" : title(*curve.own)};
     const bool of_grid = quantity == scene::CurveQuantity::stiffness && is_truth(*curve.own) && curve.own->band.empty();
     curve.each_state([&](const Curve& part, std::size_t i) {
-        const auto at = [&](scene::Statistic statistic) { return part.value_at(part.places[i], quantity, statistic); };
-        const auto value = at(scene::Statistic::value), low = at(scene::Statistic::p05),
-                   high = at(scene::Statistic::p95);
+        const auto number = [&](scene::Statistic statistic) {
+            return part.value_at(part.places[i], quantity, statistic);
+        };
+        const auto value = number(scene::Statistic::value), low = number(scene::Statistic::p05),
+                   high = number(scene::Statistic::p95);
         if (!value) return;
         line.x.push_back(part.states[i].pressure.value * unit_of_pressure.factor);
         line.y.push_back(*value * factor);
@@ -75,7 +77,7 @@ PlotLine line_of(const DrawnCurve& curve, scene::CurveQuantity quantity, const d
         };
         if (low && high)
             put(std::min(*low, *high), std::max(*low, *high));
-        else if (const auto error = at(scene::Statistic::error); error && of_grid)
+        else if (const auto error = number(scene::Statistic::error); error && of_grid)
             put(*error < 0.9 * *value ? *value - *error : 0, *value + *error);
     });
     if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
